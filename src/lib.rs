@@ -1,0 +1,5 @@
+//! Lightwalk: walk through classic rendering, step by step, forward and back.
+
+pub mod color;
+pub mod record;
+pub mod scene;

@@ -1,0 +1,100 @@
+//! What every event can say of itself: its kind, its line in the pseudocode, its values by name.
+
+use crate::color::Rgb;
+use glam::DVec3;
+
+/// A typed event of one algorithm. Small and `Copy`: bulk data stays in the scene and is named by index.
+pub trait Event: Copy + Send + Sync + 'static {
+    /// The event's name, as search, lessons and `steps` write it: `EdgeInterpolated`.
+    fn kind(&self) -> &'static str;
+    /// The line of the algorithm's pseudocode, counted from 0, that this event carries out.
+    fn line(&self) -> usize;
+    /// Appends the event's own values, named as in the literature.
+    fn fields(&self, fields: &mut Fields);
+}
+
+/// A value that an event tells.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Value {
+    Number(f64),
+    Integer(i64),
+    Rgb(Rgb),
+    Vector(DVec3),
+    Truth(bool),
+    Word(&'static str),
+}
+
+/// A value with its name. Names are ASCII, with `_` before a subscript (`I_4`, `x_P`, `k_d`).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Field {
+    pub name: &'static str,
+    pub value: Value,
+}
+
+/// Named values, in the order in which they were told.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Fields(pub Vec<Field>);
+
+impl Fields {
+    pub fn push(&mut self, name: &'static str, value: impl Into<Value>) -> &mut Self {
+        self.0.push(Field {
+            name,
+            value: value.into(),
+        });
+        self
+    }
+
+    /// The value told last under `name`: an inner scope's word goes before an outer one's.
+    pub fn get(&self, name: &str) -> Option<Value> {
+        self.0
+            .iter()
+            .rev()
+            .find(|field| field.name == name)
+            .map(|field| field.value)
+    }
+
+    pub fn iter(&self) -> impl Iterator<Item = &Field> {
+        self.0.iter()
+    }
+}
+
+impl From<f64> for Value {
+    fn from(number: f64) -> Self {
+        Value::Number(number)
+    }
+}
+impl From<u32> for Value {
+    fn from(integer: u32) -> Self {
+        Value::Integer(integer.into())
+    }
+}
+impl From<u16> for Value {
+    fn from(integer: u16) -> Self {
+        Value::Integer(integer.into())
+    }
+}
+impl From<i32> for Value {
+    fn from(integer: i32) -> Self {
+        Value::Integer(integer.into())
+    }
+}
+impl From<Rgb> for Value {
+    fn from(color: Rgb) -> Self {
+        Value::Rgb(color)
+    }
+}
+impl From<DVec3> for Value {
+    fn from(vector: DVec3) -> Self {
+        Value::Vector(vector)
+    }
+}
+impl From<bool> for Value {
+    fn from(truth: bool) -> Self {
+        Value::Truth(truth)
+    }
+}
+impl From<&'static str> for Value {
+    fn from(word: &'static str) -> Self {
+        Value::Word(word)
+    }
+}

@@ -1,0 +1,123 @@
+//! What is drawn: camera, lights, materials and objects, read from a scene file and checked.
+//!
+//! Right-handed coordinates, any length unit; angles in radians here, in degrees in files; colours in linear RGB.
+
+mod camera;
+mod mesh;
+
+pub use camera::{Camera, View};
+pub use mesh::Mesh;
+
+use crate::color::Rgb;
+use glam::DVec3;
+
+/// A scene that was found right: every index is in range, every number finite and within its bounds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    pub background: Rgb,
+    /// A, the ambient light of the scene.
+    pub ambient: Rgb,
+    /// a0, a1, a2 of the attenuation of secondary rays.
+    pub path_attenuation: [f64; 3],
+    pub camera: Option<Camera>,
+    pub materials: Vec<Material>,
+    pub objects: Vec<Object>,
+    pub lights: Vec<Light>,
+}
+
+/// How a surface answers light. No coefficient is scaled by another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    pub name: String,
+    /// k_a
+    pub ambient: Rgb,
+    /// k_d
+    pub diffuse: Rgb,
+    /// k_s
+    pub specular: Rgb,
+    /// n_s
+    pub shininess: f64,
+    pub highlight: Highlight,
+    pub reflection: Rgb,
+    pub transmission: Rgb,
+    /// η, the index of refraction inside.
+    pub ior: f64,
+    /// Radiant exitance that the surface gives off by itself.
+    pub emission: Rgb,
+    /// ρ, for radiosity.
+    pub reflectance: Rgb,
+    pub texture: Option<Texture>,
+}
+
+/// Which cosine the specular term raises to the shininess.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Highlight {
+    /// N·H (Blinn 1977)
+    Blinn,
+    /// R·V (Phong 1975)
+    Phong,
+}
+
+/// Multiplies the diffuse coefficient.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Texture {
+    /// `colors[(⌊u/scale⌋ + ⌊v/scale⌋) mod 2]`
+    Checker { colors: [Rgb; 2], scale: f64 },
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub struct Object {
+    pub name: String,
+    /// Index into [`Scene::materials`].
+    pub material: usize,
+    pub shape: Shape,
+    /// Radiosity patches along u and v.
+    pub patches: [u32; 2],
+    pub casts_shadow: bool,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shape {
+    Sphere {
+        center: DVec3,
+        radius: f64,
+    },
+    /// `normal` is a unit vector.
+    Plane {
+        point: DVec3,
+        normal: DVec3,
+    },
+    /// Three vertices or more, counter-clockwise seen from the front.
+    Polygon {
+        vertices: Vec<DVec3>,
+    },
+    /// From `base` along the unit vector `axis`.
+    Cylinder {
+        base: DVec3,
+        axis: DVec3,
+        radius: f64,
+        height: f64,
+        capped: bool,
+    },
+    /// Bicubic patches of 4×4 control points, row by row; each is divided into `divisions`² cells where polygons are needed.
+    Bezier {
+        patches: Vec<[DVec3; 16]>,
+        divisions: u32,
+    },
+    /// Already transformed to world coordinates.
+    Mesh(Mesh),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Light {
+    Point {
+        position: DVec3,
+        color: Rgb,
+        /// a0, a1, a2 of f_att(d) = 1/(a0 + a1·d + a2·d²), not all zero.
+        attenuation: [f64; 3],
+        /// Of the ball that rays see; 0 for none.
+        radius: f64,
+    },
+    /// `toward` is the unit direction in which the light travels.
+    Directional { toward: DVec3, color: Rgb },
+}
