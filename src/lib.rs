@@ -1,5 +1,7 @@
 //! Lightwalk: walk through classic rendering, step by step, forward and back.
 
+pub mod algorithms;
 pub mod color;
+pub mod numeric;
 pub mod record;
 pub mod scene;

@@ -7,10 +7,24 @@ use glam::DVec3;
 pub trait Event: Copy + Send + Sync + 'static {
     /// The event's name, as search, lessons and `steps` write it: `EdgeInterpolated`.
     fn kind(&self) -> &'static str;
-    /// The line of the algorithm's pseudocode, counted from 0, that this event carries out.
-    fn line(&self) -> usize;
+    /// The line of pseudocode that this event carries out.
+    fn line(&self) -> Line;
     /// Appends the event's own values, named as in the literature.
     fn fields(&self, fields: &mut Fields);
+}
+
+/// Pseudocode as a textbook prints it.
+#[derive(PartialEq, Eq, Debug)]
+pub struct Listing {
+    pub name: &'static str,
+    pub lines: &'static [&'static str],
+}
+
+/// A line of a listing, counted from 0.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Line {
+    pub listing: &'static Listing,
+    pub number: usize,
 }
 
 /// A value that an event tells.

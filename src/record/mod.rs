@@ -7,7 +7,7 @@ mod event;
 mod outline;
 mod recording;
 
-pub use event::{Event, Field, Fields, Value};
+pub use event::{Event, Field, Fields, Line, Listing, Value};
 pub use outline::Outline;
 pub use recording::{Mark, Recording, RecordingLimit};
 

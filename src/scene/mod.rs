@@ -4,9 +4,11 @@
 
 mod camera;
 mod mesh;
+mod tessellation;
 
 pub use camera::{Camera, View};
 pub use mesh::Mesh;
+pub use tessellation::Tessellation;
 
 use crate::color::Rgb;
 use glam::DVec3;

@@ -1,0 +1,356 @@
+//! The illumination model: the intensity of light that one point of a surface sends to the eye.
+//!
+//! I = k_a·A + Σ_lights f_att(d)·I_light·(k_d·max(0, N·L) + k_s·s), where s is max(0, R·V)^n (Phong 1975) or
+//! max(0, N·H)^n with H = (L+V)/|L+V| (Blinn 1977), 0 where N·L ≤ 0; f_att(d) = 1/(a0 + a1·d + a2·d²)
+//! (Foley, van Dam, Feiner, Hughes 1990, §16.1). N, L, V, R, H are unit vectors away from the surface, in world coordinates.
+//!
+//! The lecture's slide multiplies by (dist·cos φ)/√dist instead of f_att(d)·N·L. Read literally, that grows with the
+//! distance; every light tells it as `slide_factor`, for comparison only.
+
+use crate::color::Rgb;
+use crate::record::{self, Fields, Line, Listing, Recorder};
+use crate::scene::{Highlight, Light, Material};
+use glam::DVec3;
+
+pub static PSEUDOCODE: Listing = Listing {
+    name: "illumination",
+    lines: &[
+        "illumination(P, N)",
+        "  V ← toward the eye;  turn N toward V",
+        "  I ← I_a = k_a · A",
+        "  for each light",
+        "    L ← toward the light;  f_att ← 1/(a0 + a1·d + a2·d²)",
+        "    I_d = k_d · I_light · f_att · max(0, N·L)",
+        "    R ← 2(N·L)N − L   or   H ← (L+V)/|L+V|",
+        "    I_s = k_s · I_light · f_att · max(0, R·V)^n   or   (N·H)^n",
+        "    I ← I + I_d + I_s",
+        "  return I",
+    ],
+};
+
+/// A point to be lit.
+#[derive(Clone, Copy, Debug)]
+pub struct SurfacePoint<'a> {
+    pub position: DVec3,
+    /// Unit, on either side: it is turned toward the eye.
+    pub normal: DVec3,
+    pub material: &'a Material,
+    /// k_d with the texture already applied.
+    pub diffuse: Rgb,
+}
+
+/// The lights of a scene and the eye that looks at it.
+#[derive(Clone, Copy, Debug)]
+pub struct Lighting<'a> {
+    /// A, the ambient light.
+    pub ambient: Rgb,
+    pub lights: &'a [Light],
+    pub eye: DVec3,
+}
+
+/// Intensity at `point`, unclamped.
+pub fn illuminate<E: From<Event>>(
+    point: &SurfacePoint,
+    lighting: &Lighting,
+    recorder: &mut impl Recorder<E>,
+) -> Rgb {
+    let to_eye = (lighting.eye - point.position).normalize_or_zero();
+    let turned = point.normal.dot(to_eye) < 0.0;
+    let normal = if turned { -point.normal } else { point.normal };
+    recorder.enter(|| {
+        Event::Illumination {
+            position: point.position,
+            normal,
+        }
+        .into()
+    });
+    recorder.step(|| Event::Viewer { to_eye, turned }.into());
+
+    let ambient = point.material.ambient * lighting.ambient;
+    recorder.step(|| {
+        Event::Ambient {
+            k_a: point.material.ambient,
+            term: ambient,
+        }
+        .into()
+    });
+
+    let mut intensity = ambient;
+    for (number, light) in lighting.lights.iter().enumerate() {
+        intensity += illuminate_by(number, light, point, normal, to_eye, recorder);
+    }
+    recorder.leave(|| Event::Illuminated { intensity }.into());
+    intensity
+}
+
+/// The diffuse and the specular term of one light at `point`, whose unit `normal` is on the side of the eye.
+pub fn illuminate_by<E: From<Event>>(
+    number: usize,
+    light: &Light,
+    point: &SurfacePoint,
+    normal: DVec3,
+    to_eye: DVec3,
+    recorder: &mut impl Recorder<E>,
+) -> Rgb {
+    let Incidence {
+        to_light,
+        distance,
+        attenuation,
+        color,
+    } = incidence(light, point.position);
+    let n_dot_l = normal.dot(to_light);
+    recorder.enter(|| {
+        Event::Light {
+            light: number as u16,
+            color,
+            distance,
+            attenuation,
+            slide_factor: slide_factor(distance, n_dot_l),
+        }
+        .into()
+    });
+    recorder.step(|| Event::ToLight { to_light, n_dot_l }.into());
+
+    let k_d = point.diffuse;
+    let diffuse = if n_dot_l > 0.0 {
+        k_d * color * (attenuation * n_dot_l)
+    } else {
+        Rgb::BLACK
+    };
+    recorder.step(|| Event::Diffuse { k_d, term: diffuse }.into());
+
+    let Material {
+        specular: k_s,
+        shininess,
+        ..
+    } = *point.material;
+    let cosine = match point.material.highlight {
+        Highlight::Phong => {
+            let mirrored = 2.0 * n_dot_l * normal - to_light;
+            let r_dot_v = mirrored.dot(to_eye);
+            recorder.step(|| {
+                Event::Mirrored {
+                    mirrored,
+                    r_dot_v,
+                    shininess,
+                }
+                .into()
+            });
+            r_dot_v
+        }
+        Highlight::Blinn => {
+            let halfway = (to_light + to_eye).normalize_or_zero();
+            let n_dot_h = normal.dot(halfway);
+            recorder.step(|| {
+                Event::Halfway {
+                    halfway,
+                    n_dot_h,
+                    shininess,
+                }
+                .into()
+            });
+            n_dot_h
+        }
+    };
+    let specular = if n_dot_l > 0.0 {
+        k_s * color * (attenuation * cosine.max(0.0).powf(shininess))
+    } else {
+        Rgb::BLACK
+    };
+    recorder.step(|| {
+        Event::Specular {
+            k_s,
+            term: specular,
+        }
+        .into()
+    });
+
+    let term = diffuse + specular;
+    recorder.leave(|| Event::LightAdded { term }.into());
+    term
+}
+
+struct Incidence {
+    to_light: DVec3,
+    /// Infinite for a directional light.
+    distance: f64,
+    attenuation: f64,
+    color: Rgb,
+}
+
+/// Where a light stands as seen from `position`. A light in the very point shines from nowhere: `to_light` is zero.
+fn incidence(light: &Light, position: DVec3) -> Incidence {
+    match *light {
+        Light::Point {
+            position: source,
+            color,
+            attenuation: [a0, a1, a2],
+            ..
+        } => {
+            let distance = source.distance(position);
+            // Not all of a0, a1, a2 are zero, but a1·d and a2·d² may underflow.
+            let divisor = (a0 + distance * (a1 + a2 * distance)).max(f64::MIN_POSITIVE);
+            Incidence {
+                to_light: (source - position).normalize_or_zero(),
+                distance,
+                attenuation: 1.0 / divisor,
+                color,
+            }
+        }
+        Light::Directional { toward, color } => Incidence {
+            to_light: -toward,
+            distance: f64::INFINITY,
+            attenuation: 1.0,
+            color,
+        },
+    }
+}
+
+/// What the slide prints in place of f_att(d)·N·L. At an infinite distance there is no such number: 0.
+fn slide_factor(distance: f64, cos_phi: f64) -> f64 {
+    if distance.is_finite() && distance > 0.0 {
+        distance * cos_phi / distance.sqrt()
+    } else {
+        0.0
+    }
+}
+
+/// One event a term and light, with its vectors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// Opens the model at a point; `normal` is already on the side of the eye.
+    Illumination {
+        position: DVec3,
+        normal: DVec3,
+    },
+    Viewer {
+        to_eye: DVec3,
+        turned: bool,
+    },
+    Ambient {
+        k_a: Rgb,
+        term: Rgb,
+    },
+    /// Opens the part of one light.
+    Light {
+        light: u16,
+        color: Rgb,
+        distance: f64,
+        attenuation: f64,
+        slide_factor: f64,
+    },
+    ToLight {
+        to_light: DVec3,
+        n_dot_l: f64,
+    },
+    Diffuse {
+        k_d: Rgb,
+        term: Rgb,
+    },
+    Mirrored {
+        mirrored: DVec3,
+        r_dot_v: f64,
+        shininess: f64,
+    },
+    Halfway {
+        halfway: DVec3,
+        n_dot_h: f64,
+        shininess: f64,
+    },
+    Specular {
+        k_s: Rgb,
+        term: Rgb,
+    },
+    /// Closes `Light`.
+    LightAdded {
+        term: Rgb,
+    },
+    /// Closes `Illumination`.
+    Illuminated {
+        intensity: Rgb,
+    },
+}
+
+const _: () = assert!(size_of::<Event>() <= 64);
+
+impl record::Event for Event {
+    fn kind(&self) -> &'static str {
+        match self {
+            Event::Illumination { .. } => "Illumination",
+            Event::Viewer { .. } => "Viewer",
+            Event::Ambient { .. } => "Ambient",
+            Event::Light { .. } => "Light",
+            Event::ToLight { .. } => "ToLight",
+            Event::Diffuse { .. } => "Diffuse",
+            Event::Mirrored { .. } => "Mirrored",
+            Event::Halfway { .. } => "Halfway",
+            Event::Specular { .. } => "Specular",
+            Event::LightAdded { .. } => "LightAdded",
+            Event::Illuminated { .. } => "Illuminated",
+        }
+    }
+
+    fn line(&self) -> Line {
+        let number = match self {
+            Event::Illumination { .. } => 0,
+            Event::Viewer { .. } => 1,
+            Event::Ambient { .. } => 2,
+            Event::Light { .. } => 3,
+            Event::ToLight { .. } => 4,
+            Event::Diffuse { .. } => 5,
+            Event::Mirrored { .. } | Event::Halfway { .. } => 6,
+            Event::Specular { .. } => 7,
+            Event::LightAdded { .. } => 8,
+            Event::Illuminated { .. } => 9,
+        };
+        Line {
+            listing: &PSEUDOCODE,
+            number,
+        }
+    }
+
+    fn fields(&self, fields: &mut Fields) {
+        match *self {
+            Event::Illumination { position, normal } => {
+                fields.push("P", position).push("N", normal)
+            }
+            Event::Viewer { to_eye, turned } => fields.push("V", to_eye).push("turned", turned),
+            Event::Ambient { k_a, term } => fields.push("k_a", k_a).push("I_a", term),
+            Event::Light {
+                light,
+                color,
+                distance,
+                attenuation,
+                slide_factor,
+            } => fields
+                .push("light", light)
+                .push("I_light", color)
+                .push("d", distance)
+                .push("f_att", attenuation)
+                .push("slide_factor", slide_factor),
+            Event::ToLight { to_light, n_dot_l } => {
+                fields.push("L", to_light).push("N_dot_L", n_dot_l)
+            }
+            Event::Diffuse { k_d, term } => fields.push("k_d", k_d).push("I_d", term),
+            Event::Mirrored {
+                mirrored,
+                r_dot_v,
+                shininess,
+            } => fields
+                .push("R", mirrored)
+                .push("R_dot_V", r_dot_v)
+                .push("n_s", shininess),
+            Event::Halfway {
+                halfway,
+                n_dot_h,
+                shininess,
+            } => fields
+                .push("H", halfway)
+                .push("N_dot_H", n_dot_h)
+                .push("n_s", shininess),
+            Event::Specular { k_s, term } => fields.push("k_s", k_s).push("I_s", term),
+            Event::LightAdded { term } => fields.push("I_added", term),
+            Event::Illuminated { intensity } => fields.push("I", intensity),
+        };
+    }
+}

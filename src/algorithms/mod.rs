@@ -1,0 +1,22 @@
+//! The algorithms, one file each, in the words of the literature. Each is generic over [`Recorder`](crate::record::Recorder):
+//! what is shown is what ran.
+//!
+//! | file | what | source |
+//! | --- | --- | --- |
+//! | [`illumination`] | intensity at one point | Phong 1975, Blinn 1977 |
+//! | [`scan_line`] | polygons to pixels: edge table, active edges, spans, depth buffer | Wylie et al. 1967, Catmull 1974 |
+//! | [`wireframe`] | the edges alone | DDA, Foley et al. 1990 §3.2.1 |
+//! | [`flat`] | one intensity a polygon | Bouknight 1970 |
+//! | [`gouraud`] | intensity interpolated from the vertices | Gouraud 1971 |
+//!
+//! [`stage`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
+
+pub mod flat;
+pub mod focus;
+pub mod frame;
+pub mod gouraud;
+pub mod illumination;
+pub mod scan_line;
+pub mod stage;
+pub mod vertex_normal;
+pub mod wireframe;

@@ -1,0 +1,126 @@
+//! An edge of the edge table.
+
+use super::{Carried, Event, ScreenCorner, first_centre};
+use crate::numeric::{Ramp, interpolate};
+
+/// An edge from its upper to its lower end, and where the current scan line cuts it.
+///
+/// Invariant: equal ends give equal edges, in whichever direction a polygon runs along them.
+#[derive(Clone, Copy, Debug)]
+pub struct Edge<A> {
+    /// Position in its polygon: from corner `number` to the next.
+    pub number: u16,
+    pub upper: End<A>,
+    pub lower: End<A>,
+    /// The first row of the frame whose centre it reaches, and the row behind the last.
+    pub first: u32,
+    pub end: u32,
+    /// dx/dy
+    pub slope: f64,
+    /// Where the scan line cuts it.
+    pub x_4: f64,
+    /// What is carried, on the current scan line.
+    pub value: Ramp<A>,
+    pub inverse_depth: Ramp<f64>,
+}
+
+/// An end of an edge, on the screen.
+#[derive(Clone, Copy, Debug)]
+pub struct End<A> {
+    pub corner: u16,
+    pub x: f64,
+    pub y: f64,
+    pub value: A,
+}
+
+impl<A: Carried> Edge<A> {
+    /// The edge between two corners, or `None` where it passes the centre of no row: a horizontal edge never does.
+    pub fn between(
+        corners: &[ScreenCorner<A>],
+        from: usize,
+        to: usize,
+        height: u32,
+    ) -> Option<Self> {
+        let end = |corner: usize| {
+            let ScreenCorner { x, y, value, .. } = corners[corner];
+            End {
+                corner: corner as u16,
+                x,
+                y,
+                value,
+            }
+        };
+        let (upper, lower) = if corners[from].y <= corners[to].y {
+            (from, to)
+        } else {
+            (to, from)
+        };
+        let (depth_1, depth_2) = (corners[upper].inverse_depth, corners[lower].inverse_depth);
+        let (upper, lower) = (end(upper), end(lower));
+        let first = first_centre(upper.y, height);
+        let end = first_centre(lower.y, height);
+        if first >= end {
+            return None;
+        }
+        let y_4 = f64::from(first) + 0.5;
+        let slope = (lower.x - upper.x) / (lower.y - upper.y);
+        let mut edge = Edge {
+            number: from as u16,
+            upper,
+            lower,
+            first,
+            end,
+            slope,
+            x_4: upper.x,
+            value: Ramp::start(upper.value, upper.y, lower.value, lower.y, y_4),
+            inverse_depth: Ramp::start(depth_1, upper.y, depth_2, lower.y, y_4),
+        };
+        edge.cut(y_4);
+        Some(edge)
+    }
+
+    /// Moves the cut to the line at height `y_4`, directly.
+    pub fn cut(&mut self, y_4: f64) {
+        self.x_4 = self.upper.x + (y_4 - self.upper.y) * self.slope;
+    }
+
+    /// What is carried at height `y_4`, by the direct form.
+    pub fn value_at(&self, y_4: f64) -> A {
+        interpolate(
+            self.upper.value,
+            self.upper.y,
+            self.lower.value,
+            self.lower.y,
+            y_4,
+        )
+    }
+
+    /// One scan line down.
+    pub fn advance(&mut self) {
+        self.value.advance();
+        self.inverse_depth.advance();
+    }
+
+    pub fn entered(&self) -> Event<A> {
+        Event::EdgeEntered {
+            edge: self.number,
+            upper: self.upper.corner,
+            lower: self.lower.corner,
+            first: self.first,
+            end: self.end,
+            slope: self.slope,
+            step: self.value.step,
+        }
+    }
+
+    pub fn scope(&self) -> Event<A> {
+        Event::Edge {
+            edge: self.number,
+            upper: self.upper.corner,
+            lower: self.lower.corner,
+            y_1: self.upper.y,
+            y_2: self.lower.y,
+            x_4: self.x_4,
+        }
+    }
+}

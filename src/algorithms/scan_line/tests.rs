@@ -1,0 +1,250 @@
+use super::*;
+use crate::color::Rgb;
+use crate::record::Unrecorded;
+use crate::scene::Camera;
+use proptest::prelude::*;
+
+const SIZE: u32 = 24;
+
+/// A camera in front of which the point (x, y) of the screen lies at camera coordinates (x − 12, 12 − y, depth 1).
+fn view() -> View {
+    let camera = Camera {
+        eye: DVec3::ZERO,
+        target: DVec3::NEG_Z,
+        up: DVec3::Y,
+        fov_x: 2.0 * f64::from(SIZE / 2).atan(),
+    };
+    View {
+        focal: 1.0,
+        ..View::new(&camera, SIZE, SIZE)
+    }
+}
+
+/// A corner at (x, y) of the screen, carrying `value`.
+fn at(x: f64, y: f64, value: f64) -> Corner<Rgb> {
+    let half = f64::from(SIZE / 2);
+    Corner {
+        position: DVec3::new(x - half, half - y, 1.0),
+        value: Rgb::splat(value),
+    }
+}
+
+fn whole() -> Region {
+    Region {
+        columns: 0..SIZE,
+        rows: 0..SIZE,
+    }
+}
+
+/// How often each pixel is shaded by the polygons, each in a frame of its own so that depth plays no part.
+fn coverage(polygons: &[Vec<Corner<Rgb>>]) -> Vec<u32> {
+    let mut count = vec![0; (SIZE * SIZE) as usize];
+    for polygon in polygons {
+        let mut frame = Frame::new(SIZE, SIZE, Rgb::BLACK);
+        ScanLine::new().fill::<Event<Rgb>, _>(
+            polygon,
+            &view(),
+            &whole(),
+            &mut frame,
+            &mut Unrecorded,
+            |_, fragment| {
+                count[(fragment.y * SIZE + fragment.x) as usize] += 1;
+                fragment.value
+            },
+        );
+    }
+    count
+}
+
+#[test]
+fn a_triangle_has_the_exact_bilinear_value_at_every_pixel_inside_and_nothing_outside() {
+    let (a, b, c) = ([3.2, 2.7], [21.6, 8.1], [7.3, 20.9]);
+    let values = [0.82, 0.31, 0.55];
+    let mut frame = Frame::new(SIZE, SIZE, Rgb::splat(-1.0));
+    let corners = [
+        at(a[0], a[1], values[0]),
+        at(b[0], b[1], values[1]),
+        at(c[0], c[1], values[2]),
+    ];
+    ScanLine::new().fill::<Event<Rgb>, _>(
+        &corners,
+        &view(),
+        &whole(),
+        &mut frame,
+        &mut Unrecorded,
+        |_, fragment| fragment.value,
+    );
+    // Barycentric coordinates: the linear function on the plane of the triangle.
+    let cross = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
+        (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+    };
+    let area = cross(a, b, c);
+    let mut inside = 0;
+    for y in 0..SIZE {
+        for x in 0..SIZE {
+            let p = [f64::from(x) + 0.5, f64::from(y) + 0.5];
+            let weights = [
+                cross(b, c, p) / area,
+                cross(c, a, p) / area,
+                cross(a, b, p) / area,
+            ];
+            let drawn = frame.pixel(x, y).r;
+            if weights.iter().all(|&weight| weight > 0.0) {
+                let exact: f64 = weights
+                    .iter()
+                    .zip(values)
+                    .map(|(weight, value)| weight * value)
+                    .sum();
+                assert!(
+                    (drawn - exact).abs() < 1e-14,
+                    "({x}, {y}): {drawn} instead of {exact}"
+                );
+                inside += 1;
+            } else {
+                assert_eq!(drawn, -1.0, "({x}, {y}) is outside");
+            }
+        }
+    }
+    // The area of the triangle, in pixels, up to its outline.
+    assert!((f64::from(inside) - area.abs() / 2.0).abs() < 12.0);
+}
+
+#[test]
+fn a_pixel_centre_on_an_edge_belongs_to_one_side() {
+    // Two squares that meet on the centres of column 12 and of row 12, corners on pixel centres.
+    let square = |x: f64, y: f64| {
+        vec![
+            at(x, y, 1.0),
+            at(x + 8.0, y, 1.0),
+            at(x + 8.0, y + 8.0, 1.0),
+            at(x, y + 8.0, 1.0),
+        ]
+    };
+    let count = coverage(&[
+        square(4.5, 4.5),
+        square(12.5, 4.5),
+        square(4.5, 12.5),
+        square(12.5, 12.5),
+    ]);
+    assert!(count.iter().all(|&count| count <= 1));
+    assert_eq!(count.iter().sum::<u32>(), 16 * 16);
+}
+
+#[test]
+fn concave_polygons_are_filled_even_odd() {
+    // A "U": the notch from x = 8 to 16 stays open above row 16.
+    let u = [
+        (4.0, 4.0),
+        (8.0, 4.0),
+        (8.0, 16.0),
+        (16.0, 16.0),
+        (16.0, 4.0),
+        (20.0, 4.0),
+        (20.0, 20.0),
+        (4.0, 20.0),
+    ];
+    let count = coverage(&[u.map(|(x, y)| at(x, y, 1.0)).to_vec()]);
+    assert_eq!(count.iter().sum::<u32>(), 16 * 16 - 8 * 12);
+    assert_eq!(count[(10 * SIZE + 12) as usize], 0);
+}
+
+#[test]
+fn the_nearer_polygon_is_seen_in_either_order() {
+    let plane = |depth: f64, value: f64| {
+        [
+            at(2.0, 2.0, value),
+            at(20.0, 2.0, value),
+            at(2.0, 20.0, value),
+        ]
+        .map(|corner| Corner {
+            position: corner.position * depth,
+            ..corner
+        })
+    };
+    for order in [[1.0, 2.0], [2.0, 1.0]] {
+        let mut frame = Frame::new(SIZE, SIZE, Rgb::BLACK);
+        for depth in order {
+            let corners = plane(depth, depth);
+            ScanLine::new().fill::<Event<Rgb>, _>(
+                &corners,
+                &view(),
+                &whole(),
+                &mut frame,
+                &mut Unrecorded,
+                |_, f| f.value,
+            );
+        }
+        assert!(
+            frame.pixel(5, 5).r < 1.5,
+            "the polygon at depth 1, which carries 1, hides the one at depth 2"
+        );
+    }
+}
+
+#[test]
+fn slivers_and_degenerate_polygons_draw_nothing_wrong() {
+    let line = vec![at(2.0, 2.0, 1.0), at(20.0, 9.0, 1.0), at(11.0, 5.5, 1.0)];
+    let horizontal = vec![at(2.0, 5.5, 1.0), at(20.0, 5.5, 1.0), at(9.0, 5.5, 1.0)];
+    let point = vec![at(5.5, 5.5, 1.0); 3];
+    assert_eq!(coverage(&[line, horizontal, point]).iter().sum::<u32>(), 0);
+    // A thousandth of a pixel wide, over the centres of column 7.
+    let sliver = vec![
+        at(7.4995, 2.0, 0.0),
+        at(7.5005, 2.0, 1.0),
+        at(7.5005, 12.0, 1.0),
+        at(7.4995, 12.0, 0.0),
+    ];
+    assert_eq!(coverage(&[sliver]).iter().sum::<u32>(), 10);
+}
+
+#[test]
+fn a_polygon_a_million_times_the_screen_keeps_its_value() {
+    let far = 1e6 * f64::from(SIZE);
+    let corners = [
+        at(-far, -far, 0.0),
+        at(far, -far, 0.0),
+        at(far, far, 1.0),
+        at(-far, far, 1.0),
+    ];
+    let mut frame = Frame::new(SIZE, SIZE, Rgb::BLACK);
+    ScanLine::new().fill::<Event<Rgb>, _>(
+        &corners,
+        &view(),
+        &whole(),
+        &mut frame,
+        &mut Unrecorded,
+        |_, fragment| fragment.value,
+    );
+    for y in 0..SIZE {
+        let exact = (f64::from(y) + 0.5 + far) / (2.0 * far);
+        assert!((frame.pixel(3, y).r - exact).abs() < 1e-13, "row {y}");
+    }
+}
+
+proptest! {
+    /// A star around a centre, cut into a fan of triangles: together they cover each pixel as often as the star itself.
+    #[test]
+    fn neighbours_neither_overlap_nor_gap(
+        radii in prop::collection::vec(0.5_f64..11.0, 3..12),
+        centre in (8.0_f64..16.0, 8.0_f64..16.0),
+        turn in 0.0_f64..6.3,
+        on_grid in any::<bool>(),
+    ) {
+        // On the grid of half pixels, corners and edges often meet pixel centres exactly.
+        let snap = |value: f64| if on_grid { (2.0 * value).round() / 2.0 } else { value };
+        let (x, y) = (snap(centre.0), snap(centre.1));
+        let rim: Vec<(f64, f64)> = radii.iter().enumerate().map(|(i, radius)| {
+            let angle = turn + i as f64 / radii.len() as f64 * std::f64::consts::TAU;
+            (snap(x + radius * angle.cos()), snap(y + radius * angle.sin()))
+        }).collect();
+        let fan: Vec<Vec<Corner<Rgb>>> = (0..rim.len()).map(|i| {
+            let (p, q) = (rim[i], rim[(i + 1) % rim.len()]);
+            vec![at(x, y, 0.0), at(p.0, p.1, 0.0), at(q.0, q.1, 0.0)]
+        }).collect();
+        // Snapping may fold a thin triangle over: then the fan is no division of the star.
+        let signed = |t: &Vec<Corner<Rgb>>| (t[1].position - t[0].position).cross(t[2].position - t[0].position).z;
+        prop_assume!(fan.iter().all(|t| signed(t) <= 0.0));
+        let star: Vec<Corner<Rgb>> = rim.iter().map(|&(x, y)| at(x, y, 0.0)).collect();
+        prop_assert_eq!(coverage(&fan), coverage(&[star]));
+    }
+}

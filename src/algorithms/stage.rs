@@ -1,0 +1,196 @@
+//! A scene set in front of its camera: polygons in the camera frame and on the screen, ready for the scan-line methods.
+
+use super::focus::{Focus, Region};
+use super::illumination::Lighting;
+use crate::color::Rgb;
+use crate::record::Fields;
+use crate::scene::{Material, Mesh, Scene, Tessellation, View};
+use glam::{DVec2, DVec3};
+
+/// Everything that stays the same from one focus to the next.
+#[derive(Clone, Debug)]
+pub struct Stage {
+    pub scene: Scene,
+    pub tessellation: Tessellation,
+    pub view: View,
+    /// By object, then by vertex of its mesh.
+    vertices: Vec<Vec<StageVertex>>,
+}
+
+/// A vertex as the camera sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct StageVertex {
+    /// In the camera frame.
+    pub camera: DVec3,
+    /// On the screen; without meaning where the vertex lies before the near plane.
+    pub screen: DVec2,
+}
+
+/// One polygon of the stage.
+#[derive(Clone, Copy, Debug)]
+pub struct Polygon<'a> {
+    pub object: usize,
+    /// Of the object's mesh.
+    pub face: usize,
+    /// Counted from 0 over all objects.
+    pub number: usize,
+    pub mesh: &'a Mesh,
+    pub material: &'a Material,
+    vertices: &'a [StageVertex],
+}
+
+impl Stage {
+    /// `view` must be of the scene's own camera.
+    pub fn new(scene: Scene, view: View) -> Self {
+        let tessellation = Tessellation::of(&scene);
+        let vertices = tessellation
+            .meshes
+            .iter()
+            .map(|mesh| {
+                (0..mesh.vertex_count() as u32)
+                    .map(|vertex| {
+                        let camera = view.to_camera(mesh.position(vertex));
+                        StageVertex {
+                            camera,
+                            screen: view.to_screen(camera),
+                        }
+                    })
+                    .collect()
+            })
+            .collect();
+        Stage {
+            scene,
+            tessellation,
+            view,
+            vertices,
+        }
+    }
+
+    pub fn entered(&self) -> Event {
+        Event::Frame {
+            width: self.view.width,
+            height: self.view.height,
+            ambient: self.scene.ambient,
+        }
+    }
+
+    pub fn lighting(&self) -> Lighting<'_> {
+        Lighting {
+            ambient: self.scene.ambient,
+            lights: &self.scene.lights,
+            eye: self.view.eye,
+        }
+    }
+
+    /// Polygon `number`, counted from 0 over all objects.
+    pub fn polygon(&self, number: usize) -> Option<Polygon<'_>> {
+        let (object, face) = self.tessellation.locate(number)?;
+        Some(Polygon {
+            object,
+            face,
+            number,
+            mesh: &self.tessellation.meshes[object],
+            material: &self.scene.materials[self.scene.objects[object].material],
+            vertices: &self.vertices[object],
+        })
+    }
+
+    /// The polygons that may touch what is looked at, in order. A polygon chosen by its number is always among them.
+    pub fn polygons(&self, focus: Focus, region: &Region) -> impl Iterator<Item = Polygon<'_>> {
+        let numbers = match focus {
+            Focus::Polygon(only) => only..only.saturating_add(1),
+            _ => 0..self.tessellation.polygon_count(),
+        };
+        let chosen = matches!(focus, Focus::Polygon(_));
+        numbers
+            .map_while(|number| self.polygon(number))
+            .filter(move |polygon| chosen || polygon.may_touch(region, self.view.near))
+    }
+}
+
+/// How every scan-line method walks the stage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// Opens the frame; `ambient` is A, the ambient light of the scene.
+    Frame {
+        width: u32,
+        height: u32,
+        ambient: Rgb,
+    },
+    /// Opens a polygon, counted from 0 over all objects.
+    Polygon { object: u32, polygon: u32 },
+    /// Closes `Polygon`.
+    PolygonDone,
+    /// Closes `Frame`.
+    FrameDone,
+}
+
+impl Event {
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Event::Frame { .. } => "Frame",
+            Event::Polygon { .. } => "Polygon",
+            Event::PolygonDone => "PolygonDone",
+            Event::FrameDone => "FrameDone",
+        }
+    }
+
+    pub fn fields(&self, fields: &mut Fields) {
+        match *self {
+            Event::Frame {
+                width,
+                height,
+                ambient,
+            } => {
+                fields
+                    .push("width", width)
+                    .push("height", height)
+                    .push("A", ambient);
+            }
+            Event::Polygon { object, polygon } => {
+                fields.push("object", object).push("polygon", polygon);
+            }
+            Event::PolygonDone | Event::FrameDone => {}
+        }
+    }
+}
+
+impl<'a> Polygon<'a> {
+    pub fn entered(&self) -> Event {
+        Event::Polygon {
+            object: self.object as u32,
+            polygon: self.number as u32,
+        }
+    }
+
+    /// Its vertices in order, with their indices in the mesh.
+    pub fn corners(&self) -> impl Iterator<Item = (u32, StageVertex)> + 'a {
+        let vertices = self.vertices;
+        self.mesh
+            .face(self.face)
+            .iter()
+            .map(|&vertex| (vertex, vertices[vertex as usize]))
+    }
+
+    /// Whether its box on the screen meets the region; true where a part lies before the near plane.
+    fn may_touch(&self, region: &Region, near: f64) -> bool {
+        let mut low = DVec2::INFINITY;
+        let mut high = DVec2::NEG_INFINITY;
+        let mut behind = 0;
+        for (_, vertex) in self.corners() {
+            if vertex.camera.z < near {
+                behind += 1;
+            } else {
+                low = low.min(vertex.screen);
+                high = high.max(vertex.screen);
+            }
+        }
+        if behind > 0 {
+            return behind < self.mesh.face(self.face).len();
+        }
+        high.x >= f64::from(region.columns.start)
+            && low.x <= f64::from(region.columns.end)
+            && high.y >= f64::from(region.rows.start)
+            && low.y <= f64::from(region.rows.end)
+    }
+}

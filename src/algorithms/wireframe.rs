@@ -1,0 +1,253 @@
+//! Wireframe: the edges of the polygons and nothing else, by the digital differential analyser
+//! (Foley, van Dam, Feiner, Hughes 1990, §3.2.1), after Liang–Barsky clipping (1984).
+//!
+//! Screen frame as in [`scan_line`](super::scan_line). Nothing hides anything. An edge that polygons of one object share is drawn once.
+
+use super::focus::{Focus, Region};
+use super::frame::Frame;
+use super::stage::{self, Polygon, Stage};
+use crate::color::Rgb;
+use crate::numeric::Ramp;
+use crate::record::{self, Fields, Line, Listing, Recorder};
+use crate::scene::View;
+use glam::{DVec2, DVec3};
+use std::collections::HashSet;
+
+pub static PSEUDOCODE: Listing = Listing {
+    name: "wireframe",
+    lines: &[
+        "for each polygon",
+        "  for each edge not yet drawn",
+        "    clip the edge to what the eye sees",
+        "    n ← max(|Δx|, |Δy|), rounded up",
+        "    for i = 0 … n",
+        "      plot the pixel at (x, y)",
+        "      x ← x + Δx/n;  y ← y + Δy/n",
+    ],
+};
+
+/// Draws the part of the stage that `focus` takes into `frame`, which must have the size of the stage's view.
+pub fn wireframe<R: Recorder<Event>>(
+    stage: &Stage,
+    focus: Focus,
+    frame: &mut Frame,
+    recorder: &mut R,
+) {
+    let region = focus.region(frame.width, frame.height);
+    let ink = ink(stage.scene.background);
+    let mut drawn = HashSet::new();
+
+    recorder.enter(|| stage.entered().into());
+    for polygon in stage.polygons(focus, &region) {
+        recorder.enter(|| polygon.entered().into());
+        for (from, to) in edges(&polygon) {
+            if !drawn.insert((polygon.object, from.min(to), from.max(to))) {
+                continue;
+            }
+            recorder.enter(|| Event::Edge { from, to });
+            let ends = [from, to].map(|vertex| stage.view.to_camera(polygon.mesh.position(vertex)));
+            match visible_part(ends, &stage.view) {
+                Some([start, end]) => {
+                    recorder.step(|| Event::EdgeClipped { start, end });
+                    draw_line(start, end, ink, &region, frame, recorder);
+                }
+                None => recorder.step(|| Event::EdgeUnseen),
+            }
+            recorder.leave(|| Event::EdgeDone);
+        }
+        recorder.leave(|| stage::Event::PolygonDone.into());
+    }
+    recorder.leave(|| stage::Event::FrameDone.into());
+}
+
+/// The colour of the lines: black on a light background, white on a dark one.
+pub fn ink(background: Rgb) -> Rgb {
+    // 0.18 is the linear intensity that looks half-way from black to white.
+    if background.luminance() < 0.18 {
+        Rgb::WHITE
+    } else {
+        Rgb::BLACK
+    }
+}
+
+/// The pairs of neighbouring vertices of a polygon.
+fn edges<'a>(polygon: &Polygon<'a>) -> impl Iterator<Item = (u32, u32)> + 'a {
+    let vertices = polygon.mesh.face(polygon.face);
+    (0..vertices.len()).map(|corner| (vertices[corner], vertices[(corner + 1) % vertices.len()]))
+}
+
+/// One pixel a step along the longer of the two directions. Both ends must lie in the frame.
+fn draw_line(
+    start: DVec2,
+    end: DVec2,
+    ink: Rgb,
+    region: &Region,
+    frame: &mut Frame,
+    recorder: &mut impl Recorder<Event>,
+) {
+    let delta = end - start;
+    let steps = delta.abs().max_element().ceil().max(1.0);
+    recorder.step(|| Event::StepChosen {
+        n: steps as u32,
+        step: delta / steps,
+    });
+    let mut x = Ramp {
+        value: start.x,
+        step: delta.x / steps,
+    };
+    let mut y = Ramp {
+        value: start.y,
+        step: delta.y / steps,
+    };
+    for _ in 0..=steps as u32 {
+        // The last pixel also owns the frame's right and lower border.
+        let (column, row) = (
+            (x.value as u32).min(frame.width - 1),
+            (y.value as u32).min(frame.height - 1),
+        );
+        if region.columns.contains(&column) && region.rows.contains(&row) {
+            let index = frame.index(column, row);
+            frame.color[index] = ink;
+            recorder.step(|| Event::PixelPlotted {
+                x: column,
+                y: row,
+                exact: DVec2::new(x.value, y.value),
+            });
+        }
+        x.advance();
+        y.advance();
+    }
+}
+
+/// The part of an edge, given in the camera frame, that lies behind the near plane and within the frame; on the screen.
+fn visible_part([a, b]: [DVec3; 2], view: &View) -> Option<[DVec2; 2]> {
+    let (mut t_0, mut t_1) = (0.0, 1.0);
+    clip(b.z - a.z, a.z - view.near, &mut t_0, &mut t_1)?;
+    let [start, end] = [t_0, t_1].map(|t| {
+        let point = a + (b - a) * t;
+        view.to_screen(DVec3::new(point.x, point.y, point.z.max(view.near)))
+    });
+    let (mut t_0, mut t_1) = (0.0, 1.0);
+    let delta = end - start;
+    clip(delta.x, start.x, &mut t_0, &mut t_1)?;
+    clip(
+        -delta.x,
+        f64::from(view.width) - start.x,
+        &mut t_0,
+        &mut t_1,
+    )?;
+    clip(delta.y, start.y, &mut t_0, &mut t_1)?;
+    clip(
+        -delta.y,
+        f64::from(view.height) - start.y,
+        &mut t_0,
+        &mut t_1,
+    )?;
+    let size = DVec2::new(f64::from(view.width), f64::from(view.height));
+    Some([t_0, t_1].map(|t| (start + delta * t).clamp(DVec2::ZERO, size)))
+}
+
+/// One boundary of Liang and Barsky: narrows [t_0, t_1] to where `inside + t·toward ≥ 0`; `None` where nothing is left.
+fn clip(toward: f64, inside: f64, t_0: &mut f64, t_1: &mut f64) -> Option<()> {
+    let t = -inside / toward;
+    if toward > 0.0 {
+        *t_0 = t.max(*t_0);
+    } else if toward < 0.0 {
+        *t_1 = t.min(*t_1);
+    } else if inside < 0.0 {
+        return None;
+    }
+    (*t_0 <= *t_1).then_some(())
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    Stage(stage::Event),
+    /// Opens an edge between two vertices of the object's mesh.
+    Edge {
+        from: u32,
+        to: u32,
+    },
+    /// The part within the frame, in pixels.
+    EdgeClipped {
+        start: DVec2,
+        end: DVec2,
+    },
+    /// Nothing of the edge is within the frame.
+    EdgeUnseen,
+    StepChosen {
+        n: u32,
+        step: DVec2,
+    },
+    /// `exact` is the point on the line, by increments.
+    PixelPlotted {
+        x: u32,
+        y: u32,
+        exact: DVec2,
+    },
+    /// Closes `Edge`.
+    EdgeDone,
+}
+
+const _: () = assert!(size_of::<Event>() <= 64);
+
+impl From<stage::Event> for Event {
+    fn from(event: stage::Event) -> Self {
+        Event::Stage(event)
+    }
+}
+
+impl record::Event for Event {
+    fn kind(&self) -> &'static str {
+        match self {
+            Event::Stage(event) => event.kind(),
+            Event::Edge { .. } => "Edge",
+            Event::EdgeClipped { .. } => "EdgeClipped",
+            Event::EdgeUnseen => "EdgeUnseen",
+            Event::StepChosen { .. } => "StepChosen",
+            Event::PixelPlotted { .. } => "PixelPlotted",
+            Event::EdgeDone => "EdgeDone",
+        }
+    }
+
+    fn line(&self) -> Line {
+        let number = match self {
+            Event::Stage(_) => 0,
+            Event::Edge { .. } | Event::EdgeDone => 1,
+            Event::EdgeClipped { .. } | Event::EdgeUnseen => 2,
+            Event::StepChosen { .. } => 3,
+            Event::PixelPlotted { .. } => 5,
+        };
+        Line {
+            listing: &PSEUDOCODE,
+            number,
+        }
+    }
+
+    fn fields(&self, fields: &mut Fields) {
+        match *self {
+            Event::Stage(event) => event.fields(fields),
+            Event::Edge { from, to } => {
+                fields.push("from", from).push("to", to);
+            }
+            Event::EdgeClipped { start, end } => {
+                fields
+                    .push("x_1", start.x)
+                    .push("y_1", start.y)
+                    .push("x_2", end.x)
+                    .push("y_2", end.y);
+            }
+            Event::StepChosen { n, step } => {
+                fields.push("n", n).push("dx", step.x).push("dy", step.y);
+            }
+            Event::PixelPlotted { x, y, exact } => {
+                fields
+                    .push("x", x)
+                    .push("y", y)
+                    .push("x_exact", exact.x)
+                    .push("y_exact", exact.y);
+            }
+            Event::EdgeUnseen | Event::EdgeDone => {}
+        }
+    }
+}
