@@ -4,4 +4,5 @@ pub mod algorithms;
 pub mod color;
 pub mod numeric;
 pub mod record;
+pub mod render;
 pub mod scene;

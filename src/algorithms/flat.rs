@@ -29,9 +29,9 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws the part of the stage that `focus` takes into `frame`, which must have the size of the stage's view.
+/// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
 pub fn flat<R: Recorder<Event>>(stage: &Stage, focus: Focus, frame: &mut Frame, recorder: &mut R) {
-    let region = focus.region(frame.width, frame.height);
+    let region = focus.region(frame);
     let lighting = stage.lighting();
     let mut scan_line = ScanLine::new();
     let mut corners = Vec::new();

@@ -1,5 +1,6 @@
 //! Which part of a frame a run carries out. A recorded run takes the part that is looked at, and nothing else.
 
+use super::frame::Frame;
 use std::ops::Range;
 
 /// The part of a frame that is looked at.
@@ -23,29 +24,20 @@ pub struct Region {
 }
 
 impl Focus {
-    /// The pixels that can be looked at in a picture of `width`×`height`.
-    pub fn region(self, width: u32, height: u32) -> Region {
-        match self {
-            Focus::Frame | Focus::Polygon(_) => Region {
-                columns: 0..width,
-                rows: 0..height,
-            },
-            Focus::ScanLine(y) => Region {
-                columns: 0..width,
-                rows: y.min(height)..(y + 1).min(height),
-            },
-            Focus::Pixel { x, y } => Region {
-                columns: x.min(width)..(x + 1).min(width),
-                rows: y.min(height)..(y + 1).min(height),
-            },
-        }
-    }
-
-    /// Whether the polygon of this index can be looked at.
-    pub fn takes_polygon(self, polygon: usize) -> bool {
-        match self {
-            Focus::Polygon(only) => only == polygon,
-            _ => true,
+    /// The pixels of `frame` that can be looked at.
+    pub fn region(self, frame: &Frame) -> Region {
+        let (columns, rows) = match self {
+            Focus::Frame | Focus::Polygon(_) => (0..u32::MAX, 0..u32::MAX),
+            Focus::ScanLine(y) => (0..u32::MAX, y..y.saturating_add(1)),
+            Focus::Pixel { x, y } => (x..x.saturating_add(1), y..y.saturating_add(1)),
+        };
+        let within = |part: Range<u32>, whole: Range<u32>| {
+            let start = part.start.clamp(whole.start, whole.end);
+            start..part.end.clamp(start, whole.end)
+        };
+        Region {
+            columns: within(columns, 0..frame.width),
+            rows: within(rows, frame.rows.clone()),
         }
     }
 }

@@ -26,14 +26,14 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws the part of the stage that `focus` takes into `frame`, which must have the size of the stage's view.
+/// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
 pub fn wireframe<R: Recorder<Event>>(
     stage: &Stage,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
 ) {
-    let region = focus.region(frame.width, frame.height);
+    let region = focus.region(frame);
     let ink = ink(stage.scene.background);
     let mut drawn = HashSet::new();
 
@@ -49,7 +49,7 @@ pub fn wireframe<R: Recorder<Event>>(
             match visible_part(ends, &stage.view) {
                 Some([start, end]) => {
                     recorder.step(|| Event::EdgeClipped { start, end });
-                    draw_line(start, end, ink, &region, frame, recorder);
+                    draw_line(start, end, ink, &region, stage.view.height, frame, recorder);
                 }
                 None => recorder.step(|| Event::EdgeUnseen),
             }
@@ -103,7 +103,7 @@ fn draw_line(
         // The last pixel also owns the frame's right and lower border.
         let (column, row) = (
             (x.value as u32).min(frame.width - 1),
-            (y.value as u32).min(frame.height - 1),
+            (y.value as u32).min(height - 1),
         );
         if region.columns.contains(&column) && region.rows.contains(&row) {
             let index = frame.index(column, row);

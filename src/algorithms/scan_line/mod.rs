@@ -93,7 +93,7 @@ impl<A: Carried> ScanLine<A> {
     ) {
         clip::clip_near(polygon, view.near, &mut self.clipped);
         self.project(view);
-        self.build_edge_table(frame.height, recorder);
+        self.build_edge_table(view.height, recorder);
 
         let first = self
             .edge_table

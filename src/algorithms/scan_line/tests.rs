@@ -40,7 +40,7 @@ fn whole() -> Region {
 fn coverage(polygons: &[Vec<Corner<Rgb>>]) -> Vec<u32> {
     let mut count = vec![0; (SIZE * SIZE) as usize];
     for polygon in polygons {
-        let mut frame = Frame::new(SIZE, SIZE, Rgb::BLACK);
+        let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::BLACK);
         ScanLine::new().fill::<Event<Rgb>, _>(
             polygon,
             &view(),
@@ -60,7 +60,7 @@ fn coverage(polygons: &[Vec<Corner<Rgb>>]) -> Vec<u32> {
 fn a_triangle_has_the_exact_bilinear_value_at_every_pixel_inside_and_nothing_outside() {
     let (a, b, c) = ([3.2, 2.7], [21.6, 8.1], [7.3, 20.9]);
     let values = [0.82, 0.31, 0.55];
-    let mut frame = Frame::new(SIZE, SIZE, Rgb::splat(-1.0));
+    let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::splat(-1.0));
     let corners = [
         at(a[0], a[1], values[0]),
         at(b[0], b[1], values[1]),
@@ -162,7 +162,7 @@ fn the_nearer_polygon_is_seen_in_either_order() {
         })
     };
     for order in [[1.0, 2.0], [2.0, 1.0]] {
-        let mut frame = Frame::new(SIZE, SIZE, Rgb::BLACK);
+        let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::BLACK);
         for depth in order {
             let corners = plane(depth, depth);
             ScanLine::new().fill::<Event<Rgb>, _>(
@@ -206,7 +206,7 @@ fn a_polygon_a_million_times_the_screen_keeps_its_value() {
         at(far, far, 1.0),
         at(-far, far, 1.0),
     ];
-    let mut frame = Frame::new(SIZE, SIZE, Rgb::BLACK);
+    let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::BLACK);
     ScanLine::new().fill::<Event<Rgb>, _>(
         &corners,
         &view(),
