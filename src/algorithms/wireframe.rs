@@ -49,7 +49,7 @@ pub fn wireframe<R: Recorder<Event>>(
             match visible_part(ends, &stage.view) {
                 Some([start, end]) => {
                     recorder.step(|| Event::EdgeClipped { start, end });
-                    draw_line(start, end, ink, &region, stage.view.height, frame, recorder);
+                    draw_line([start, end], ink, &stage.view, &region, frame, recorder);
                 }
                 None => recorder.step(|| Event::EdgeUnseen),
             }
@@ -78,9 +78,9 @@ fn edges<'a>(polygon: &Polygon<'a>) -> impl Iterator<Item = (u32, u32)> + 'a {
 
 /// One pixel a step along the longer of the two directions. Both ends must lie in the frame.
 fn draw_line(
-    start: DVec2,
-    end: DVec2,
+    [start, end]: [DVec2; 2],
     ink: Rgb,
+    view: &View,
     region: &Region,
     frame: &mut Frame,
     recorder: &mut impl Recorder<Event>,
@@ -102,8 +102,8 @@ fn draw_line(
     for _ in 0..=steps as u32 {
         // The last pixel also owns the frame's right and lower border.
         let (column, row) = (
-            (x.value as u32).min(frame.width - 1),
-            (y.value as u32).min(height - 1),
+            (x.value as u32).min(view.width - 1),
+            (y.value as u32).min(view.height - 1),
         );
         if region.columns.contains(&column) && region.rows.contains(&row) {
             let index = frame.index(column, row);
