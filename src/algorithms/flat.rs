@@ -33,7 +33,7 @@ pub static PSEUDOCODE: Listing = Listing {
 pub fn flat<R: Recorder<Event>>(stage: &Stage, focus: Focus, frame: &mut Frame, recorder: &mut R) {
     let region = focus.region(frame);
     let lighting = stage.lighting();
-    let mut scan_line = ScanLine::new();
+    let mut scan_line = ScanLine::default();
     let mut corners = Vec::new();
 
     recorder.enter(|| stage.entered().into());

@@ -43,7 +43,7 @@ pub fn gouraud<R: Recorder<Event>>(
 ) {
     let region = focus.region(frame);
     let lighting = stage.lighting();
-    let mut scan_line = ScanLine::new();
+    let mut scan_line = ScanLine::default();
     let mut corners = Vec::new();
     let mut lit: Vec<Option<Rgb>> = Vec::new();
     let mut object = None;

@@ -56,10 +56,9 @@ impl Rgb {
     }
 }
 
-/// The sRGB transfer function of a linear value, which is clamped to [0, 1] first; NaN becomes 0.
+/// The sRGB transfer function of a linear value, which is clamped to [0, 1] first. NaN stays NaN, and 0 in 8 bits.
 pub fn srgb_encode(linear: f64) -> f64 {
-    // `max` returns the other operand for NaN.
-    let linear = linear.max(0.0).min(1.0);
+    let linear = linear.clamp(0.0, 1.0);
     if linear <= 0.003_130_8 {
         12.92 * linear
     } else {

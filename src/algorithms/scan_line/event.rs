@@ -192,7 +192,7 @@ impl<A: Carried> Event<A> {
                     .push("x", x)
                     .push("y", y)
                     .push("z", z);
-                tell(fields, [(value, |names| names.corner)]);
+                tell(fields, value, |names| names.corner);
             }
             Event::EdgeEntered {
                 edge,
@@ -210,7 +210,7 @@ impl<A: Carried> Event<A> {
                     .push("first", first)
                     .push("end", end);
                 fields.push("dx_dy", slope);
-                tell(fields, [(step, |names| names.step)]);
+                tell(fields, step, |names| names.step);
             }
             Event::EdgeSkipped { from, to } => {
                 fields.push("from", from).push("to", to);
@@ -242,13 +242,8 @@ impl<A: Carried> Event<A> {
                 direct,
                 incremental,
             } => {
-                tell(
-                    fields,
-                    [
-                        (direct, |names| names.four),
-                        (incremental, |names| names.four_incremental),
-                    ],
-                );
+                tell(fields, direct, |names| names.four);
+                tell(fields, incremental, |names| names.four_incremental);
                 (incremental - direct).tell("difference", fields);
             }
             Event::Span {
@@ -263,10 +258,10 @@ impl<A: Carried> Event<A> {
                     .push("first", first)
                     .push("end", end);
             }
-            Event::SpanEnds { a_4, a_5 } => tell(
-                fields,
-                [(a_4, |names| names.four), (a_5, |names| names.five)],
-            ),
+            Event::SpanEnds { a_4, a_5 } => {
+                tell(fields, a_4, |names| names.four);
+                tell(fields, a_5, |names| names.five);
+            }
             Event::Pixel { x, y, x_p } => {
                 fields.push("x", x).push("y", y).push("x_P", x_p);
             }
@@ -280,13 +275,8 @@ impl<A: Carried> Event<A> {
                 direct,
                 incremental,
             } => {
-                tell(
-                    fields,
-                    [
-                        (direct, |names| names.pixel),
-                        (incremental, |names| names.pixel_incremental),
-                    ],
-                );
+                tell(fields, direct, |names| names.pixel);
+                tell(fields, incremental, |names| names.pixel_incremental);
                 (incremental - direct).tell("difference", fields);
             }
             Event::PixelColored { color } => {
@@ -297,14 +287,9 @@ impl<A: Carried> Event<A> {
     }
 }
 
-/// Carried values under their names.
-fn tell<A: Carried, const N: usize>(
-    fields: &mut Fields,
-    values: [(A, fn(&Names) -> &'static str); N],
-) {
+/// A carried value under its name.
+fn tell<A: Carried>(fields: &mut Fields, value: A, name: fn(&Names) -> &'static str) {
     if let Some(names) = A::NAMES {
-        for (value, name) in values {
-            value.tell(name(names), fields);
-        }
+        value.tell(name(names), fields);
     }
 }

@@ -61,6 +61,7 @@ pub struct Fragment<A> {
 }
 
 /// Scan converter with the memory that it uses from polygon to polygon.
+#[derive(Default)]
 pub struct ScanLine<A> {
     clipped: Vec<Corner<A>>,
     corners: Vec<ScreenCorner<A>>,
@@ -70,15 +71,6 @@ pub struct ScanLine<A> {
 }
 
 impl<A: Carried> ScanLine<A> {
-    pub fn new() -> Self {
-        ScanLine {
-            clipped: Vec::new(),
-            corners: Vec::new(),
-            edge_table: Vec::new(),
-            active: Vec::new(),
-        }
-    }
-
     /// Draws a polygon into `frame`, in the pixels of `region` only. `shade` turns a fragment into a colour.
     ///
     /// The values of a pixel do not depend on the region: increments count from the border of the frame.

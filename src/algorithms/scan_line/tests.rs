@@ -41,7 +41,7 @@ fn coverage(polygons: &[Vec<Corner<Rgb>>]) -> Vec<u32> {
     let mut count = vec![0; (SIZE * SIZE) as usize];
     for polygon in polygons {
         let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::BLACK);
-        ScanLine::new().fill::<Event<Rgb>, _>(
+        ScanLine::default().fill::<Event<Rgb>, _>(
             polygon,
             &view(),
             &whole(),
@@ -66,7 +66,7 @@ fn a_triangle_has_the_exact_bilinear_value_at_every_pixel_inside_and_nothing_out
         at(b[0], b[1], values[1]),
         at(c[0], c[1], values[2]),
     ];
-    ScanLine::new().fill::<Event<Rgb>, _>(
+    ScanLine::default().fill::<Event<Rgb>, _>(
         &corners,
         &view(),
         &whole(),
@@ -165,7 +165,7 @@ fn the_nearer_polygon_is_seen_in_either_order() {
         let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::BLACK);
         for depth in order {
             let corners = plane(depth, depth);
-            ScanLine::new().fill::<Event<Rgb>, _>(
+            ScanLine::default().fill::<Event<Rgb>, _>(
                 &corners,
                 &view(),
                 &whole(),
@@ -207,7 +207,7 @@ fn a_polygon_a_million_times_the_screen_keeps_its_value() {
         at(-far, far, 1.0),
     ];
     let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::BLACK);
-    ScanLine::new().fill::<Event<Rgb>, _>(
+    ScanLine::default().fill::<Event<Rgb>, _>(
         &corners,
         &view(),
         &whole(),
