@@ -236,7 +236,8 @@ impl<A: Carried> Event<A> {
                 fields.push("y_1", y_1).push("y_2", y_2).push("x_4", x_4);
             }
             Event::EdgeEnds { a_1, a_2 } => {
-                tell(fields, [(a_1, |names| names.one), (a_2, |names| names.two)])
+                tell(fields, a_1, |names| names.one);
+                tell(fields, a_2, |names| names.two);
             }
             Event::EdgeInterpolated {
                 direct,
