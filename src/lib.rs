@@ -2,4 +2,5 @@
 
 pub mod color;
 pub mod record;
+pub mod replay;
 pub mod scene;
