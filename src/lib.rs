@@ -5,4 +5,5 @@ pub mod color;
 pub mod numeric;
 pub mod record;
 pub mod render;
+pub mod replay;
 pub mod scene;

@@ -1,0 +1,17 @@
+//! A recorded run, walked forward and back: [`Timeline`] finds the state at any step, [`Replay`] stands at one of them and
+//! walks by [`moves`], [`query`] searches, and [`Canvas`] keeps pictures whose copies cost little.
+//!
+//! A state is a fold: what it is at a step follows from the events up to that step alone. Going back is seeking.
+
+mod canvas;
+mod cursor;
+pub mod moves;
+pub mod query;
+mod timeline;
+#[cfg(test)]
+mod traces;
+
+pub use canvas::{Canvas, MAX_SIDE};
+pub use cursor::{Replay, Walk};
+pub use query::{Comparison, Condition, Operand, Query, QueryError};
+pub use timeline::{Fold, Timeline, Told};

@@ -1,0 +1,205 @@
+//! The cost of telling and of seeking: nanoseconds an event recorded, and random seeks among ten million events.
+
+use criterion::{BenchmarkId, Criterion, Throughput};
+use lightwalk::color::Rgb;
+use lightwalk::record::{Event, Fields, Recorder, Recording, RecordingLimit};
+use lightwalk::replay::{Canvas, Fold, Query, Replay, Timeline, query};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+const EVENTS: usize = 1_000_000;
+
+/// An event of `8 * WORDS` bytes.
+#[derive(Clone, Copy)]
+struct Words<const WORDS: usize>([u64; WORDS]);
+
+/// A body that tells `EVENTS` steps, in scopes of a hundred.
+fn tell<const WORDS: usize>(recorder: &mut impl Recorder<Words<WORDS>>) {
+    let word = |i: usize| Words([i as u64; WORDS]);
+    for scope in 0..EVENTS / 100 {
+        recorder.enter(|| word(scope));
+        for i in 0..98 {
+            recorder.step(|| word(scope + i));
+        }
+        recorder.leave(|| word(scope));
+    }
+}
+
+fn record<const WORDS: usize>(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("a million events recorded");
+    group
+        .throughput(Throughput::Elements(EVENTS as u64))
+        .sample_size(20)
+        .warm_up_time(Duration::from_secs(1))
+        .measurement_time(Duration::from_secs(2));
+    let bytes = size_of::<Words<WORDS>>();
+    let limit = RecordingLimit::default();
+    let mut recording = Recording::new(limit);
+    group.bench_function(BenchmarkId::new("reused memory", bytes), |bencher| {
+        bencher.iter(|| {
+            recording.restart(limit);
+            tell::<WORDS>(&mut recording);
+            black_box(recording.len())
+        });
+    });
+    group.bench_function(BenchmarkId::new("fresh memory", bytes), |bencher| {
+        bencher.iter_with_large_drop(|| {
+            let mut recording = Recording::new(limit);
+            tell::<WORDS>(&mut recording);
+            recording
+        });
+    });
+}
+
+/// What a scan-line method tells, reduced to what it does to the picture.
+#[derive(Clone, Copy)]
+enum Drawn {
+    Span {
+        y: u16,
+    },
+    Interpolated {
+        t: f64,
+    },
+    Pixel {
+        x: u16,
+        y: u16,
+        color: [f32; 3],
+        depth: f64,
+    },
+}
+
+const _: () = assert!(size_of::<Drawn>() <= 32);
+
+impl Event for Drawn {
+    fn kind(&self) -> &'static str {
+        match self {
+            Drawn::Span { .. } => "Span",
+            Drawn::Interpolated { .. } => "Interpolated",
+            Drawn::Pixel { .. } => "Pixel",
+        }
+    }
+    fn line(&self) -> usize {
+        0
+    }
+    fn fields(&self, fields: &mut Fields) {
+        match *self {
+            Drawn::Span { y } => fields.push("y", y),
+            Drawn::Interpolated { t } => fields.push("t", t),
+            Drawn::Pixel { x, y, depth, .. } => {
+                fields.push("x", x).push("y", y).push("depth", depth)
+            }
+        };
+    }
+}
+
+/// A 640×480 picture: colour, depth and the step that wrote each pixel.
+#[derive(Clone)]
+struct Picture {
+    color: Canvas<Rgb>,
+    depth: Canvas<f64>,
+    writer: Canvas<u32>,
+}
+
+impl Fold<Drawn> for Picture {
+    fn apply(&mut self, step: usize, event: &Drawn) {
+        if let Drawn::Pixel { x, y, color, depth } = *event {
+            let (x, y) = (x.into(), y.into());
+            self.color.set(x, y, Rgb::from(color.map(f64::from)));
+            self.depth.set(x, y, depth);
+            self.writer.set(x, y, step as u32);
+        }
+    }
+
+    fn bytes_beyond(&self, before: &Self) -> usize {
+        self.color.bytes_beyond(&before.color)
+            + self.depth.bytes_beyond(&before.depth)
+            + self.writer.bytes_beyond(&before.writer)
+    }
+}
+
+/// Polygons of 24×16 pixels at random places, two events a pixel, until `count` events are told.
+fn draw(recorder: &mut impl Recorder<Drawn>, count: usize, random: &mut Random) {
+    let mut told = 0;
+    while told < count {
+        let (left, top) = (random.below(640 - 24), random.below(480 - 16));
+        for y in top..top + 16 {
+            recorder.enter(|| Drawn::Span { y: y as u16 });
+            for x in left..left + 24 {
+                let t = x as f64 / 640.0;
+                recorder.step(|| Drawn::Interpolated { t });
+                recorder.step(|| Drawn::Pixel {
+                    x: x as u16,
+                    y: y as u16,
+                    color: [t as f32, 0.5, 0.25],
+                    depth: t + 1.0,
+                });
+            }
+            recorder.leave(|| Drawn::Span { y: y as u16 });
+            told += 50;
+        }
+    }
+}
+
+/// xorshift64* (Vigna 2016).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 33) as usize % bound
+    }
+}
+
+fn seek() {
+    let mut random = Random(2024);
+    let mut recording = Recording::new(RecordingLimit::default());
+    draw(&mut recording, 10_000_000, &mut random);
+    let initial = Picture {
+        color: Canvas::new(640, 480, Rgb::BLACK),
+        depth: Canvas::new(640, 480, f64::INFINITY),
+        writer: Canvas::new(640, 480, u32::MAX),
+    };
+    let start = Instant::now();
+    let mut replay = Replay::new(Timeline::new(recording, initial));
+    let folded = start.elapsed();
+    let len = replay.timeline().len();
+    let bytes = size_of::<Drawn>();
+    println!("{len} events of {bytes} bytes: folded once in {folded:.0?}");
+
+    let mut times: Vec<Duration> = (0..5000)
+        .map(|_| {
+            let step = random.below(len);
+            let start = Instant::now();
+            replay.seek(step);
+            black_box(replay.state());
+            start.elapsed()
+        })
+        .collect();
+    times.sort();
+    let within = times.partition_point(|&time| time < Duration::from_millis(1));
+    println!(
+        "random seek: median {:.0?}, 99th percentile {:.0?}, longest {:.0?}, {:.2} % under 1 ms (goal 99 %)",
+        times[times.len() / 2],
+        times[times.len() * 99 / 100],
+        times[times.len() - 1],
+        100.0 * within as f64 / times.len() as f64
+    );
+
+    for text in ["Vertex", "Pixel y=-1", "t=-1"] {
+        let wanted: Query = text.parse().expect("a query");
+        let start = Instant::now();
+        assert_eq!(query::count(&replay, &wanted), 0);
+        let rate = len as f64 / start.elapsed().as_secs_f64() / 1e6;
+        println!("search for `{text}`: {rate:.0} million events a second");
+    }
+}
+
+fn main() {
+    let mut criterion = Criterion::default().configure_from_args();
+    record::<4>(&mut criterion);
+    record::<8>(&mut criterion);
+    seek();
+    criterion.final_summary();
+}
