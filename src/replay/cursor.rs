@@ -1,7 +1,7 @@
 //! Standing at one step of a run, and walking from there.
 
 use super::{Fold, Timeline, Told};
-use crate::record::{Event, Fields, Outline};
+use crate::record::{Event, Fields, Line, Outline};
 use std::ops::Range;
 
 /// A timeline, the step at which it is looked at, and the state there.
@@ -79,8 +79,8 @@ pub trait Walk {
     fn truncated(&self) -> bool;
     /// The name of the event at `step`.
     fn kind(&self, step: usize) -> &'static str;
-    /// The line of the pseudocode, counted from 0, that `step` carries out.
-    fn line(&self, step: usize) -> usize;
+    /// The line of pseudocode that `step` carries out.
+    fn line(&self, step: usize) -> Line;
     /// Appends the values that the event at `step` tells itself.
     fn tell(&self, step: usize, fields: &mut Fields);
     /// See [`Timeline::heading`].
@@ -140,7 +140,7 @@ impl<E: Event, S: Fold<E>> Walk for Replay<E, S> {
     fn kind(&self, step: usize) -> &'static str {
         self.timeline.event(step).kind()
     }
-    fn line(&self, step: usize) -> usize {
+    fn line(&self, step: usize) -> Line {
         self.timeline.event(step).line()
     }
     fn tell(&self, step: usize, fields: &mut Fields) {

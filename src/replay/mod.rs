@@ -7,11 +7,15 @@ mod canvas;
 mod cursor;
 pub mod moves;
 pub mod query;
+mod run;
+pub mod shading;
 mod timeline;
 #[cfg(test)]
 mod traces;
+pub mod wireframe;
 
 pub use canvas::{Canvas, MAX_SIDE};
 pub use cursor::{Replay, Walk};
 pub use query::{Comparison, Condition, Operand, Query, QueryError};
+pub use run::Run;
 pub use timeline::{Fold, Timeline, Told};

@@ -1,6 +1,6 @@
 //! Random runs for tests: any nesting, any limit of the recording.
 
-use crate::record::{Event, Fields, Mark, Recorder, Recording, RecordingLimit};
+use crate::record::{Event, Fields, Line, Listing, Mark, Recorder, Recording, RecordingLimit};
 use crate::replay::Fold;
 use proptest::prelude::*;
 
@@ -12,8 +12,15 @@ impl Event for Note {
     fn kind(&self) -> &'static str {
         ["Red", "Green", "Blue"][self.0 as usize % 3]
     }
-    fn line(&self) -> usize {
-        self.0 as usize % 7
+    fn line(&self) -> Line {
+        static LISTING: Listing = Listing {
+            name: "notes",
+            lines: &["0", "1", "2", "3", "4", "5", "6"],
+        };
+        Line {
+            listing: &LISTING,
+            number: self.0 as usize % 7,
+        }
     }
     fn fields(&self, fields: &mut Fields) {
         let number = i32::from(self.0);

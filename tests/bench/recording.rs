@@ -2,7 +2,7 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use lightwalk::color::Rgb;
-use lightwalk::record::{Event, Fields, Recorder, Recording, RecordingLimit};
+use lightwalk::record::{Event, Fields, Line, Listing, Recorder, Recording, RecordingLimit};
 use lightwalk::replay::{Canvas, Fold, Query, Replay, Timeline, query};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -78,8 +78,15 @@ impl Event for Drawn {
             Drawn::Pixel { .. } => "Pixel",
         }
     }
-    fn line(&self) -> usize {
-        0
+    fn line(&self) -> Line {
+        static LISTING: Listing = Listing {
+            name: "spans",
+            lines: &["draw"],
+        };
+        Line {
+            listing: &LISTING,
+            number: 0,
+        }
     }
     fn fields(&self, fields: &mut Fields) {
         match *self {

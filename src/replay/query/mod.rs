@@ -90,6 +90,24 @@ pub fn kinds(walk: &dyn Walk) -> Vec<(&'static str, usize)> {
     kinds
 }
 
+/// The number known under `name`, which may name a part of a colour or a vector; a grey colour is one number.
+pub fn number_of(fields: &Fields, name: &str) -> Option<f64> {
+    let (name, part) = split_part(name);
+    let (numbers, _) = numbers(fields.get(name)?, part);
+    let first = *numbers.first()?;
+    numbers
+        .iter()
+        .all(|&number| number == first)
+        .then_some(first)
+}
+
+fn split_part(field: &str) -> (&str, Option<&str>) {
+    match field.split_once('.') {
+        Some((name, part)) => (name, Some(part)),
+        None => (field, None),
+    }
+}
+
 impl Query {
     /// Asks what is cheapest first: the kind, then the step's own values, then scope by scope outward.
     /// `fields` is room to work in.
@@ -98,7 +116,7 @@ impl Query {
             .as_ref()
             .is_none_or(|kind| walk.kind(step) == kind)
             && self.conditions.iter().all(|condition| {
-                let (name, part) = condition.name_and_part();
+                let (name, part) = split_part(&condition.field);
                 known(walk, step, name, fields).is_some_and(|value| condition.holds(value, part))
             })
     }
@@ -119,13 +137,6 @@ fn known(walk: &dyn Walk, step: usize, name: &str, fields: &mut Fields) -> Optio
 }
 
 impl Condition {
-    fn name_and_part(&self) -> (&str, Option<&str>) {
-        match self.field.split_once('.') {
-            Some((name, part)) => (name, Some(part)),
-            None => (&self.field, None),
-        }
-    }
-
     fn holds(&self, value: Value, part: Option<&str>) -> bool {
         match &self.value {
             Operand::Number(operand) => {
@@ -217,7 +228,7 @@ mod tests {
 
     fn holds(condition: &str, value: impl Into<Value>) -> bool {
         let query: Query = condition.parse().expect("a condition");
-        let (_, part) = query.conditions[0].name_and_part();
+        let (_, part) = split_part(&query.conditions[0].field);
         query.conditions[0].holds(value.into(), part)
     }
 
@@ -279,7 +290,7 @@ mod tests {
                     let event = replay.timeline().event(step);
                     query.kind.as_deref().is_none_or(|kind| kind == crate::record::Event::kind(event))
                         && query.conditions.iter().all(|condition| {
-                            let (name, part) = condition.name_and_part();
+                            let (name, part) = split_part(&condition.field);
                             fields.get(name).is_some_and(|value| condition.holds(value, part))
                         })
                 })

@@ -1,0 +1,456 @@
+//! The state of a scan-line method at one step: what has been told so far of the polygon, vertex, scan line and pixel in hand,
+//! and the picture as far as it is drawn. One state serves every method that carries something from corners to pixels.
+
+use super::Canvas;
+use super::Fold;
+use crate::algorithms::scan_line::Carried;
+use crate::algorithms::stage::{self, Stage};
+use crate::algorithms::{flat, gouraud, illumination, scan_line, vertex_normal};
+use crate::color::Rgb;
+use glam::DVec3;
+use std::sync::Arc;
+
+/// A pixel of the picture so far.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dot {
+    pub color: Rgb,
+    /// The step that coloured it, if any.
+    pub step: Option<u32>,
+}
+
+#[derive(Clone, Debug)]
+pub struct State<A> {
+    /// What does not change from step to step.
+    pub stage: Arc<Stage>,
+    pub canvas: Canvas<Dot>,
+    pub polygon: Option<PolygonInHand>,
+    /// The vertex whose normal and intensity are being found.
+    pub vertex: Option<VertexInHand>,
+    /// The point that is being lit.
+    pub point: Option<PointInHand>,
+    pub corners: Vec<CornerInHand<A>>,
+    pub edges: Vec<EdgeInHand<A>>,
+    pub scan_line: Option<RowInHand>,
+    /// The edge that is being cut, an index into `edges`.
+    pub edge: Option<usize>,
+    pub span: Option<SpanInHand<A>>,
+    pub pixel: Option<PixelInHand<A>>,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct PolygonInHand {
+    pub object: u32,
+    pub polygon: u32,
+    pub step: usize,
+}
+
+#[derive(Clone, Debug)]
+pub struct VertexInHand {
+    pub vertex: u32,
+    pub position: DVec3,
+    /// Faces whose normals were added so far, with the step that did it.
+    pub faces: Vec<(u32, DVec3, usize)>,
+    pub sum: DVec3,
+    /// N_v, once it is known.
+    pub normal: Option<DVec3>,
+    /// I_v, once it is known.
+    pub intensity: Option<Rgb>,
+    pub step: usize,
+}
+
+#[derive(Clone, Debug)]
+pub struct PointInHand {
+    pub position: DVec3,
+    pub normal: DVec3,
+    pub to_eye: Option<DVec3>,
+    pub ambient: Option<Rgb>,
+    pub lights: Vec<LightInHand>,
+    pub intensity: Option<Rgb>,
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct LightInHand {
+    pub light: u16,
+    pub attenuation: f64,
+    pub to_light: Option<DVec3>,
+    pub halfway: Option<DVec3>,
+    pub mirrored: Option<DVec3>,
+    pub diffuse: Option<Rgb>,
+    pub specular: Option<Rgb>,
+    pub step: usize,
+}
+
+/// On the screen; `z` is the depth.
+#[derive(Clone, Copy, Debug)]
+pub struct CornerInHand<A> {
+    pub x: f64,
+    pub y: f64,
+    pub z: f64,
+    pub value: A,
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct EdgeInHand<A> {
+    pub edge: u16,
+    pub upper: u16,
+    pub lower: u16,
+    pub first: u32,
+    pub end: u32,
+    pub slope: f64,
+    pub value_step: A,
+    /// Where the scan line in hand cuts it, once that was told.
+    pub cut: Option<CutInHand<A>>,
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct CutInHand<A> {
+    pub x_4: f64,
+    /// Direct and incremental value, once they are told.
+    pub values: Option<(A, A)>,
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct RowInHand {
+    pub y: u32,
+    pub y_4: f64,
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct SpanInHand<A> {
+    pub x_4: f64,
+    pub x_5: f64,
+    pub first: u32,
+    pub end: u32,
+    /// a_4 and a_5, once they are told.
+    pub ends: Option<(A, A)>,
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct PixelInHand<A> {
+    pub x: u32,
+    pub y: u32,
+    pub x_p: f64,
+    /// Depth, the depth drawn before, and whether the pixel is nearer.
+    pub depth: Option<(f64, f64, bool)>,
+    /// Direct and incremental value.
+    pub values: Option<(A, A)>,
+    pub step: usize,
+}
+
+impl<A> State<A> {
+    /// Before the first step: an empty picture.
+    pub fn new(stage: Arc<Stage>) -> Self {
+        let background = Dot {
+            color: stage.scene.background,
+            step: None,
+        };
+        State {
+            canvas: Canvas::new(
+                stage.view.width as usize,
+                stage.view.height as usize,
+                background,
+            ),
+            stage,
+            polygon: None,
+            vertex: None,
+            point: None,
+            corners: Vec::new(),
+            edges: Vec::new(),
+            scan_line: None,
+            edge: None,
+            span: None,
+            pixel: None,
+        }
+    }
+
+    /// Forgets what belongs to one polygon.
+    fn clear_polygon(&mut self) {
+        self.vertex = None;
+        self.point = None;
+        self.corners.clear();
+        self.edges.clear();
+        self.clear_scan_line();
+    }
+
+    fn clear_scan_line(&mut self) {
+        self.scan_line = None;
+        self.edge = None;
+        self.span = None;
+        self.pixel = None;
+        self.edges.iter_mut().for_each(|edge| edge.cut = None);
+    }
+
+    fn walk_stage(&mut self, step: usize, event: &stage::Event) {
+        match *event {
+            stage::Event::Polygon { object, polygon } => {
+                self.clear_polygon();
+                self.polygon = Some(PolygonInHand {
+                    object,
+                    polygon,
+                    step,
+                });
+            }
+            stage::Event::PolygonDone => {
+                self.clear_polygon();
+                self.polygon = None;
+            }
+            stage::Event::Frame { .. } | stage::Event::FrameDone => {}
+        }
+    }
+
+    fn find_normal(&mut self, step: usize, event: &vertex_normal::Event) {
+        let Some(vertex) = &mut self.vertex else {
+            return;
+        };
+        match *event {
+            vertex_normal::Event::FaceNormalAdded { face, normal, sum } => {
+                vertex.faces.push((face, normal, step));
+                vertex.sum = sum;
+            }
+            vertex_normal::Event::VertexNormal { normal, .. }
+            | vertex_normal::Event::NormalVanished { normal, .. } => {
+                vertex.normal = Some(normal);
+            }
+        }
+    }
+
+    fn light_point(&mut self, step: usize, event: &illumination::Event) {
+        use illumination::Event;
+        if let Event::Illumination { position, normal } = *event {
+            let point = PointInHand {
+                position,
+                normal,
+                to_eye: None,
+                ambient: None,
+                lights: Vec::new(),
+                intensity: None,
+                step,
+            };
+            self.point = Some(point);
+        }
+        let Some(point) = &mut self.point else { return };
+        if let Event::Light {
+            light, attenuation, ..
+        } = *event
+        {
+            let light = LightInHand {
+                light,
+                attenuation,
+                to_light: None,
+                halfway: None,
+                mirrored: None,
+                diffuse: None,
+                specular: None,
+                step,
+            };
+            point.lights.push(light);
+        }
+        let light = point.lights.last_mut();
+        match (*event, light) {
+            (Event::Viewer { to_eye, .. }, _) => point.to_eye = Some(to_eye),
+            (Event::Ambient { term, .. }, _) => point.ambient = Some(term),
+            (Event::Illuminated { intensity }, _) => point.intensity = Some(intensity),
+            (Event::ToLight { to_light, .. }, Some(light)) => light.to_light = Some(to_light),
+            (Event::Diffuse { term, .. }, Some(light)) => light.diffuse = Some(term),
+            (Event::Mirrored { mirrored, .. }, Some(light)) => light.mirrored = Some(mirrored),
+            (Event::Halfway { halfway, .. }, Some(light)) => light.halfway = Some(halfway),
+            (Event::Specular { term, .. }, Some(light)) => light.specular = Some(term),
+            _ => {}
+        }
+    }
+}
+
+impl<A: Carried> State<A> {
+    fn convert(&mut self, step: usize, event: &scan_line::Event<A>) {
+        use scan_line::Event;
+        match *event {
+            Event::EdgeTable { .. } => {
+                self.corners.clear();
+                self.edges.clear();
+            }
+            Event::CornerPlaced { x, y, z, value, .. } => self.corners.push(CornerInHand {
+                x,
+                y,
+                z,
+                value,
+                step,
+            }),
+            Event::EdgeEntered {
+                edge,
+                upper,
+                lower,
+                first,
+                end,
+                slope,
+                step: value_step,
+            } => {
+                self.edges.push(EdgeInHand {
+                    edge,
+                    upper,
+                    lower,
+                    first,
+                    end,
+                    slope,
+                    value_step,
+                    cut: None,
+                    step,
+                });
+            }
+            Event::EdgeSkipped { .. } | Event::EdgeTableBuilt { .. } => {}
+            Event::ScanLine { y, y_4 } => {
+                self.clear_scan_line();
+                self.scan_line = Some(RowInHand { y, y_4, step });
+            }
+            Event::ScanLineDone => self.clear_scan_line(),
+            Event::Edge { edge, x_4, .. } => {
+                self.edge = self.edges.iter().position(|known| known.edge == edge);
+                self.cut_in_hand(|edge| {
+                    edge.cut = Some(CutInHand {
+                        x_4,
+                        values: None,
+                        step,
+                    })
+                });
+            }
+            Event::EdgeEnds { .. } => {}
+            Event::EdgeInterpolated {
+                direct,
+                incremental,
+            } => self.cut_in_hand(|edge| {
+                if let Some(cut) = &mut edge.cut {
+                    cut.values = Some((direct, incremental));
+                    cut.step = step;
+                }
+            }),
+            Event::EdgeCut => {}
+            Event::Span {
+                x_4,
+                x_5,
+                first,
+                end,
+            } => {
+                self.edge = None;
+                self.pixel = None;
+                self.span = Some(SpanInHand {
+                    x_4,
+                    x_5,
+                    first,
+                    end,
+                    ends: None,
+                    step,
+                });
+            }
+            Event::SpanEnds { a_4, a_5 } => {
+                if let Some(span) = &mut self.span {
+                    span.ends = Some((a_4, a_5));
+                }
+            }
+            Event::SpanDone => {
+                self.span = None;
+                self.pixel = None;
+            }
+            Event::Pixel { x, y, x_p } => {
+                self.pixel = Some(PixelInHand {
+                    x,
+                    y,
+                    x_p,
+                    depth: None,
+                    values: None,
+                    step,
+                })
+            }
+            Event::DepthTested { z, nearest, nearer } => {
+                if let Some(pixel) = &mut self.pixel {
+                    pixel.depth = Some((z, nearest, nearer));
+                }
+            }
+            Event::SpanInterpolated {
+                direct,
+                incremental,
+            } => {
+                if let Some(pixel) = &mut self.pixel {
+                    pixel.values = Some((direct, incremental));
+                }
+            }
+            Event::PixelColored { color } => {
+                if let Some(pixel) = &self.pixel {
+                    self.canvas.set(
+                        pixel.x as usize,
+                        pixel.y as usize,
+                        Dot {
+                            color,
+                            step: Some(step as u32),
+                        },
+                    );
+                }
+            }
+            Event::PixelHidden => {}
+        }
+    }
+
+    fn cut_in_hand(&mut self, change: impl FnOnce(&mut EdgeInHand<A>)) {
+        if let Some(edge) = self.edge.and_then(|edge| self.edges.get_mut(edge)) {
+            change(edge);
+        }
+    }
+}
+
+impl Fold<gouraud::Event> for State<Rgb> {
+    fn apply(&mut self, step: usize, event: &gouraud::Event) {
+        match event {
+            gouraud::Event::Stage(event) => self.walk_stage(step, event),
+            gouraud::Event::Vertex { vertex, position } => {
+                self.point = None;
+                self.vertex = Some(VertexInHand {
+                    vertex: *vertex,
+                    position: *position,
+                    faces: Vec::new(),
+                    sum: DVec3::ZERO,
+                    normal: None,
+                    intensity: None,
+                    step,
+                });
+            }
+            gouraud::Event::Normal(event) => self.find_normal(step, event),
+            gouraud::Event::Illumination(event) => self.light_point(step, event),
+            gouraud::Event::VertexLit { intensity, .. } => {
+                if let Some(vertex) = &mut self.vertex {
+                    vertex.intensity = Some(*intensity);
+                }
+            }
+            gouraud::Event::ScanLine(event) => {
+                self.vertex = None;
+                self.point = None;
+                self.convert(step, event);
+            }
+        }
+    }
+
+    fn bytes_beyond(&self, before: &Self) -> usize {
+        size_of::<Self>() + self.canvas.bytes_beyond(&before.canvas)
+    }
+}
+
+impl Fold<flat::Event> for State<flat::Nothing> {
+    fn apply(&mut self, step: usize, event: &flat::Event) {
+        match event {
+            flat::Event::Stage(event) => self.walk_stage(step, event),
+            flat::Event::Middle { .. } => {}
+            flat::Event::Illumination(event) => self.light_point(step, event),
+            flat::Event::ScanLine(event) => {
+                self.point = None;
+                self.convert(step, event);
+            }
+        }
+    }
+
+    fn bytes_beyond(&self, before: &Self) -> usize {
+        size_of::<Self>() + self.canvas.bytes_beyond(&before.canvas)
+    }
+}

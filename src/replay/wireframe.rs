@@ -1,0 +1,72 @@
+//! The state of the wireframe at one step: the picture so far, and the edge in hand.
+
+use super::Canvas;
+use super::Fold;
+use super::shading::Dot;
+use crate::algorithms::stage::Stage;
+use crate::algorithms::wireframe::Event;
+use crate::color::Rgb;
+use glam::DVec2;
+use std::sync::Arc;
+
+#[derive(Clone, Debug)]
+pub struct State {
+    /// What does not change from step to step.
+    pub stage: Arc<Stage>,
+    pub canvas: Canvas<Dot>,
+    /// Vertices of the edge in hand.
+    pub edge: Option<(u32, u32)>,
+    /// Its part within the frame, in pixels.
+    pub line: Option<[DVec2; 2]>,
+    /// The pixel plotted last on this edge, and the exact point.
+    pub pixel: Option<(u32, u32, DVec2)>,
+    ink: Rgb,
+}
+
+impl State {
+    /// Before the first step: an empty picture.
+    pub fn new(stage: Arc<Stage>) -> Self {
+        let background = Dot {
+            color: stage.scene.background,
+            step: None,
+        };
+        State {
+            canvas: Canvas::new(
+                stage.view.width as usize,
+                stage.view.height as usize,
+                background,
+            ),
+            ink: crate::algorithms::wireframe::ink(stage.scene.background),
+            stage,
+            edge: None,
+            line: None,
+            pixel: None,
+        }
+    }
+}
+
+impl Fold<Event> for State {
+    fn apply(&mut self, step: usize, event: &Event) {
+        match *event {
+            Event::Edge { from, to } => self.edge = Some((from, to)),
+            Event::EdgeClipped { start, end } => self.line = Some([start, end]),
+            Event::PixelPlotted { x, y, exact } => {
+                self.pixel = Some((x, y, exact));
+                self.canvas.set(
+                    x as usize,
+                    y as usize,
+                    Dot {
+                        color: self.ink,
+                        step: Some(step as u32),
+                    },
+                );
+            }
+            Event::EdgeDone => (self.edge, self.line, self.pixel) = (None, None, None),
+            Event::Stage(_) | Event::EdgeUnseen | Event::StepChosen { .. } => {}
+        }
+    }
+
+    fn bytes_beyond(&self, before: &Self) -> usize {
+        size_of::<Self>() + self.canvas.bytes_beyond(&before.canvas)
+    }
+}
