@@ -3,6 +3,8 @@
 pub mod algorithms;
 pub mod color;
 pub mod numeric;
+pub mod panels;
+pub mod picture;
 pub mod record;
 pub mod render;
 pub mod replay;

@@ -1,0 +1,100 @@
+//! The panels: what each draws of a run at its step. A picture depends on a [`Show`] and its size alone.
+
+mod active_edges;
+mod code;
+mod formula;
+mod image;
+mod inspector;
+mod scan_line;
+mod time_line;
+mod vertex;
+pub mod words;
+
+use crate::algorithms::focus::Focus;
+use crate::algorithms::frame::Frame;
+use crate::picture::Picture;
+use crate::replay::Run;
+use glam::Vec2;
+use words::Language;
+
+/// A panel, by what it shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Panel {
+    /// The picture so far.
+    Image,
+    /// The polygon in hand, its edges, the scan line, the span and the pixel.
+    ScanLine,
+    /// The table of active edges.
+    ActiveEdges,
+    /// The vertex in hand: face normals, their mean, and the vectors of the illumination model.
+    Vertex,
+    /// All values of the step, and where each came from.
+    Inspector,
+    /// The pseudocode, with the current line.
+    Code,
+    /// The formula of the step, with symbols and with numbers.
+    Formula,
+    /// Scopes as nested bars, marks and the cursor.
+    TimeLine,
+}
+
+impl Panel {
+    pub const ALL: [Panel; 8] = [
+        Panel::Image,
+        Panel::ScanLine,
+        Panel::ActiveEdges,
+        Panel::Vertex,
+        Panel::Inspector,
+        Panel::Code,
+        Panel::Formula,
+        Panel::TimeLine,
+    ];
+
+    /// As on the command line and in lesson files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Panel::Image => "image",
+            Panel::ScanLine => "scan-line",
+            Panel::ActiveEdges => "active-edges",
+            Panel::Vertex => "vertex",
+            Panel::Inspector => "inspector",
+            Panel::Code => "code",
+            Panel::Formula => "formula",
+            Panel::TimeLine => "time-line",
+        }
+    }
+
+    pub fn from_name(name: &str) -> Option<Self> {
+        Panel::ALL.into_iter().find(|panel| panel.name() == name)
+    }
+}
+
+/// All that a panel's picture depends on.
+#[derive(Clone, Copy)]
+pub struct Show<'a> {
+    /// The recorded run, at the step that is shown.
+    pub run: &'a Run,
+    /// The whole picture, rendered unrecorded.
+    pub finished: &'a Frame,
+    /// What the run recorded.
+    pub focus: Focus,
+    pub language: Language,
+    /// Steps at which something is said, ascending.
+    pub narrated: &'a [usize],
+    /// Steps at which playing stops, ascending.
+    pub breakpoints: &'a [usize],
+}
+
+/// The picture of a panel, `size` points large, without title or frame.
+pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
+    match panel {
+        Panel::Image => image::draw(show, size),
+        Panel::ScanLine => scan_line::draw(show, size),
+        Panel::ActiveEdges => active_edges::draw(show, size),
+        Panel::Vertex => vertex::draw(show, size),
+        Panel::Inspector => inspector::draw(show, size),
+        Panel::Code => code::draw(show, size),
+        Panel::Formula => formula::draw(show, size),
+        Panel::TimeLine => time_line::draw(show, size),
+    }
+}

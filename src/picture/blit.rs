@@ -1,0 +1,214 @@
+//! Whole pixels moved fast: solid rectangles, images and glyph masks, straight into a pixmap's rows.
+
+use tiny_skia::{Pixmap, PremultipliedColorU8};
+
+use super::font::Coverage;
+use super::shape::Image;
+
+/// A rectangle of whole pixels: `left` and `top` belong to it, `right` and `bottom` do not.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct PixelRect {
+    pub left: i32,
+    pub top: i32,
+    pub right: i32,
+    pub bottom: i32,
+}
+
+impl PixelRect {
+    pub(super) fn whole(pixmap: &Pixmap) -> Self {
+        PixelRect {
+            left: 0,
+            top: 0,
+            right: pixmap.width() as i32,
+            bottom: pixmap.height() as i32,
+        }
+    }
+
+    /// The common part; one without pixels where there is none.
+    pub(super) fn intersection(self, other: Self) -> Self {
+        let (left, top) = (self.left.max(other.left), self.top.max(other.top));
+        PixelRect {
+            left,
+            top,
+            right: self.right.min(other.right).max(left),
+            bottom: self.bottom.min(other.bottom).max(top),
+        }
+    }
+
+    pub(super) fn is_empty(self) -> bool {
+        self.left >= self.right || self.top >= self.bottom
+    }
+
+    pub(super) fn width(self) -> i32 {
+        self.right - self.left
+    }
+
+    pub(super) fn height(self) -> i32 {
+        self.bottom - self.top
+    }
+}
+
+/// An 8-bit sRGB colour with straight alpha.
+pub(super) type Rgba = [u8; 4];
+
+/// The pixels of row `y` within `area`, four bytes each; `area` lies within the pixmap.
+fn row(pixmap: &mut Pixmap, area: PixelRect, y: i32) -> &mut [[u8; 4]] {
+    let width = pixmap.width() as usize;
+    let (pixels, _) = pixmap.data_mut().as_chunks_mut();
+    &mut pixels[y as usize * width..][area.left as usize..area.right as usize]
+}
+
+/// Fills `area`, which must lie within the pixmap.
+pub(super) fn fill(pixmap: &mut Pixmap, area: PixelRect, color: Rgba) {
+    for y in area.top..area.bottom {
+        let row = row(pixmap, area, y);
+        if color[3] == 255 {
+            row.fill(color);
+        } else {
+            row.iter_mut().for_each(|pixel| over(pixel, color, 255));
+        }
+    }
+}
+
+/// Draws `image` into `frame`, each of whose pixels takes the image's pixel under its centre; `clip` lies within the pixmap.
+pub(super) fn image(pixmap: &mut Pixmap, clip: PixelRect, frame: PixelRect, image: &Image) {
+    let area = clip.intersection(frame);
+    if area.is_empty() || image.width() == 0 || image.height() == 0 {
+        return;
+    }
+    // Twice the centre and twice the frame's size keep the arithmetic whole.
+    let source = |at: i32, start: i32, length: i32, count: u32| {
+        let centre = 2 * i64::from(at - start) + 1;
+        (centre * i64::from(count) / (2 * i64::from(length))) as usize
+    };
+    let columns: Vec<usize> = (area.left..area.right)
+        .map(|x| source(x, frame.left, frame.width(), image.width()))
+        .collect();
+
+    let mut line = vec![[0; 4]; columns.len()];
+    let mut line_of = None;
+    for y in area.top..area.bottom {
+        let source_y = source(y, frame.top, frame.height(), image.height());
+        if line_of != Some(source_y) {
+            let bytes = image.row(source_y);
+            if image.channels() == 3 {
+                for (pixel, &x) in line.iter_mut().zip(&columns) {
+                    let [r, g, b] = [bytes[3 * x], bytes[3 * x + 1], bytes[3 * x + 2]];
+                    *pixel = [r, g, b, 255];
+                }
+            } else {
+                let (pixels, _) = bytes.as_chunks();
+                for (pixel, &x) in line.iter_mut().zip(&columns) {
+                    *pixel = pixels[x];
+                }
+            }
+            line_of = Some(source_y);
+        }
+        let row = row(pixmap, area, y);
+        if image.channels() == 3 {
+            row.copy_from_slice(&line);
+        } else {
+            for (pixel, &color) in row.iter_mut().zip(&line) {
+                over(pixel, color, 255);
+            }
+        }
+    }
+}
+
+/// Draws a glyph, its pen in pixel (x, y); `clip` lies within the pixmap.
+pub(super) fn glyph(
+    pixmap: &mut Pixmap,
+    clip: PixelRect,
+    mask: &Coverage,
+    (x, y): (i32, i32),
+    color: Rgba,
+) {
+    if mask.width == 0 {
+        return;
+    }
+    let (left, top) = (x.saturating_add(mask.left), y.saturating_add(mask.top));
+    let area = clip.intersection(PixelRect {
+        left,
+        top,
+        right: left.saturating_add(mask.width as i32),
+        bottom: top.saturating_add((mask.bytes.len() / mask.width) as i32),
+    });
+    if area.is_empty() {
+        return;
+    }
+    for y in area.top..area.bottom {
+        let start = (y - top) as usize * mask.width + (area.left - left) as usize;
+        for (pixel, &coverage) in row(pixmap, area, y).iter_mut().zip(&mask.bytes[start..]) {
+            if coverage != 0 {
+                over(pixel, color, coverage);
+            }
+        }
+    }
+}
+
+/// Porter and Duff's `over`, on encoded values as everything else here and in browsers.
+fn over(pixel: &mut [u8; 4], [r, g, b, a]: Rgba, coverage: u8) {
+    let alpha = divided_by_255(u32::from(a) * u32::from(coverage));
+    for (channel, color) in pixel.iter_mut().zip([r, g, b, 255]) {
+        let (below, above) = (u32::from(*channel), u32::from(color));
+        *channel = divided_by_255(above * alpha + below * (255 - alpha)) as u8;
+    }
+}
+
+/// Rounded x / 255, exact for all products of two bytes.
+fn divided_by_255(x: u32) -> u32 {
+    let x = x + 128;
+    (x + (x >> 8)) >> 8
+}
+
+/// The straight colours of a pixmap, four bytes a pixel.
+pub(super) fn straight(pixmap: &Pixmap) -> Vec<u8> {
+    let straight = |pixel: &PremultipliedColorU8| {
+        let color = pixel.demultiply();
+        [color.red(), color.green(), color.blue(), color.alpha()]
+    };
+    pixmap.pixels().iter().flat_map(straight).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn division_by_255_rounds() {
+        for x in 0..=255 * 255 {
+            assert_eq!(divided_by_255(x), (f64::from(x) / 255.0).round() as u32);
+        }
+    }
+
+    #[test]
+    fn whole_zooms_repeat_each_pixel_as_often() {
+        let mut pixmap = Pixmap::new(8, 8).unwrap();
+        let all = PixelRect::whole(&pixmap);
+        let picture = Image::new(2, 2, vec![10, 0, 0, 20, 0, 0, 30, 0, 0, 40, 0, 0]);
+        // Partly off the pixmap, to the upper left.
+        let frame = PixelRect {
+            left: -1,
+            top: -1,
+            right: 7,
+            bottom: 7,
+        };
+        image(&mut pixmap, all, frame, &picture);
+        let red = |x, y| pixmap.pixel(x, y).unwrap().red();
+        let top: Vec<u8> = (0..8).map(|x| red(x, 2)).collect();
+        assert_eq!(top, [10, 10, 10, 20, 20, 20, 20, 0]);
+        assert_eq!((red(0, 3), red(3, 6), red(3, 7)), (30, 40, 0));
+    }
+
+    #[test]
+    fn translucent_images_and_fills_mix_with_what_lies_below() {
+        let mut pixmap = Pixmap::new(2, 1).unwrap();
+        let all = PixelRect::whole(&pixmap);
+        fill(&mut pixmap, all, [255, 255, 255, 255]);
+        let half = Image::new(2, 1, vec![0, 0, 0, 128, 9, 9, 9, 0]);
+        image(&mut pixmap, all, all, &half);
+        assert_eq!(pixmap.data(), [127, 127, 127, 255, 255, 255, 255, 255]);
+        fill(&mut pixmap, all, [0, 0, 255, 51]);
+        assert_eq!(pixmap.data(), [102, 102, 153, 255, 204, 204, 255, 255]);
+    }
+}

@@ -1,0 +1,216 @@
+//! Mathematical notation in plain text: `I_4`, `N_{v}`, `a^2`, and the names of event fields made readable.
+
+/// Where a run stands.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Script {
+    Base,
+    Sub,
+    Super,
+}
+
+/// A piece of a formula in one face and place.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Run {
+    pub text: String,
+    pub script: Script,
+    /// Variables are italic in formulas: letters that stand alone, and indices.
+    pub italic: bool,
+}
+
+/// Splits `text` into runs. `_` and `^` lower or raise the next character, or what stands in `{…}` after them; with
+/// nothing after them they stand for themselves.
+pub fn math(text: &str) -> Vec<Run> {
+    let mut runs = Vec::new();
+    let mut base = String::new();
+    let mut rest = text.chars();
+    while let Some(c) = rest.next() {
+        let script = match c {
+            '_' => Script::Sub,
+            '^' => Script::Super,
+            _ => Script::Base,
+        };
+        let lowered_or_raised = match (script, rest.clone().next()) {
+            (Script::Base, _) | (_, None | Some(' ')) => None,
+            (_, Some('{')) => {
+                rest.next();
+                Some(rest.by_ref().take_while(|&c| c != '}').collect())
+            }
+            (_, Some(_)) => rest.next().map(String::from),
+        };
+        match lowered_or_raised {
+            Some(text) => {
+                push_base(&mut runs, &mut base);
+                let italic = is_variable(&text) || text.chars().all(|c| "ijkmn".contains(c));
+                runs.push(Run {
+                    text,
+                    script,
+                    italic,
+                });
+            }
+            None => base.push(c),
+        }
+    }
+    push_base(&mut runs, &mut base);
+    runs
+}
+
+/// Splits text on the base line into upright and italic runs, and empties it.
+fn push_base(runs: &mut Vec<Run>, base: &mut String) {
+    let mut push = |text: &str, italic| {
+        if !text.is_empty() {
+            runs.push(Run {
+                text: text.to_string(),
+                script: Script::Base,
+                italic,
+            });
+        }
+    };
+    let mut rest = base.as_str();
+    let mut upright = 0;
+    while let Some(start) = rest[upright..].find(is_letter).map(|at| at + upright) {
+        let word = &rest[start..];
+        let end = start + word.find(|c| !is_letter(c)).unwrap_or(word.len());
+        if is_variable(&rest[start..end]) {
+            push(&rest[..start], false);
+            push(&rest[start..end], true);
+            rest = &rest[end..];
+            upright = 0;
+        } else {
+            upright = end;
+        }
+    }
+    push(rest, false);
+    base.clear();
+}
+
+/// Whether a word is one letter, and so a variable.
+fn is_variable(word: &str) -> bool {
+    let mut letters = word.chars();
+    matches!((letters.next(), letters.next()), (Some(c), None) if is_letter(c))
+}
+
+/// Letters that variables are made of: Δ and Σ are operators.
+fn is_letter(c: char) -> bool {
+    c.is_alphabetic() && !matches!(c, 'Δ' | 'Σ' | 'Π') && !('ⁱ'..='ₜ').contains(&c)
+}
+
+const GREEK: [(&str, &str); 12] = [
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "Δ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("lambda", "λ"),
+    ("pi", "π"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("phi", "φ"),
+    ("omega", "ω"),
+];
+
+/// A field's ASCII name in the notation that [`math`] reads: `I_4_incremental` → `I_4 incremental`, `N_dot_L` → `N·L`,
+/// `dI_dy` → `ΔI/Δy`, `k_spec` → `k_{spec}`, `to_light` → `to light`.
+pub fn symbol(name: &str) -> String {
+    let parts: Vec<&str> = name.split('_').filter(|part| !part.is_empty()).collect();
+    let (symbol, words) = match parts.as_slice() {
+        [] => return name.to_string(),
+        [a, "dot", b, words @ ..] => (format!("{}·{}", letter(a), letter(b)), words),
+        ["one", "over", a, words @ ..] => (format!("1/{}", letter(a)), words),
+        [a, "squared", words @ ..] => (format!("{}^2", letter(a)), words),
+        [a, b, words @ ..] if is_difference(a) && is_difference(b) => {
+            (format!("Δ{}/Δ{}", &a[1..], &b[1..]), words)
+        }
+        [a, words @ ..] if is_difference(a) => (format!("Δ{}", &a[1..]), words),
+        [a, index, words @ ..] if is_variable(&letter(a)) => {
+            let index = letter(index);
+            let one = index.chars().count() == 1;
+            let script = if one { index } else { format!("{{{index}}}") };
+            (format!("{}_{script}", letter(a)), words)
+        }
+        [a, words @ ..] => (letter(a), words),
+    };
+    std::iter::once(symbol.as_str())
+        .chain(words.iter().copied())
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+/// The Greek letter of that name, or the name.
+fn letter(name: &str) -> String {
+    let greek = GREEK.iter().find(|(ascii, _)| *ascii == name);
+    greek.map_or(name, |(_, letter)| letter).to_string()
+}
+
+/// Whether a name is a difference of one variable: `dI`, `dy`.
+fn is_difference(name: &str) -> bool {
+    matches!(name.as_bytes(), [b'd', letter] if letter.is_ascii_alphabetic())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Runs written back: italics in slashes, scripts in brackets.
+    fn told(text: &str) -> String {
+        math(text)
+            .into_iter()
+            .map(|run| {
+                let text = if run.italic {
+                    format!("/{}/", run.text)
+                } else {
+                    run.text
+                };
+                match run.script {
+                    Script::Base => text,
+                    Script::Sub => format!("[{text}]"),
+                    Script::Super => format!("[^{text}]"),
+                }
+            })
+            .collect()
+    }
+
+    #[test]
+    fn runs() {
+        for (text, expected) in [
+            ("I_4 = 0.514", "/I/[4] = 0.514"),
+            ("N_{avg}", "/N/[avg]"),
+            ("cos^2 θ_r", "cos[^2] /θ/[/r/]"),
+            ("F_{ij}·A_i", "/F/[/ij/]·/A/[/i/]"),
+            ("ΔI/Δy", "Δ/I//Δ/y/"),
+            ("N·L a b", "/N/·/L/ /a/ /b/"),
+            ("unshot_i", "unshot[/i/]"),
+            ("x_i^2", "/x/[/i/][^2]"),
+            ("a_", "/a/_"),
+            ("a _ b", "/a/ _ /b/"),
+            ("x_{12", "/x/[12]"),
+            ("", ""),
+        ] {
+            assert_eq!(told(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn names_of_fields() {
+        for (name, expected) in [
+            ("I_4", "I_4"),
+            ("I_4_incremental", "I_4 incremental"),
+            ("x_P", "x_P"),
+            ("k_d", "k_d"),
+            ("f_att", "f_{att}"),
+            ("theta_r", "θ_r"),
+            ("rho", "ρ"),
+            ("N_dot_L", "N·L"),
+            ("N_dot_H_clamped", "N·H clamped"),
+            ("dI_dy", "ΔI/Δy"),
+            ("dI", "ΔI"),
+            ("one_over_w", "1/w"),
+            ("d_squared", "d^2"),
+            ("to_light", "to light"),
+            ("difference", "difference"),
+            ("_", "_"),
+        ] {
+            assert_eq!(symbol(name), expected, "{name}");
+        }
+    }
+}

@@ -1,0 +1,642 @@
+//! From a display list to pixels.
+//!
+//! Straight edges that lie along the pixel grid are moved onto it, so that rules and frames are crisp at any scale; all other
+//! lines are anti-aliased. Images keep hard pixels. Text stands on whole pixels vertically, on quarters horizontally.
+
+use glam::Vec2;
+use tiny_skia::{
+    Color, FillRule, LineCap, LineJoin, Mask, Path, PathBuilder, Pixmap, StrokeDash, Transform,
+};
+
+use super::Picture;
+use super::blit::{self, PixelRect, Rgba};
+use super::font::{OFFSETS, glyphs};
+use super::ink::{Dash, Ink, Paint, Stroke};
+use super::rect::Rect;
+use super::shape::{Item, Shape};
+use super::text::{Text, place};
+use super::theme::Theme;
+
+/// The largest side, in pixels, and the largest area.
+const LARGEST_SIDE: f32 = 16_384.0;
+const LARGEST_AREA: f32 = (1 << 26) as f32;
+/// How far a circular arc's control points stand off, in radii: 4/3·(√2 − 1).
+const ARC: f32 = 0.552_284_8;
+
+/// Why a picture could not be rasterised.
+#[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]
+pub enum RasterError {
+    #[error(
+        "a picture of {width}×{height} pixels is too large: at most {LARGEST_SIDE} a side and {LARGEST_AREA} in all"
+    )]
+    TooLarge { width: f32, height: f32 },
+    #[error("a picture's size and scale must be finite: {width}×{height} points at scale {scale}")]
+    NotFinite { width: f32, height: f32, scale: f32 },
+}
+
+/// Draws a picture on [`Ink::Surface`]. The result, opaque, has size · `scale` pixels, rounded, and at least one.
+pub fn rasterize(picture: &Picture, theme: Theme, scale: f32) -> Result<Pixmap, RasterError> {
+    let (width, height) = (picture.width, picture.height);
+    if !(width * scale).is_finite() || !(height * scale).is_finite() {
+        return Err(RasterError::NotFinite {
+            width,
+            height,
+            scale,
+        });
+    }
+    let width = (width * scale).round().max(1.0);
+    let height = (height * scale).round().max(1.0);
+    let pixmap = if width.max(height) > LARGEST_SIDE || width * height > LARGEST_AREA {
+        None
+    } else {
+        Pixmap::new(width as u32, height as u32)
+    };
+    let mut pixmap = pixmap.ok_or(RasterError::TooLarge { width, height })?;
+    let all = PixelRect::whole(&pixmap);
+    blit::fill(&mut pixmap, all, rgba(theme, Ink::Surface, 1.0));
+    draw_over(&mut pixmap, &picture.items, theme, scale);
+    Ok(pixmap)
+}
+
+/// Draws items over what a pixmap already shows: highlights over a picture, for one.
+pub fn draw_over(pixmap: &mut Pixmap, items: &[Item], theme: Theme, scale: f32) {
+    let mut canvas = Canvas {
+        clip: PixelRect::whole(pixmap),
+        mask: None,
+        pixmap,
+        theme,
+        scale,
+    };
+    for item in items {
+        canvas.item(item);
+    }
+}
+
+/// A PNG of a pixmap.
+pub fn to_png(pixmap: &Pixmap) -> Vec<u8> {
+    crate::color::png_rgba8(pixmap.width(), pixmap.height(), &blit::straight(pixmap))
+}
+
+fn rgba(theme: Theme, ink: Ink, opacity: f32) -> Rgba {
+    let [r, g, b] = theme.color(ink);
+    [r, g, b, (opacity.clamp(0.0, 1.0) * 255.0).round() as u8]
+}
+
+struct Canvas<'a> {
+    pixmap: &'a mut Pixmap,
+    theme: Theme,
+    scale: f32,
+    /// Within the pixmap.
+    clip: PixelRect,
+    /// The clip as a mask, once a shape has needed it.
+    mask: Option<(PixelRect, Mask)>,
+}
+
+impl Canvas<'_> {
+    fn item(&mut self, item: &Item) {
+        let all = PixelRect::whole(self.pixmap);
+        self.clip = item
+            .clip
+            .map_or(all, |clip| all.intersection(self.snapped(clip)));
+        // One pixel for anti-aliasing; text may lean out of its box.
+        let seen = item.shape.bounds().grown(2.0 + 1.0 / self.scale);
+        if self.clip.intersection(self.snapped(seen)).is_empty() {
+            return;
+        }
+        match &item.shape {
+            Shape::Rect {
+                rect,
+                radius,
+                paint,
+            } => self.rect(*rect, *radius, paint),
+            Shape::Polyline { points, stroke } => self.polyline(points, stroke),
+            Shape::Polygon { points, paint } => {
+                let path = path_through(points.iter().map(|&point| point * self.scale), true);
+                self.path(path, paint);
+            }
+            Shape::Circle {
+                center,
+                radius,
+                paint,
+            } => {
+                let center = *center * self.scale;
+                let path = PathBuilder::from_circle(center.x, center.y, radius * self.scale);
+                self.path(path, paint);
+            }
+            Shape::Text { at, text, set } => self.text(*at, text, set),
+            Shape::Image { rect, image, .. } => {
+                let frame = self.snapped(*rect);
+                blit::image(self.pixmap, self.clip, frame, image);
+            }
+        }
+    }
+
+    /// A rectangle on whole pixels. Its size is rounded by itself, so that equal sizes stay equal wherever they are.
+    fn snapped(&self, rect: Rect) -> PixelRect {
+        // Far outside any pixmap, and safe to add to.
+        let pixel = |v: f32| (v * self.scale).round().clamp(-1e8, 1e8) as i32;
+        let (left, top) = (pixel(rect.x), pixel(rect.y));
+        let size = |length: f32| pixel(length).max(i32::from(length > 0.0));
+        PixelRect {
+            left,
+            top,
+            right: left + size(rect.width),
+            bottom: top + size(rect.height),
+        }
+    }
+
+    /// A line's width in whole pixels, at least one.
+    fn whole_width(&self, width: f32) -> i32 {
+        (width * self.scale).round().clamp(1.0, LARGEST_SIDE) as i32
+    }
+
+    fn rect(&mut self, rect: Rect, radius: f32, paint: &Paint) {
+        let outer = self.snapped(rect);
+        let radius = radius * self.scale;
+        if let Some(fill) = paint.fill {
+            let color = rgba(self.theme, fill.ink, fill.opacity);
+            if radius > 0.0 {
+                self.fill_path(rounded(outer, 0.0, radius), color);
+            } else {
+                self.fill_rect(outer, color);
+            }
+        }
+        let Some(stroke) = paint.stroke else {
+            return;
+        };
+        let width = self.whole_width(stroke.width);
+        if radius > 0.0 || stroke.dash != Dash::Solid {
+            let path = rounded(outer, 0.5 * width as f32, radius);
+            self.stroke_path(path, &stroke, width as f32);
+            return;
+        }
+        let color = rgba(self.theme, stroke.ink, stroke.opacity);
+        let PixelRect {
+            left,
+            top,
+            right,
+            bottom,
+        } = outer;
+        // Four sides that share no pixel, so that a translucent frame is even.
+        let under = (top + width).min(bottom);
+        let over = (bottom - width).max(under);
+        let inner_left = (left + width).min(right);
+        let inner_right = (right - width).max(inner_left);
+        for (left, top, right, bottom) in [
+            (left, top, right, under),
+            (left, over, right, bottom),
+            (left, under, inner_left, over),
+            (inner_right, under, right, over),
+        ] {
+            let side = PixelRect {
+                left,
+                top,
+                right,
+                bottom,
+            };
+            self.fill_rect(side, color);
+        }
+    }
+
+    fn polyline(&mut self, points: &[Vec2], stroke: &Stroke) {
+        let &[from, to] = points else {
+            let path = path_through(points.iter().map(|&point| point * self.scale), false);
+            self.stroke_path(path, stroke, stroke.width * self.scale);
+            return;
+        };
+        if from.x == to.x || from.y == to.y {
+            self.rule(Rect::between(from, to), stroke);
+            return;
+        }
+        let seen = Rect::new(
+            0.0,
+            0.0,
+            self.pixmap.width() as f32,
+            self.pixmap.height() as f32,
+        );
+        let width = stroke.width * self.scale;
+        let (from, to) = (from * self.scale, to * self.scale);
+        if let Some((from, to)) = segment_within(from, to, seen.grown(width + 2.0)) {
+            self.stroke_path(path_through([from, to], false), stroke, width);
+        }
+    }
+
+    /// A horizontal or vertical line, given as a rectangle without width: moved to where its sides are on whole pixels.
+    fn rule(&mut self, line: Rect, stroke: &Stroke) {
+        let width = self.whole_width(stroke.width);
+        let half = 0.5 * width as f32 / self.scale;
+        let horizontal = line.height == 0.0;
+        let mut bar = if horizontal {
+            self.snapped(Rect {
+                y: line.y - half,
+                ..line
+            })
+        } else {
+            self.snapped(Rect {
+                x: line.x - half,
+                ..line
+            })
+        };
+        if horizontal {
+            bar.bottom = bar.top + width;
+        } else {
+            bar.right = bar.left + width;
+        }
+        if stroke.dash == Dash::Solid {
+            self.fill_rect(bar, rgba(self.theme, stroke.ink, stroke.opacity));
+            return;
+        }
+        // Dashes start where the line does, and what lies outside the pixmap is not drawn.
+        let seen = bar.intersection(PixelRect::whole(self.pixmap));
+        let middle = 0.5 * width as f32;
+        let ends = if horizontal {
+            let y = bar.top as f32 + middle;
+            [(seen.left as f32, y), (seen.right as f32, y)]
+        } else {
+            let x = bar.left as f32 + middle;
+            [(x, seen.top as f32), (x, seen.bottom as f32)]
+        };
+        let path = path_through(ends.map(Vec2::from), false);
+        self.stroke_path(path, stroke, width as f32);
+    }
+
+    fn fill_rect(&mut self, rect: PixelRect, color: Rgba) {
+        let area = self.clip.intersection(rect);
+        blit::fill(self.pixmap, area, color);
+    }
+
+    fn path(&mut self, path: Option<Path>, paint: &Paint) {
+        if let Some(fill) = paint.fill {
+            let color = rgba(self.theme, fill.ink, fill.opacity);
+            self.fill_path(path.clone(), color);
+        }
+        if let Some(stroke) = paint.stroke {
+            self.stroke_path(path, &stroke, stroke.width * self.scale);
+        }
+    }
+
+    /// `path` is in pixels; none is drawn as nothing.
+    fn fill_path(&mut self, path: Option<Path>, color: Rgba) {
+        let Some(path) = path else { return };
+        self.need_mask(path.bounds(), 1.0);
+        self.pixmap.fill_path(
+            &path,
+            &paint(color),
+            FillRule::Winding,
+            Transform::identity(),
+            mask_for(&self.mask, self.clip),
+        );
+    }
+
+    /// `path` and `width` are in pixels.
+    fn stroke_path(&mut self, path: Option<Path>, stroke: &Stroke, width: f32) {
+        let Some(path) = path else { return };
+        self.need_mask(path.bounds(), width + 1.0);
+        let dash = match stroke.dash {
+            Dash::Solid => None,
+            Dash::Dashed => Some([5.0, 4.0]),
+            Dash::Dotted => Some([2.0, 3.0]),
+        };
+        let lengths = |dash: [f32; 2]| dash.map(|length| length * self.scale).to_vec();
+        let style = tiny_skia::Stroke {
+            width,
+            line_cap: LineCap::Butt,
+            line_join: LineJoin::Round,
+            dash: dash.and_then(|dash| StrokeDash::new(lengths(dash), 0.0)),
+            ..Default::default()
+        };
+        self.pixmap.stroke_path(
+            &path,
+            &paint(rgba(self.theme, stroke.ink, stroke.opacity)),
+            &style,
+            Transform::identity(),
+            mask_for(&self.mask, self.clip),
+        );
+    }
+
+    /// Makes the clip's mask if a path with these bounds leaves the clip.
+    fn need_mask(&mut self, bounds: tiny_skia::Rect, margin: f32) {
+        let all = PixelRect::whole(self.pixmap);
+        let clip = self.clip;
+        let leaves = bounds.left() - margin < clip.left as f32
+            || bounds.top() - margin < clip.top as f32
+            || bounds.right() + margin > clip.right as f32
+            || bounds.bottom() + margin > clip.bottom as f32;
+        if clip == all || !leaves {
+            self.mask = self.mask.take().filter(|(of, _)| *of == clip);
+            return;
+        }
+        if self.mask.as_ref().is_some_and(|(of, _)| *of == clip) {
+            return;
+        }
+        self.mask = Mask::new(all.right as u32, all.bottom as u32).map(|mut mask| {
+            let width = all.right as usize;
+            for y in clip.top..clip.bottom {
+                let row = &mut mask.data_mut()[y as usize * width..];
+                row[clip.left as usize..clip.right as usize].fill(255);
+            }
+            (clip, mask)
+        });
+    }
+
+    fn text(&mut self, at: Vec2, text: &str, set: &Text) {
+        let color = rgba(self.theme, set.ink, 1.0);
+        let mut placed = Vec::with_capacity(text.len());
+        let mut glyphs = glyphs();
+        let width = place(&mut glyphs, text, set.style, set.size, |glyph| {
+            placed.push(glyph);
+        });
+        let start = (at.x - set.anchor.share() * width) * self.scale;
+        let baseline = (at.y * self.scale).round();
+        for one in placed {
+            let quarters = ((start + one.x * self.scale) * OFFSETS as f32).round() as i32;
+            let pen = (
+                quarters.div_euclid(OFFSETS),
+                (baseline - one.rise * self.scale).round() as i32,
+            );
+            let mask = glyphs.coverage(
+                one.glyph,
+                one.size * self.scale,
+                quarters.rem_euclid(OFFSETS),
+            );
+            blit::glyph(self.pixmap, self.clip, mask, pen, color);
+        }
+    }
+}
+
+/// The mask, if it is the one of this clip.
+fn mask_for(mask: &Option<(PixelRect, Mask)>, clip: PixelRect) -> Option<&Mask> {
+    mask.as_ref()
+        .filter(|(of, _)| *of == clip)
+        .map(|(_, mask)| mask)
+}
+
+fn paint([r, g, b, a]: Rgba) -> tiny_skia::Paint<'static> {
+    let mut paint = tiny_skia::Paint::default();
+    paint.set_color(Color::from_rgba8(r, g, b, a));
+    paint
+}
+
+/// None through fewer than two points, or where one is not finite.
+fn path_through(points: impl IntoIterator<Item = Vec2>, closed: bool) -> Option<Path> {
+    let mut path = PathBuilder::new();
+    for point in points {
+        if path.is_empty() {
+            path.move_to(point.x, point.y);
+        } else {
+            path.line_to(point.x, point.y);
+        }
+    }
+    if closed {
+        path.close();
+    }
+    path.finish()
+}
+
+/// A rectangle `inset` within `outer`, whose corners there would have `radius`.
+fn rounded(outer: PixelRect, inset: f32, radius: f32) -> Option<Path> {
+    let (left, top) = (outer.left as f32 + inset, outer.top as f32 + inset);
+    let (right, bottom) = (outer.right as f32 - inset, outer.bottom as f32 - inset);
+    let largest = 0.5 * (right - left).min(bottom - top);
+    let r = (radius - inset).clamp(0.0, largest.max(0.0));
+    let off = r * (1.0 - ARC);
+    let mut path = PathBuilder::new();
+    path.move_to(left + r, top);
+    path.line_to(right - r, top);
+    path.cubic_to(right - off, top, right, top + off, right, top + r);
+    path.line_to(right, bottom - r);
+    path.cubic_to(right, bottom - off, right - off, bottom, right - r, bottom);
+    path.line_to(left + r, bottom);
+    path.cubic_to(left + off, bottom, left, bottom - off, left, bottom - r);
+    path.line_to(left, top + r);
+    path.cubic_to(left, top + off, left + off, top, left + r, top);
+    path.close();
+    path.finish()
+}
+
+/// The part of a segment within a rectangle (Liang and Barsky 1984): dashes are laid along all of it, seen or not.
+fn segment_within(from: Vec2, to: Vec2, rect: Rect) -> Option<(Vec2, Vec2)> {
+    let along = to - from;
+    let (mut enter, mut leave) = (0.0_f32, 1.0_f32);
+    for axis in 0..2 {
+        let low = (rect.min()[axis] - from[axis]) / along[axis];
+        let high = (rect.max()[axis] - from[axis]) / along[axis];
+        enter = enter.max(low.min(high));
+        leave = leave.min(low.max(high));
+    }
+    (enter < leave).then(|| (from + enter * along, from + leave * along))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::picture::{Image, Style};
+
+    const INK: [u8; 3] = [0, 0, 0];
+
+    /// Draws on projector white, in projector black: what is anti-aliased is neither.
+    fn drawn(scale: f32, draw: impl FnOnce(&mut Picture)) -> Pixmap {
+        let mut picture = Picture::new(40.0, 30.0);
+        draw(&mut picture);
+        rasterize(&picture, Theme::Projector, scale).unwrap()
+    }
+
+    fn at(pixmap: &Pixmap, x: u32, y: u32) -> [u8; 3] {
+        let pixel = pixmap.pixel(x, y).unwrap();
+        [pixel.red(), pixel.green(), pixel.blue()]
+    }
+
+    /// The box of all pixels that are not white: left, top, right, bottom, the last two outside.
+    fn inked(pixmap: &Pixmap) -> Option<[u32; 4]> {
+        let (width, height) = (pixmap.width(), pixmap.height());
+        (0..height)
+            .flat_map(|y| (0..width).map(move |x| (x, y)))
+            .filter(|&(x, y)| at(pixmap, x, y) != [255; 3])
+            .map(|(x, y)| [x, y, x + 1, y + 1])
+            .reduce(|a, b| {
+                [
+                    a[0].min(b[0]),
+                    a[1].min(b[1]),
+                    a[2].max(b[2]),
+                    a[3].max(b[3]),
+                ]
+            })
+    }
+
+    fn has_only_ink_and_paper(pixmap: &Pixmap) -> bool {
+        let [left, top, right, bottom] = inked(pixmap).expect("something was drawn");
+        (top..bottom)
+            .flat_map(|y| (left..right).map(move |x| (x, y)))
+            .all(|(x, y)| [INK, [255; 3]].contains(&at(pixmap, x, y)))
+    }
+
+    #[test]
+    fn rules_and_frames_are_crisp_wherever_they_lie() {
+        for scale in [1.0, 1.25, 1.5, 2.0] {
+            for offset in [0.0, 0.3, 0.5, 0.77] {
+                let rule = drawn(scale, |picture| {
+                    picture.line(
+                        (5.0, 10.0 + offset),
+                        (35.0, 10.0 + offset),
+                        Ink::Text.stroke(1.0),
+                    );
+                });
+                let [_, top, _, bottom] = inked(&rule).unwrap();
+                assert_eq!(bottom - top, scale.round() as u32);
+                assert!(has_only_ink_and_paper(&rule));
+                let frame = drawn(scale, |picture| {
+                    let rect = Rect::new(4.0 + offset, 5.0 + offset, 20.0, 12.0);
+                    picture.rect(rect, Ink::Text.stroke(1.0));
+                });
+                assert!(has_only_ink_and_paper(&frame));
+                let [left, top, right, bottom] = inked(&frame).unwrap();
+                let size = (scale * 20.0, scale * 12.0);
+                assert_eq!(((right - left) as f32, (bottom - top) as f32), size);
+            }
+        }
+    }
+
+    #[test]
+    fn a_frame_lies_inside_its_rectangle() {
+        let frame = drawn(1.0, |picture| {
+            picture.rect(picture.bounds(), Ink::Text.stroke(1.0));
+        });
+        assert_eq!(at(&frame, 0, 0), INK);
+        assert_eq!(at(&frame, 39, 29), INK);
+        assert_eq!(at(&frame, 1, 1), [255; 3]);
+        let rounded = drawn(2.0, |picture| {
+            picture.rounded_rect(picture.bounds(), 6.0, Ink::Text.stroke(1.0));
+        });
+        assert_eq!(at(&rounded, 40, 0), INK);
+        assert_eq!(at(&rounded, 40, 1), INK);
+        assert_eq!(at(&rounded, 40, 2), [255; 3]);
+        assert_eq!(at(&rounded, 0, 0), [255; 3]);
+    }
+
+    #[test]
+    fn text_fills_the_width_that_was_measured() {
+        let mut picture = Picture::new(300.0, 60.0);
+        for (style, text) in [
+            (Style::Body, "Hamburg"),
+            (Style::Bold, "Hamburg"),
+            (Style::Mono, "H0000000H"),
+            (Style::Label, "I_4 = I_H"),
+            (Style::Formula, "H^2 + 12H"),
+        ] {
+            for scale in [1.0, 2.0] {
+                let set = style.size(20.0).ink(Ink::Text);
+                picture.items.clear();
+                picture.text((10.5, 40.0), text, set);
+                let pixmap = rasterize(&picture, Theme::Projector, scale).unwrap();
+                let [left, top, right, bottom] = inked(&pixmap).unwrap();
+                // Letters keep a distance of up to a tenth of the size to their own box.
+                let slack = 2.0 * scale + 1.0;
+                let bounds = set.bounds((10.5, 40.0), text);
+                assert!((left as f32 - bounds.x * scale).abs() <= slack, "{text}");
+                assert!(
+                    (right as f32 - bounds.right() * scale).abs() <= slack,
+                    "{text}"
+                );
+                assert!(top as f32 >= bounds.y * scale - 1.0);
+                assert!(bottom as f32 <= bounds.bottom() * scale + 1.0);
+            }
+        }
+    }
+
+    #[test]
+    fn blocks_of_text_are_as_wide_as_measured_within_a_pixel() {
+        // Full blocks reach from edge to edge of their cells.
+        let set = Style::Mono.size(14.0);
+        let pixmap = drawn(1.0, |picture| {
+            picture.text((3.0, 20.0), "███", set);
+        });
+        let [left, _, right, _] = inked(&pixmap).unwrap();
+        assert!(((right - left) as f32 - set.width("███")).abs() <= 1.0 + 2.0 / 14.0);
+    }
+
+    #[test]
+    fn images_are_not_blurred() {
+        let image = Image::new(2, 1, vec![255, 0, 0, 0, 0, 255]);
+        let pixmap = drawn(2.0, |picture| {
+            picture.image(Rect::new(5.2, 5.2, 8.0, 4.0), image);
+        });
+        assert_eq!(inked(&pixmap), Some([10, 10, 26, 18]));
+        for y in 10..18 {
+            for x in 10..26 {
+                let expected = if x < 18 { [255, 0, 0] } else { [0, 0, 255] };
+                assert_eq!(at(&pixmap, x, y), expected);
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_leaves_its_clip() {
+        let clip = Rect::new(10.0, 8.0, 12.0, 9.0);
+        let pixmap = drawn(2.0, |picture| {
+            picture.clipped(clip, |picture| {
+                let line = Ink::Text.stroke(3.0);
+                picture.line((0.0, 0.0), (40.0, 30.0), line);
+                picture.line((0.0, 12.0), (40.0, 12.0), line.dashed());
+                picture.circle((15.0, 12.0), 9.0, Ink::Text);
+                picture.text((0.0, 16.0), "Text text", Style::Body.size(14.0));
+                picture.rect(Rect::new(20.0, 0.0, 9.0, 30.0), Ink::Text);
+                let image = Image::new(1, 1, vec![0; 3]);
+                picture.image(Rect::new(0.0, 0.0, 40.0, 9.0), image);
+            });
+        });
+        assert_eq!(inked(&pixmap), Some([20, 16, 44, 34]));
+    }
+
+    #[test]
+    fn sizes_are_rounded_and_bounded() {
+        let raster = |width, height, scale| {
+            rasterize(&Picture::new(width, height), Theme::Light, scale)
+                .map(|pixmap| (pixmap.width(), pixmap.height()))
+        };
+        assert_eq!(raster(33.3, 10.0, 1.5), Ok((50, 15)));
+        assert_eq!(raster(0.0, -5.0, 1.0), Ok((1, 1)));
+        assert!(matches!(
+            raster(20_000.0, 1.0, 1.0),
+            Err(RasterError::TooLarge { .. })
+        ));
+        assert!(matches!(
+            raster(9000.0, 9000.0, 1.0),
+            Err(RasterError::TooLarge { .. })
+        ));
+        assert!(matches!(
+            raster(10.0, 10.0, f32::NAN),
+            Err(RasterError::NotFinite { .. })
+        ));
+    }
+
+    #[test]
+    fn wild_coordinates_draw_nothing_and_break_nothing() {
+        for wild in [f32::NAN, f32::INFINITY, -1e30, 3e9] {
+            drawn(1.5, |picture| {
+                let (rect, ink) = (Rect::new(wild, 1.0, wild, 5.0), Ink::This.stroke(wild));
+                picture.rounded_rect(rect, wild, Ink::Text.fill().outlined(ink.dashed()));
+                picture.line((wild, 3.0), (5.0, wild), ink.dashed());
+                picture.line((wild, 3.0), (5.0, 3.0), ink.dotted());
+                picture.arrow((0.0, wild), (5.0, 5.0), ink);
+                picture.circle((wild, 5.0), wild, ink);
+                picture.text((wild, 5.0), "wild", Style::Body.size(wild));
+                picture.image(rect, Image::new(1, 1, vec![0; 3]));
+            });
+        }
+    }
+
+    #[test]
+    fn the_same_picture_gives_the_same_bytes() {
+        let draw = || {
+            drawn(1.3, |picture| {
+                picture.text((2.3, 20.0), "∇I_4", Style::Formula.size(13.0));
+                picture.arrow((3.0, 3.0), (36.0, 20.0), Ink::This.stroke(1.5).dashed());
+                picture.circle((20.0, 15.0), 6.5, Ink::Linked.fill().opacity(0.3));
+            })
+        };
+        let (first, second) = (draw(), draw());
+        assert_eq!(first.data(), second.data());
+        assert!(first.pixels().iter().all(|pixel| pixel.alpha() == 255));
+        assert_eq!(to_png(&first), to_png(&second));
+    }
+}
