@@ -151,10 +151,9 @@ impl<E, S> Timeline<E, S> {
     /// The heading of `scope`, as far as it lies before `step`: the step that enters it, and the plain steps (64 at most)
     /// that directly follow. What they tell holds for every step of the scope.
     pub fn heading(&self, scope: usize, step: usize) -> Range<usize> {
-        let end = (scope + 1..step.min(scope + 1 + HEADING))
-            .find(|&inner| self.recording.mark(inner) != Mark::Step)
-            .unwrap_or(step.min(scope + 1 + HEADING));
-        scope..end
+        let most = step.min(scope + 1 + HEADING);
+        let end = (scope + 1..most).find(|&inner| self.recording.mark(inner) != Mark::Step);
+        scope..end.unwrap_or(most)
     }
 }
 
