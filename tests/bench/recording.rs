@@ -209,6 +209,20 @@ fn seek() {
         100.0 * within as f64 / times.len() as f64
     );
 
+    for _ in 0..1000 {
+        let pixel = replay.state().0.get(random.below(640), random.below(480));
+        if pixel.writer == u32::MAX {
+            continue;
+        }
+        match *replay.timeline().event(pixel.writer as usize) {
+            Drawn::Pixel { color, depth, .. } => {
+                assert_eq!(pixel.color, Rgb::from(color.map(f64::from)));
+                assert_eq!(pixel.depth, depth);
+            }
+            _ => panic!("only a pixel's step writes it"),
+        }
+    }
+
     for text in ["Vertex", "Pixel y=-1", "t=-1"] {
         let wanted: Query = text.parse().expect("a query");
         let start = Instant::now();
