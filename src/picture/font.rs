@@ -70,7 +70,8 @@ pub(super) struct Glyph {
     pub advance: f32,
 }
 
-/// The coverage of a glyph or of any shape, 0 to 255, row by row; `left` and `top` lead from the pen's pixel on the baseline to its first pixel.
+/// The coverage of a glyph or of any shape, 0 to 255, row by row; `left` and `top` lead from the pen's pixel on the baseline
+/// to its first pixel.
 #[derive(Default)]
 pub(super) struct Coverage {
     pub left: i32,
