@@ -2,6 +2,7 @@
 
 mod active_edges;
 mod code;
+mod fit;
 mod formula;
 mod image;
 mod inspector;
