@@ -5,8 +5,11 @@ mod code;
 mod formula;
 mod image;
 mod inspector;
+#[cfg(test)]
+pub(crate) mod sample;
 mod scan_line;
 mod time_line;
+mod values;
 mod vertex;
 pub mod words;
 
