@@ -2,9 +2,12 @@
 
 mod active_edges;
 mod code;
+#[cfg(test)]
+mod crowd;
 mod formula;
 mod image;
 mod inspector;
+mod message;
 #[cfg(test)]
 pub(crate) mod sample;
 mod scan_line;
