@@ -2,10 +2,13 @@
 
 mod active_edges;
 mod code;
+#[cfg(test)]
+mod crowd;
 mod fit;
 mod formula;
 mod image;
 mod inspector;
+mod message;
 #[cfg(test)]
 pub(crate) mod sample;
 mod scan_line;
