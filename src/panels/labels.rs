@@ -52,9 +52,9 @@ impl Labels {
             return;
         };
         if gap >= LED {
-            let near = at.clamp(place.min(), place.max());
-            let start = at + radius * (near - at).normalize_or_zero();
-            picture.line(start, near, Ink::Muted.stroke(0.75));
+            let [start, end] = leader(at, radius, place);
+            picture.line(start, end, Ink::Muted.stroke(0.75));
+            self.spare(start, end);
         }
         let baseline = Vec2::new(place.x, place.y + above);
         let set = Text {
@@ -79,7 +79,12 @@ impl Labels {
                     continue;
                 }
                 let crossed = self.lines.iter().filter(|line| crosses(**line, place));
-                let cost = 0.1 * gap + 2.0 * crossed.count() as f32 - direction.dot(toward);
+                let mut cost = 0.1 * gap + 2.0 * crossed.count() as f32 - direction.dot(toward);
+                if ring >= LED {
+                    let line = leader(at, radius, place);
+                    let struck = self.taken.iter().filter(|taken| crosses(line, **taken));
+                    cost += 4.0 * struck.count() as f32;
+                }
                 if best.is_none_or(|(least, ..)| cost < least) {
                     best = Some((cost, place, ring));
                 }
@@ -96,6 +101,12 @@ impl Labels {
                 .iter()
                 .any(|taken| !taken.intersection(&apart).is_empty())
     }
+}
+
+/// The line from the edge of a disc to the nearest point of a box.
+fn leader(at: Vec2, radius: f32, place: Rect) -> [Vec2; 2] {
+    let near = at.clamp(place.min(), place.max());
+    [at + radius * (near - at).normalize_or_zero(), near]
 }
 
 /// The point of the square in a direction from its middle, from −1 to 1 on both axes.

@@ -98,18 +98,22 @@ fn corners<A: Carried>(state: &State<A>) -> Vec<Corner> {
 
 impl<A: Carried> Drawing<'_, A> {
     fn draw(&mut self, picture: &mut Picture) {
+        let state = self.state;
+        let edge = state.edge.and_then(|edge| state.edges.get(edge));
         self.draw_polygon(picture);
-        if let Some(row) = self.state.scan_line {
+        if let Some(row) = state.scan_line {
             self.draw_scan_line(picture, row);
         }
-        if let Some(edge) = self.state.edge.and_then(|edge| self.state.edges.get(edge)) {
-            self.draw_ticks(picture, edge);
-        }
         self.draw_corners(picture);
-        if let Some(row) = self.state.scan_line {
+        // What matters most takes its place first.
+        if let Some(row) = state.scan_line {
             self.draw_cuts(picture, row);
+            self.label_scan_line(picture, row);
         }
         self.draw_middle(picture);
+        if let Some(edge) = edge {
+            self.draw_ticks(picture, edge);
+        }
         self.label_corners(picture);
     }
 
@@ -161,11 +165,12 @@ impl<A: Carried> Drawing<'_, A> {
         }
         if self.fit.scale >= CENTRES {
             let radius = (0.14 * self.fit.scale).clamp(1.5, 3.5) as f32;
-            for x in 0..self.state.stage.view.width {
+            let places = || self.corners.iter().map(|corner| corner.place.x);
+            let low = places().fold(f64::INFINITY, f64::min) - 1.0;
+            let high = places().fold(f64::NEG_INFINITY, f64::max) + 1.0;
+            let width = f64::from(self.state.stage.view.width);
+            for x in low.clamp(0.0, width) as u32..high.clamp(0.0, width) as u32 {
                 let centre = Vec2::new(self.fit.x(f64::from(x) + 0.5), y);
-                if centre.x < left || centre.x > right {
-                    continue;
-                }
                 let inside = span.is_some_and(|span| (span.first..span.end).contains(&x));
                 let fill = if inside { Ink::This } else { Ink::Surface };
                 let paint = fill.fill().outlined(Ink::This.stroke(1.0));
@@ -174,12 +179,17 @@ impl<A: Carried> Drawing<'_, A> {
                 });
             }
         }
+    }
+
+    fn label_scan_line(&mut self, picture: &mut Picture, row: RowInHand) {
+        let at = Vec2::new(self.area.right() - 4.0, self.fit.y(row.y_4));
+        let value = Some(row.y_4.into());
         self.label(
             picture,
-            (Vec2::new(right, y), 0.0),
+            (at, 0.0),
             Vec2::new(-0.4, 1.0),
             "y_4",
-            Some(row.y_4.into()),
+            value,
             this(),
         );
     }
