@@ -8,6 +8,7 @@ mod fit;
 mod formula;
 mod image;
 mod inspector;
+mod labels;
 mod message;
 #[cfg(test)]
 pub(crate) mod sample;
