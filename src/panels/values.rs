@@ -106,6 +106,20 @@ fn component(v: f64, decimals: usize) -> String {
     }
 }
 
+/// The whole step as a sentence: its number, its kind, and what it tells.
+pub(super) fn told_in_words(show: &Show) -> String {
+    let walk = show.run.walk();
+    if walk.is_empty() {
+        return step_in_words(show);
+    }
+    let values: Vec<String> = walk
+        .own_fields(walk.position())
+        .iter()
+        .map(|field| format!("{} = {}", field.name, short(field.value, 6)))
+        .collect();
+    format!("{}: {}.", step_in_words(show), values.join(", "))
+}
+
 fn trimmed(decimal: &str) -> String {
     if decimal.contains('.') {
         decimal
