@@ -39,6 +39,12 @@ impl fmt::Display for Problem {
     }
 }
 
+/// Problems as they are shown: one a line.
+pub fn one_a_line(problems: &[Problem]) -> String {
+    let lines: Vec<String> = problems.iter().map(Problem::to_string).collect();
+    lines.join("\n")
+}
+
 /// Text that may quote a file: on one line, of bounded length, without control characters.
 struct OneLine<'a>(&'a str);
 

@@ -35,15 +35,10 @@ impl Default for Limits {
 
 /// Why a scene was refused. Displayed as one problem a line.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{}", one_a_line(.problems))]
+#[error("{}", document::one_a_line(.problems))]
 pub struct SceneError {
-    /// One or more.
+    /// One or more. Of more than a thousand the first, and a last one that says how many are not told.
     pub problems: Vec<Problem>,
-}
-
-fn one_a_line(problems: &[Problem]) -> String {
-    let lines: Vec<String> = problems.iter().map(Problem::to_string).collect();
-    lines.join("\n")
 }
 
 /// Gives the bytes of the mesh file that a scene names, by the path as it is written there, or says why not.
@@ -99,9 +94,9 @@ impl SceneFile {
         let ambient = color("ambient", self.ambient, Rgb::WHITE);
         let path_attenuation =
             check.attenuation(&root.key("path_attenuation"), self.path_attenuation);
-        if !check.problems.is_empty() {
+        if check.count > 0 {
             return Err(SceneError {
-                problems: check.problems,
+                problems: check.told(root),
             });
         }
         Ok(Scene {
