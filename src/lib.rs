@@ -2,6 +2,8 @@
 
 pub mod algorithms;
 pub mod color;
+pub mod commands;
+pub mod lesson;
 pub mod numeric;
 pub mod panels;
 pub mod picture;

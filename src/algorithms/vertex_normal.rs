@@ -21,10 +21,18 @@ pub fn vertex_normal<E: From<Event>>(
         sum += normal;
         recorder.step(|| Event::FaceNormalAdded { face, normal, sum }.into());
     }
+    let faces = mesh.faces_around(vertex).len();
     let length = sum.length();
     if length > VANISHED {
         let normal = sum / length;
-        recorder.step(|| Event::VertexNormal { length, normal }.into());
+        recorder.step(|| {
+            Event::VertexNormal {
+                faces: faces as u32,
+                length,
+                normal,
+            }
+            .into()
+        });
         normal
     } else {
         let normals = mesh
@@ -35,7 +43,14 @@ pub fn vertex_normal<E: From<Event>>(
             .into_iter()
             .find(|&normal| normal != DVec3::ZERO)
             .unwrap_or(DVec3::Z);
-        recorder.step(|| Event::NormalVanished { length, normal }.into());
+        recorder.step(|| {
+            Event::NormalVanished {
+                faces: faces as u32,
+                length,
+                normal,
+            }
+            .into()
+        });
         normal
     }
 }
@@ -48,10 +63,18 @@ pub enum Event {
         normal: DVec3,
         sum: DVec3,
     },
-    /// `length` is |ΣN_k|.
-    VertexNormal { length: f64, normal: DVec3 },
+    /// How many faces share the vertex, and |ΣN_k|.
+    VertexNormal {
+        faces: u32,
+        length: f64,
+        normal: DVec3,
+    },
     /// The face normals cancel out: the first one stands for the mean.
-    NormalVanished { length: f64, normal: DVec3 },
+    NormalVanished {
+        faces: u32,
+        length: f64,
+        normal: DVec3,
+    },
 }
 
 impl Event {
@@ -69,9 +92,19 @@ impl Event {
                 .push("face", face)
                 .push("N_k", normal)
                 .push("sum_N", sum),
-            Event::VertexNormal { length, normal } | Event::NormalVanished { length, normal } => {
-                fields.push("length", length).push("N_v", normal)
+            Event::VertexNormal {
+                faces,
+                length,
+                normal,
             }
+            | Event::NormalVanished {
+                faces,
+                length,
+                normal,
+            } => fields
+                .push("faces", faces)
+                .push("length", length)
+                .push("N_v", normal),
         };
     }
 }

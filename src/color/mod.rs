@@ -2,6 +2,7 @@
 //!
 //! Everything upstream works in linear light, unclamped, in `f64`. Encoding follows IEC 61966-2-1.
 
+mod encode;
 mod files;
 
 use std::iter::Sum;
@@ -46,8 +47,7 @@ impl Rgb {
 
     /// 8-bit sRGB: each channel clamped to [0, 1], encoded, rounded to nearest.
     pub fn to_srgb8(self) -> [u8; 3] {
-        self.channels()
-            .map(|linear| (srgb_encode(linear) * 255.0).round() as u8)
+        encode::srgb8(self.channels())
     }
 
     /// Relative luminance by ITU-R BT.709 primaries.

@@ -1,7 +1,265 @@
-use super::Show;
-use crate::picture::Picture;
-use glam::Vec2;
+//! The picture so far: what is drawn in full colour, what is still to come as a faint ghost, and what is in hand.
 
-pub fn draw(_: &Show, size: Vec2) -> Picture {
-    Picture::new(size.x, size.y)
+mod marks;
+
+use super::Show;
+use super::fit::Fit;
+use super::values::step_in_words;
+use super::words::{Language, Words};
+use crate::algorithms::focus::Focus;
+use crate::color::Rgb;
+use crate::picture::{Image, Ink, Picture, Rect, Style, ascent, elide};
+use crate::replay::shading::Dot;
+use crate::replay::{Canvas, Run};
+use glam::Vec2;
+use marks::Marks;
+use std::iter;
+
+/// How far what is not drawn yet stands out from the background, of 255.
+const GHOST: i32 = 60;
+/// Points a pixel from which on the pixels are told apart by a grid.
+const GRID: f64 = 6.0;
+const CAPTION: f32 = 11.5;
+const CAPTION_HEIGHT: f32 = 20.0;
+
+const ONLY: Words = Words::new("focus:", "fokus:");
+const WHOLE: Words = Words::new("the whole picture", "seluruh gambar");
+const POLYGON: Words = Words::new("polygon", "poligon");
+const LINE: Words = Words::new("scan line", "garis scan");
+const PIXEL: Words = Words::new("pixel", "piksel");
+const DRAWN: Words = Words::new("pixels drawn so far:", "piksel yang sudah digambar:");
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    let mut picture = Picture::new(size.x, size.y);
+    let marks = match show.run {
+        Run::Wireframe(replay) => Marks::of_wireframe(replay.state()),
+        Run::Flat(replay) => Marks::of_shading(replay.state()),
+        Run::Gouraud(replay) => Marks::of_shading(replay.state()),
+    };
+    let (canvas, background) = (marks.canvas, marks.stage.scene.background);
+    let (width, height) = (canvas.width(), canvas.height());
+    let area = Rect::new(0.0, 0.0, size.x, size.y - CAPTION_HEIGHT);
+    if width == 0 || height == 0 || area.is_empty() {
+        return picture;
+    }
+    let zoom = zoom(Vec2::new(width as f32, height as f32), area);
+    let extent = Vec2::new(width as f32, height as f32) * zoom as f32;
+    // On whole points, so that pixels are equally large on every screen.
+    let origin = (0.5 * (Vec2::new(area.width, area.height) - extent)).floor();
+    let frame = Rect::between(origin, origin + extent);
+    let fit = Fit::at_origin(origin, zoom);
+
+    picture.pixels(frame, image(show, canvas, background), (0, 0));
+    picture.clipped(frame, |picture| {
+        if zoom >= GRID {
+            grid(picture, width as u32, height as u32, &fit);
+        }
+        marks.draw(picture, show.focus, &fit);
+    });
+    picture.rect(frame, Ink::Rule.stroke(1.0));
+    caption(&mut picture, show, &marks, (width, height), zoom);
+
+    let drawn = canvas.iter().filter(|dot| dot.step.is_some()).count();
+    picture.alt = format!(
+        "{}: {}. {} {drawn}.",
+        step_in_words(show),
+        in_hand(&marks, show.language).unwrap_or_else(|| focus(show.focus, show.language)),
+        DRAWN.in_language(show.language),
+    );
+    picture
+}
+
+/// Points a pixel: the largest whole number that fits; where not even 1 does, as much of the picture's size as fits.
+fn zoom(picture: Vec2, area: Rect) -> f64 {
+    let fitting = f64::from((Vec2::new(area.width, area.height) / picture).min_element());
+    if fitting >= 1.0 {
+        fitting.floor()
+    } else {
+        fitting
+    }
+}
+
+/// The canvas, and where nothing is drawn on it yet the finished picture as a ghost.
+fn image(show: &Show, canvas: &Canvas<Dot>, background: Rgb) -> Image {
+    let ground = background.to_srgb8();
+    let mut bytes = Vec::with_capacity(3 * canvas.width() * canvas.height());
+    for (dot, &finished) in iter::zip(canvas.iter(), &show.finished.color) {
+        bytes.extend(if dot.step.is_some() {
+            dot.color.to_srgb8()
+        } else if finished == background {
+            ground
+        } else {
+            ghost(finished.to_srgb8(), ground)
+        });
+    }
+    // A finished picture that is smaller than the canvas leaves the rest black.
+    bytes.resize(3 * canvas.width() * canvas.height(), 0);
+    Image::new(canvas.width() as u32, canvas.height() as u32, bytes)
+}
+
+/// A colour of the finished picture, faint: nearer to the background than to itself.
+fn ghost(finished: [u8; 3], background: [u8; 3]) -> [u8; 3] {
+    std::array::from_fn(|channel| {
+        let (to, from) = (i32::from(finished[channel]), i32::from(background[channel]));
+        (from + (to - from) * GHOST / 255) as u8
+    })
+}
+
+fn grid(picture: &mut Picture, width: u32, height: u32, fit: &Fit) {
+    let all = (
+        fit.x(0.0),
+        fit.x(width.into()),
+        fit.y(0.0),
+        fit.y(height.into()),
+    );
+    let (left, right, top, bottom) = all;
+    let stroke = Ink::Rule.stroke(1.0).opacity(0.25);
+    for x in 1..width {
+        let x = fit.x(x.into());
+        picture.line((x, top), (x, bottom), stroke);
+    }
+    for y in 1..height {
+        let y = fit.y(y.into());
+        picture.line((left, y), (right, y), stroke);
+    }
+}
+
+/// Size, zoom, focus and what is in hand, as far as there is room.
+fn caption(
+    picture: &mut Picture,
+    show: &Show,
+    marks: &Marks,
+    (width, height): (usize, usize),
+    zoom: f64,
+) {
+    let zoom = if zoom >= 1.0 {
+        format!("×{zoom}")
+    } else {
+        format!("{:.0} %", 100.0 * zoom)
+    };
+    let mut text = format!("{width} × {height}, {zoom}");
+    let focus = format!(
+        "{} {}",
+        ONLY.in_language(show.language),
+        focus(show.focus, show.language)
+    );
+    let room = picture.width - 8.0;
+    let set = Style::Body.size(CAPTION);
+    for more in iter::once(focus).chain(in_hand(marks, show.language)) {
+        let longer = format!("{text} · {more}");
+        if set.width(&longer) <= room {
+            text = longer;
+        }
+    }
+    let text = elide(&text, Style::Body, CAPTION, room);
+    let baseline = picture.height - 0.5 * (CAPTION_HEIGHT - ascent(Style::Body, CAPTION)) - 1.0;
+    let middle = 0.5 * picture.width;
+    picture.text((middle, baseline), text, set.ink(Ink::Muted).middle());
+}
+
+/// What the run recorded, in words.
+fn focus(focus: Focus, language: Language) -> String {
+    match focus {
+        Focus::Frame => WHOLE.in_language(language).to_string(),
+        Focus::Polygon(number) => format!("{} {number}", POLYGON.in_language(language)),
+        Focus::ScanLine(y) => format!("{} {y}", LINE.in_language(language)),
+        Focus::Pixel { x, y } => format!("{} ({x}, {y})", PIXEL.in_language(language)),
+    }
+}
+
+/// The smallest thing in hand, in words.
+fn in_hand(marks: &Marks, language: Language) -> Option<String> {
+    if let Some((x, y)) = marks.pixel {
+        return Some(focus(Focus::Pixel { x, y }, language));
+    }
+    if let Some(y) = marks.row {
+        return Some(focus(Focus::ScanLine(y), language));
+    }
+    let polygon = marks.polygon? as usize;
+    Some(focus(Focus::Polygon(polygon), language))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sample::Sample;
+    use super::*;
+    use crate::picture::{Shape, Tag, Theme, rasterize};
+    use crate::render::Method;
+
+    /// The frame that the picture's pixels fill.
+    fn frame(picture: &Picture) -> Rect {
+        let image = |item: &crate::picture::Item| match &item.shape {
+            Shape::Image { rect, .. } => Some(*rect),
+            _ => None,
+        };
+        picture.items.iter().find_map(image).unwrap()
+    }
+
+    #[test]
+    fn the_centre_of_a_pixel_is_that_pixel() {
+        for sample in [
+            Sample::triangle(Method::Gouraud).go_to("SpanInterpolated", 40),
+            Sample::pyramid(Method::Flat).go_to("PixelColored", 700),
+            Sample::triangle(Method::Wireframe).go_to("PixelPlotted", 30),
+        ] {
+            for size in [[260.0, 180.0], [460.0, 380.0], [1400.0, 900.0]] {
+                let picture = draw(&sample.show(), Vec2::from(size));
+                let (width, height) = (sample.finished.width, sample.finished.rows.end);
+                let frame = frame(&picture);
+                assert!(picture.bounds().encloses(&frame));
+                let pixel = Vec2::new(frame.width / width as f32, frame.height / height as f32);
+                for (x, y) in [(0, 0), (width / 3, height / 2), (width - 1, height - 1)] {
+                    let centre = frame.min() + pixel * (Vec2::new(x as f32, y as f32) + 0.5);
+                    assert_eq!(picture.hit(centre), Some(Tag::Pixel { x, y }), "{size:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn zoom_is_a_whole_number_or_a_reduction() {
+        let area = Rect::new(0.0, 0.0, 460.0, 380.0);
+        assert_eq!(zoom(Vec2::new(48.0, 36.0), area), 9.0);
+        assert_eq!(zoom(Vec2::new(460.0, 10.0), area), 1.0);
+        assert!((zoom(Vec2::new(640.0, 480.0), area) - 460.0 / 640.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn what_is_to_come_is_fainter_than_what_is_drawn() {
+        let mut sample = Sample::triangle(Method::Gouraud);
+        let size = Vec2::new(480.0, 380.0);
+        // Before anything is drawn, and once the whole run is over.
+        let ghost = draw(&sample.show(), size);
+        let last = sample.run.walk().len() - 1;
+        sample.run.walk_mut().seek(last);
+        let drawn = draw(&sample.show(), size);
+        let color = |picture: &Picture, x: u32, y: u32| {
+            let frame = frame(picture);
+            let scale = frame.width / sample.finished.width as f32;
+            let at = frame.min() + scale * (Vec2::new(x as f32, y as f32) + 0.5);
+            let pixels = rasterize(picture, Theme::Light, 1.0).unwrap();
+            let color = pixels.pixel(at.x as u32, at.y as u32).unwrap();
+            [color.red(), color.green(), color.blue()]
+        };
+        let finished = sample.finished.pixel(22, 16).to_srgb8();
+        assert_eq!(color(&drawn, 22, 16), finished);
+        // A ghost is nearer to the background than to the finished colour, and not the background.
+        let background = sample.finished.pixel(2, 33).to_srgb8();
+        let faint = color(&ghost, 22, 16)[0];
+        assert!(faint.abs_diff(background[0]) * 2 < faint.abs_diff(finished[0]));
+        assert!(faint.abs_diff(background[0]) > 10);
+        assert_eq!(color(&ghost, 2, 33), background);
+        assert_eq!(color(&drawn, 2, 33), background);
+    }
+
+    #[test]
+    fn the_alternative_text_says_the_step() {
+        let mut sample = Sample::triangle(Method::Gouraud);
+        sample.go_to("PixelColored", 3);
+        let alt = draw(&sample.show(), Vec2::new(300.0, 200.0)).alt;
+        assert!(
+            alt.contains("PixelColored") && alt.contains("so far: 4."),
+            "{alt}"
+        );
+    }
 }

@@ -2,11 +2,15 @@
 
 mod active_edges;
 mod code;
+mod fit;
 mod formula;
 mod image;
 mod inspector;
+#[cfg(test)]
+pub(crate) mod sample;
 mod scan_line;
 mod time_line;
+mod values;
 mod vertex;
 pub mod words;
 

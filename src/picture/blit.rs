@@ -3,6 +3,7 @@
 use tiny_skia::{Pixmap, PremultipliedColorU8};
 
 use super::font::Coverage;
+use super::rect::Rect;
 use super::shape::Image;
 
 /// A rectangle of whole pixels: `left` and `top` belong to it, `right` and `bottom` do not.
@@ -22,6 +23,27 @@ impl PixelRect {
             right: pixmap.width() as i32,
             bottom: pixmap.height() as i32,
         }
+    }
+
+    /// The smallest around a rectangle in pixels.
+    pub(super) fn around(rect: Rect) -> Self {
+        // Far outside any pixmap, and safe to add to.
+        let pixel = |v: f32| v.clamp(-1e8, 1e8) as i32;
+        PixelRect {
+            left: pixel(rect.x.floor()),
+            top: pixel(rect.y.floor()),
+            right: pixel(rect.right().ceil()),
+            bottom: pixel(rect.bottom().ceil()),
+        }
+    }
+
+    pub(super) fn to_rect(self) -> Rect {
+        Rect::new(
+            self.left as f32,
+            self.top as f32,
+            self.width() as f32,
+            self.height() as f32,
+        )
     }
 
     /// The common part; one without pixels where there is none.
@@ -115,8 +137,15 @@ pub(super) fn image(pixmap: &mut Pixmap, clip: PixelRect, frame: PixelRect, imag
     }
 }
 
-/// Draws a glyph, its pen in pixel (x, y); `clip` lies within the pixmap.
-pub(super) fn glyph(
+/// Inks one pixel, which must lie within the pixmap.
+pub(super) fn dot(pixmap: &mut Pixmap, x: i32, y: i32, color: Rgba, coverage: u8) {
+    let at = y as usize * pixmap.width() as usize + x as usize;
+    let (pixels, _) = pixmap.data_mut().as_chunks_mut();
+    over(&mut pixels[at], color, coverage);
+}
+
+/// Draws a glyph or another shape's coverage, its pen in pixel (x, y); `clip` lies within the pixmap.
+pub(super) fn coverage(
     pixmap: &mut Pixmap,
     clip: PixelRect,
     mask: &Coverage,
@@ -138,9 +167,9 @@ pub(super) fn glyph(
     }
     for y in area.top..area.bottom {
         let start = (y - top) as usize * mask.width + (area.left - left) as usize;
-        for (pixel, &coverage) in row(pixmap, area, y).iter_mut().zip(&mask.bytes[start..]) {
-            if coverage != 0 {
-                over(pixel, color, coverage);
+        for (pixel, &covered) in row(pixmap, area, y).iter_mut().zip(&mask.bytes[start..]) {
+            if covered != 0 {
+                over(pixel, color, covered);
             }
         }
     }
@@ -148,6 +177,10 @@ pub(super) fn glyph(
 
 /// Porter and Duff's `over`, on encoded values as everything else here and in browsers.
 fn over(pixel: &mut [u8; 4], [r, g, b, a]: Rgba, coverage: u8) {
+    if a == 255 && coverage == 255 {
+        *pixel = [r, g, b, a];
+        return;
+    }
     let alpha = divided_by_255(u32::from(a) * u32::from(coverage));
     for (channel, color) in pixel.iter_mut().zip([r, g, b, 255]) {
         let (below, above) = (u32::from(*channel), u32::from(color));

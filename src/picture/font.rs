@@ -70,7 +70,8 @@ pub(super) struct Glyph {
     pub advance: f32,
 }
 
-/// A glyph's coverage, 0 to 255, row by row; `left` and `top` lead from the pen's pixel on the baseline to its first pixel.
+/// The coverage of a glyph or of any shape, 0 to 255, row by row; `left` and `top` lead from the pen's pixel on the baseline
+/// to its first pixel.
 #[derive(Default)]
 pub(super) struct Coverage {
     pub left: i32,
@@ -142,9 +143,16 @@ impl Glyphs {
     }
 }
 
-/// The face, `first` if it can, that has a glyph for `character`.
+/// The face, `first` if it can, that has a glyph for `character`. Small digits are too wide apart in cells of one width: there
+/// they come from the proportional faces.
 fn face_with(first: Face, character: char) -> Option<(Face, GlyphId)> {
     use Face::*;
+    let small = matches!(character, '¹' | '²' | '³' | '⁰'..='ₜ');
+    let first = match first {
+        Mono if small => Sans,
+        MonoBold if small => Bold,
+        face => face,
+    };
     [first, Sans, Bold, Mono, MonoBold, SerifItalic]
         .into_iter()
         .find_map(|face| Some((face, face.parsed().glyph_index(character)?)))

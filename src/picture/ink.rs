@@ -72,6 +72,17 @@ pub enum Dash {
     Dotted,
 }
 
+impl Dash {
+    /// Points drawn and points left out, in turn.
+    pub(super) fn lengths(self) -> Option<[f32; 2]> {
+        match self {
+            Dash::Solid => None,
+            Dash::Dashed => Some([5.0, 4.0]),
+            Dash::Dotted => Some([2.0, 3.0]),
+        }
+    }
+}
+
 /// How a line is drawn; the width is in points, the opacity in [0, 1].
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Stroke {

@@ -23,6 +23,7 @@ mod blit;
 mod font;
 mod hit;
 mod ink;
+mod line;
 mod math;
 mod number;
 mod path;

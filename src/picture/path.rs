@@ -46,8 +46,11 @@ pub(super) fn rounded(outer: PixelRect, inset: f32, radius: f32) -> Option<Path>
     path.finish()
 }
 
-/// The part of a segment within a rectangle (Liang and Barsky 1984): dashes are laid along all of it, seen or not.
+/// The part of a segment within a rectangle (Liang and Barsky 1984), so that nothing is drawn or dashed unseen.
 pub(super) fn segment_within(from: Vec2, to: Vec2, rect: Rect) -> Option<(Vec2, Vec2)> {
+    if !from.is_finite() || !to.is_finite() {
+        return None;
+    }
     let along = to - from;
     let (mut enter, mut leave) = (0.0_f32, 1.0_f32);
     for axis in 0..2 {

@@ -25,8 +25,8 @@ pub enum Style {
 
 /// Size of subscripts and superscripts, and how far they are shifted down and up, in sizes of the text.
 const SCRIPT_SIZE: f32 = 0.7;
-const SUBSCRIPT_DROP: f32 = 0.2;
-const SUPERSCRIPT_RISE: f32 = 0.36;
+const SUBSCRIPT_DROP: f32 = 0.22;
+const SUPERSCRIPT_RISE: f32 = 0.42;
 
 impl Style {
     /// Text of this style, `size` points to the em, starting at its place, in [`Ink::Text`].

@@ -28,15 +28,16 @@ impl Outline {
             depth: Vec::with_capacity(len),
         };
         let mut open: Vec<u32> = Vec::new();
+        let depth = |open: &[u32]| u16::try_from(open.len()).unwrap_or(u16::MAX);
         for (step, mark) in recording.marks().enumerate() {
             let step = step as u32;
             let parent = open.last().copied().unwrap_or(NONE);
             outline.parent.push(parent);
             outline.last.push(step);
             match mark {
-                Mark::Step => outline.depth.push(open.len() as u16),
+                Mark::Step => outline.depth.push(depth(&open)),
                 Mark::Enter => {
-                    outline.depth.push(open.len() as u16);
+                    outline.depth.push(depth(&open));
                     open.push(step);
                 }
                 Mark::Leave => {
@@ -45,7 +46,7 @@ impl Outline {
                     if let Some(scope) = scope {
                         outline.last[scope as usize] = step;
                     }
-                    outline.depth.push(open.len() as u16);
+                    outline.depth.push(depth(&open));
                 }
             }
         }
@@ -74,7 +75,7 @@ impl Outline {
         self.last[step] as usize
     }
 
-    /// How many scopes are open around `step`.
+    /// How many scopes are open around `step`; 65 535 where there are more.
     pub fn depth(&self, step: usize) -> usize {
         self.depth[step] as usize
     }
@@ -118,5 +119,15 @@ mod tests {
             [0, 0, 1, 1, 1, 0]
         );
         assert_eq!(outline.scopes(4).collect::<Vec<_>>(), [3, 1]);
+    }
+    #[test]
+    fn very_deep_scopes_do_not_look_shallow() {
+        let mut recording = Recording::new(RecordingLimit::default());
+        (0..70_000).for_each(|_| recording.enter(|| ()));
+        (0..70_000).for_each(|_| recording.leave(|| ()));
+        let outline = Outline::of(&recording);
+        assert_eq!(outline.depth(69_999), 65_535);
+        assert_eq!(outline.last(0), 139_999);
+        assert_eq!(outline.depth(139_999), 0);
     }
 }

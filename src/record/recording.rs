@@ -37,10 +37,12 @@ impl RecordingLimit {
 ///
 /// Invariant: the marks kept are always balanced once the run has ended.
 pub struct Recording<E> {
-    events: Vec<Vec<E>>,
-    marks: Vec<Vec<Mark>>,
-    /// Chunks in use; those behind it are empty and wait to be used again.
-    used: usize,
+    /// The chunk being written: held here, so that an event is kept with few memory accesses.
+    chunk: Chunk<E>,
+    /// The chunks before it.
+    full: Vec<Chunk<E>>,
+    /// Empty chunks that wait to be used again.
+    free: Vec<Chunk<E>>,
     /// Events that may still be kept. An `enter` pays for its `leave` in advance.
     room: usize,
     /// Scopes open that were not kept.
@@ -48,27 +50,50 @@ pub struct Recording<E> {
     truncated: bool,
 }
 
+/// At most [`CHUNK`] events and their marks.
+struct Chunk<E> {
+    events: Vec<E>,
+    marks: Vec<Mark>,
+}
+
+impl<E> Chunk<E> {
+    fn new() -> Self {
+        Chunk {
+            events: Vec::with_capacity(CHUNK),
+            marks: Vec::with_capacity(CHUNK),
+        }
+    }
+
+    fn clear(&mut self) {
+        self.events.clear();
+        self.marks.clear();
+    }
+}
+
 impl<E> Recording<E> {
     pub fn new(limit: RecordingLimit) -> Self {
         Recording {
-            events: vec![Vec::with_capacity(CHUNK)],
-            marks: vec![Vec::with_capacity(CHUNK)],
-            used: 1,
+            chunk: Chunk::new(),
+            full: Vec::new(),
+            free: Vec::new(),
             room: limit.events::<E>(),
             skipped: 0,
             truncated: false,
         }
     }
 
-    /// Empties the recording for another run, and keeps its memory: fresh pages cost more than the events written to them.
+    /// Empties the recording for another run, and keeps its memory as far as `limit` allows: fresh pages cost more than
+    /// the events written to them.
     pub fn restart(&mut self, limit: RecordingLimit) {
-        self.events.iter_mut().for_each(Vec::clear);
-        self.marks.iter_mut().for_each(Vec::clear);
-        (self.used, self.room, self.skipped, self.truncated) = (1, limit.events::<E>(), 0, false);
+        self.chunk.clear();
+        self.full.iter_mut().for_each(Chunk::clear);
+        self.free.append(&mut self.full);
+        self.free.truncate(limit.events::<E>() / CHUNK);
+        (self.room, self.skipped, self.truncated) = (limit.events::<E>(), 0, false);
     }
 
     pub fn len(&self) -> usize {
-        (self.used - 1) * CHUNK + self.events[self.used - 1].len()
+        self.full.len() * CHUNK + self.chunk.events.len()
     }
 
     pub fn is_empty(&self) -> bool {
@@ -82,40 +107,46 @@ impl<E> Recording<E> {
 
     /// The event of step `step`, which must be below [`Recording::len`].
     pub fn event(&self, step: usize) -> &E {
-        &self.events[step / CHUNK][step % CHUNK]
+        &self.chunk_of(step).events[step % CHUNK]
     }
 
     /// The mark of step `step`, which must be below [`Recording::len`].
     pub fn mark(&self, step: usize) -> Mark {
-        self.marks[step / CHUNK][step % CHUNK]
+        self.chunk_of(step).marks[step % CHUNK]
     }
 
     /// All marks in order.
     pub fn marks(&self) -> impl Iterator<Item = Mark> {
-        self.marks[..self.used].iter().flatten().copied()
+        self.chunks().flat_map(|chunk| chunk.marks.iter().copied())
     }
 
     /// All events in order.
     pub fn events(&self) -> impl Iterator<Item = &E> {
-        self.events[..self.used].iter().flatten()
+        self.chunks().flat_map(|chunk| &chunk.events)
     }
 
+    fn chunks(&self) -> impl Iterator<Item = &Chunk<E>> {
+        self.full.iter().chain([&self.chunk])
+    }
+
+    fn chunk_of(&self, step: usize) -> &Chunk<E> {
+        self.full.get(step / CHUNK).unwrap_or(&self.chunk)
+    }
+
+    /// Room is made before the event is built, so that it is built in its place.
     #[inline]
-    fn push(&mut self, event: E, mark: Mark) {
-        if self.events[self.used - 1].len() == CHUNK {
+    fn push(&mut self, event: impl FnOnce() -> E, mark: Mark) {
+        if self.chunk.events.len() == CHUNK {
             self.next_chunk();
         }
-        self.events[self.used - 1].push(event);
-        self.marks[self.used - 1].push(mark);
+        self.chunk.events.push(event());
+        self.chunk.marks.push(mark);
     }
 
     #[cold]
     fn next_chunk(&mut self) {
-        if self.used == self.events.len() {
-            self.events.push(Vec::with_capacity(CHUNK));
-            self.marks.push(Vec::with_capacity(CHUNK));
-        }
-        self.used += 1;
+        let next = self.free.pop().unwrap_or_else(Chunk::new);
+        self.full.push(std::mem::replace(&mut self.chunk, next));
     }
 
     #[cold]
@@ -132,7 +163,7 @@ impl<E> Recorder<E> for Recording<E> {
             return self.meet_limit();
         }
         self.room -= 1;
-        self.push(event(), Mark::Step);
+        self.push(event, Mark::Step);
     }
 
     #[inline]
@@ -142,7 +173,7 @@ impl<E> Recorder<E> for Recording<E> {
             return self.meet_limit();
         }
         self.room -= 2;
-        self.push(event(), Mark::Enter);
+        self.push(event, Mark::Enter);
     }
 
     #[inline]
@@ -151,7 +182,7 @@ impl<E> Recorder<E> for Recording<E> {
             self.skipped -= 1;
             return;
         }
-        self.push(event(), Mark::Leave);
+        self.push(event, Mark::Leave);
     }
 }
 
@@ -199,5 +230,16 @@ mod tests {
                 .all(|(i, &event)| event == 7 * i as u32)
         );
         assert_eq!(*recording.event(17_000), 7 * 17_000);
+    }
+
+    #[test]
+    fn a_restart_keeps_no_more_memory_than_the_new_limit() {
+        let mut recording = Recording::new(RecordingLimit::default());
+        (0..10 * CHUNK).for_each(|i| recording.step(|| i));
+        let bytes = size_of::<usize>() + size_of::<Mark>() + Outline::BYTES_AN_EVENT;
+        recording.restart(RecordingLimit(3 * CHUNK * bytes));
+        assert_eq!(recording.free.len(), 3);
+        (0..10 * CHUNK).for_each(|i| recording.step(|| i));
+        assert_eq!(recording.len(), 3 * CHUNK);
     }
 }

@@ -36,7 +36,10 @@ impl Method {
     }
 }
 
-/// The most pixels that a picture may have: 8192×8192, 2 GiB while it is rendered.
+/// The longest side of a picture.
+pub const MAX_SIDE: u32 = 1 << 15;
+
+/// The most pixels of a picture: 8192×8192, for which rendering takes 2 GiB.
 pub const MAX_PIXELS: u64 = 1 << 26;
 
 /// Draws the whole picture of `stage` on `threads` threads; without the feature `parallel`, on one.

@@ -20,8 +20,9 @@ const INTERVAL: usize = 1 << 10;
 /// The most checkpoints that a timeline keeps.
 const MOST_CHECKPOINTS: usize = 1 << 10;
 
-/// The most memory, in bytes, that checkpoints take: beyond it every other one is dropped.
-const CHECKPOINT_BYTES: usize = 256 << 20;
+/// The most memory, in bytes, that checkpoints take: beyond it every other one is dropped. Ten million events that write
+/// a 640×480 picture of 40 bytes a pixel eight times over, in small polygons, stay below it.
+const CHECKPOINT_BYTES: usize = 512 << 20;
 
 /// The most plain steps that count as the heading of a scope, so that a scope of a million steps stays quick to read.
 const HEADING: usize = 64;
@@ -45,7 +46,7 @@ pub struct Timeline<E, S> {
 impl<E, S: Fold<E>> Timeline<E, S> {
     /// Folds the recording once, from the state `initial` before its first step.
     ///
-    /// At most 1024 checkpoints are kept, and at most 256 MiB of them by [`Fold::bytes_beyond`].
+    /// At most 1024 checkpoints are kept, and at most 512 MiB of them by [`Fold::bytes_beyond`].
     pub fn new(recording: Recording<E>, initial: S) -> Self {
         let mut interval = INTERVAL;
         while recording.len() / interval >= MOST_CHECKPOINTS {
@@ -151,10 +152,9 @@ impl<E, S> Timeline<E, S> {
     /// The heading of `scope`, as far as it lies before `step`: the step that enters it, and the plain steps (64 at most)
     /// that directly follow. What they tell holds for every step of the scope.
     pub fn heading(&self, scope: usize, step: usize) -> Range<usize> {
-        let end = (scope + 1..step.min(scope + 1 + HEADING))
-            .find(|&inner| self.recording.mark(inner) != Mark::Step)
-            .unwrap_or(step.min(scope + 1 + HEADING));
-        scope..end
+        let most = step.min(scope + 1 + HEADING);
+        let end = (scope + 1..most).find(|&inner| self.recording.mark(inner) != Mark::Step);
+        scope..end.unwrap_or(most)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Polygon meshes with vertices welded by place, so that neighbouring faces know of each other.
 
 use glam::{DVec2, DVec3};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// Faces of three corners or more over shared vertices.
 ///
@@ -48,9 +48,10 @@ impl Mesh {
         let mut corner = 0;
         for face in faces {
             let start = mesh.corners.len();
+            let mut taken = Taken::default();
             for &index in face.as_ref() {
                 let vertex = welded[index as usize];
-                if !mesh.corners[start..].contains(&vertex) {
+                if taken.insert(&mesh.corners[start..], vertex) {
                     mesh.corners.push(vertex);
                     mesh.uvs.extend(uvs.get(corner));
                 }
@@ -137,6 +138,24 @@ impl Mesh {
     }
 }
 
+/// The corners that a face has so far: looked through while they are few, so that most faces need no memory, and hashed after.
+#[derive(Default)]
+struct Taken(HashSet<u32>);
+
+impl Taken {
+    /// Whether `vertex` is none of `corners`, to which it is then added.
+    fn insert(&mut self, corners: &[u32], vertex: u32) -> bool {
+        const FEW: usize = 16;
+        if corners.len() < FEW {
+            return !corners.contains(&vertex);
+        }
+        if self.0.is_empty() {
+            self.0.extend(corners);
+        }
+        self.0.insert(vertex)
+    }
+}
+
 /// A key that is equal for equal coordinates: −0 and 0 are one place.
 fn place(position: DVec3) -> [u64; 3] {
     (position + DVec3::ZERO).to_array().map(f64::to_bits)
@@ -162,6 +181,16 @@ mod tests {
         assert_eq!(mesh.faces_around(0), [0, 1]);
         assert_eq!(mesh.faces_around(1), [0]);
         assert_eq!(mesh.normal(1), DVec3::Z);
+    }
+
+    #[test]
+    fn corners_of_a_large_face_repeat_as_little_as_those_of_a_small_one() {
+        let parabola: Vec<DVec3> = (0..200_000)
+            .map(|i| DVec3::new(f64::from(i), f64::from(i).powi(2), 0.0))
+            .collect();
+        let face: Vec<u32> = (0..200_000).chain([0, 17, 199_999]).collect();
+        let mesh = Mesh::new(&parabola, [face], &[]);
+        assert_eq!(mesh.face(0).len(), 200_000);
     }
 
     #[test]

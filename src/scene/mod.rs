@@ -3,12 +3,23 @@
 //! Right-handed coordinates, any length unit; angles in radians here, in degrees in files; colours in linear RGB.
 
 mod camera;
+pub mod document;
+mod file;
 mod mesh;
+mod mesh_path;
+mod obj;
+mod obj_lines;
 mod tessellation;
+mod validate;
+mod values;
 
 pub use camera::{Camera, View};
+pub use file::SceneFile;
 pub use mesh::Mesh;
+pub use mesh_path::mesh_path_is_inside;
+pub use obj::Obj;
 pub use tessellation::Tessellation;
+pub use validate::{Limits, ReadFile, SceneError, read};
 
 use crate::color::Rgb;
 use glam::DVec3;

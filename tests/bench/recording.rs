@@ -60,6 +60,9 @@ enum Drawn {
     Interpolated {
         t: f64,
     },
+    DepthTested {
+        depth: f64,
+    },
     Pixel {
         x: u16,
         y: u16,
@@ -75,6 +78,7 @@ impl Event for Drawn {
         match self {
             Drawn::Span { .. } => "Span",
             Drawn::Interpolated { .. } => "Interpolated",
+            Drawn::DepthTested { .. } => "DepthTested",
             Drawn::Pixel { .. } => "Pixel",
         }
     }
@@ -92,6 +96,7 @@ impl Event for Drawn {
         match *self {
             Drawn::Span { y } => fields.push("y", y),
             Drawn::Interpolated { t } => fields.push("t", t),
+            Drawn::DepthTested { depth } => fields.push("depth", depth),
             Drawn::Pixel { x, y, depth, .. } => {
                 fields.push("x", x).push("y", y).push("depth", depth)
             }
@@ -99,50 +104,59 @@ impl Event for Drawn {
     }
 }
 
-/// A 640×480 picture: colour, depth and the step that wrote each pixel.
-#[derive(Clone)]
-struct Picture {
-    color: Canvas<Rgb>,
-    depth: Canvas<f64>,
-    writer: Canvas<u32>,
+#[derive(Clone, Copy)]
+struct Pixel {
+    color: Rgb,
+    depth: f64,
+    /// The step that wrote it.
+    writer: u32,
 }
+
+/// What a scan-line method's state keeps of the picture.
+#[derive(Clone)]
+struct Picture(Canvas<Pixel>);
 
 impl Fold<Drawn> for Picture {
     fn apply(&mut self, step: usize, event: &Drawn) {
         if let Drawn::Pixel { x, y, color, depth } = *event {
-            let (x, y) = (x.into(), y.into());
-            self.color.set(x, y, Rgb::from(color.map(f64::from)));
-            self.depth.set(x, y, depth);
-            self.writer.set(x, y, step as u32);
+            let pixel = Pixel {
+                color: Rgb::from(color.map(f64::from)),
+                depth,
+                writer: step as u32,
+            };
+            self.0.set(x.into(), y.into(), pixel);
         }
     }
 
     fn bytes_beyond(&self, before: &Self) -> usize {
-        self.color.bytes_beyond(&before.color)
-            + self.depth.bytes_beyond(&before.depth)
-            + self.writer.bytes_beyond(&before.writer)
+        self.0.bytes_beyond(&before.0)
     }
 }
 
-/// Polygons of 24×16 pixels at random places, two events a pixel, until `count` events are told.
+/// Polygons of 24×16 pixels at random places, four events a pixel, until `count` events are told.
 fn draw(recorder: &mut impl Recorder<Drawn>, count: usize, random: &mut Random) {
-    let mut told = 0;
-    while told < count {
-        let (left, top) = (random.below(640 - 24), random.below(480 - 16));
-        for y in top..top + 16 {
-            recorder.enter(|| Drawn::Span { y: y as u16 });
-            for x in left..left + 24 {
+    const WIDTH: usize = 24;
+    const HEIGHT: usize = 16;
+    for _ in 0..count.div_ceil(HEIGHT * (2 + 4 * WIDTH)) {
+        let left = random.below(640 - WIDTH);
+        let top = random.below(480 - HEIGHT);
+        for y in top..top + HEIGHT {
+            let y = y as u16;
+            recorder.enter(|| Drawn::Span { y });
+            for x in left..left + WIDTH {
                 let t = x as f64 / 640.0;
+                let depth = t + 1.0;
                 recorder.step(|| Drawn::Interpolated { t });
+                recorder.step(|| Drawn::Interpolated { t: depth });
+                recorder.step(|| Drawn::DepthTested { depth });
                 recorder.step(|| Drawn::Pixel {
                     x: x as u16,
-                    y: y as u16,
+                    y,
                     color: [t as f32, 0.5, 0.25],
-                    depth: t + 1.0,
+                    depth,
                 });
             }
-            recorder.leave(|| Drawn::Span { y: y as u16 });
-            told += 50;
+            recorder.leave(|| Drawn::Span { y });
         }
     }
 }
@@ -163,11 +177,12 @@ fn seek() {
     let mut random = Random(2024);
     let mut recording = Recording::new(RecordingLimit::default());
     draw(&mut recording, 10_000_000, &mut random);
-    let initial = Picture {
-        color: Canvas::new(640, 480, Rgb::BLACK),
-        depth: Canvas::new(640, 480, f64::INFINITY),
-        writer: Canvas::new(640, 480, u32::MAX),
+    let empty = Pixel {
+        color: Rgb::BLACK,
+        depth: f64::INFINITY,
+        writer: u32::MAX,
     };
+    let initial = Picture(Canvas::new(640, 480, empty));
     let start = Instant::now();
     let mut replay = Replay::new(Timeline::new(recording, initial));
     let folded = start.elapsed();
@@ -193,6 +208,20 @@ fn seek() {
         times[times.len() - 1],
         100.0 * within as f64 / times.len() as f64
     );
+
+    for _ in 0..1000 {
+        let pixel = replay.state().0.get(random.below(640), random.below(480));
+        if pixel.writer == u32::MAX {
+            continue;
+        }
+        match *replay.timeline().event(pixel.writer as usize) {
+            Drawn::Pixel { color, depth, .. } => {
+                assert_eq!(pixel.color, Rgb::from(color.map(f64::from)));
+                assert_eq!(pixel.depth, depth);
+            }
+            _ => panic!("only a pixel's step writes it"),
+        }
+    }
 
     for text in ["Vertex", "Pixel y=-1", "t=-1"] {
         let wanted: Query = text.parse().expect("a query");

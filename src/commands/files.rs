@@ -1,0 +1,150 @@
+//! Reading scenes and lessons from files, and writing files that appear whole or not at all.
+
+use super::Failure;
+use crate::lesson::{Lesson, builtin};
+use crate::scene::{self, Limits, Scene, document};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+use std::fs;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// The largest mesh file that is read, in bytes: five million triangles take about 400 MB.
+const MAX_MESH_BYTES: u64 = 1 << 30;
+
+/// What a file holds.
+pub enum Document {
+    Scene(Box<Scene>),
+    Lesson(Box<Lesson>),
+}
+
+/// Reads a lesson of the program's own by its id, or else a lesson or scene file by its path.
+pub fn lesson_or_scene(name: &str, limits: &Limits) -> Result<Document, Failure> {
+    match builtin(name) {
+        Some(lesson) => lesson
+            .read()
+            .map(|lesson| Document::Lesson(lesson.into()))
+            .map_err(|error| wrong(&name, &error)),
+        None => document(Path::new(name), limits),
+    }
+}
+
+/// Reads a lesson or scene file: what has the key `steps` is a lesson.
+pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
+    #[derive(Deserialize)]
+    struct Kind {
+        steps: Option<IgnoredAny>,
+    }
+    let bytes = read(path, document::MAX_BYTES as u64)
+        .map_err(|message| wrong(&path.display(), &message))?;
+    let folder = folder_of(path);
+    let mut read_file = |name: &str| read_inside(&folder, name);
+    let wrong = |error: &dyn std::fmt::Display| wrong(&path.display(), &error);
+    match serde_json::from_slice(&bytes) {
+        Ok(Kind { steps: Some(_) }) => match Lesson::read(&bytes, limits, &mut read_file) {
+            Ok(lesson) => Ok(Document::Lesson(lesson.into())),
+            Err(error) => Err(wrong(&error)),
+        },
+        _ => match scene::read(&bytes, limits, &mut read_file) {
+            Ok(scene) => Ok(Document::Scene(scene.into())),
+            Err(error) => Err(wrong(&error)),
+        },
+    }
+}
+
+/// Reads a scene file.
+pub fn scene(path: &Path, limits: &Limits) -> Result<Scene, Failure> {
+    match document(path, limits)? {
+        Document::Scene(scene) => Ok(*scene),
+        Document::Lesson(lesson) => Ok(lesson.scene),
+    }
+}
+
+/// A problem with every line under the file's name.
+pub fn wrong(file: &impl std::fmt::Display, error: &impl std::fmt::Display) -> Failure {
+    let lines: Vec<String> = error
+        .to_string()
+        .lines()
+        .map(|line| format!("{file}: {line}"))
+        .collect();
+    Failure::Wrong(lines.join("\n"))
+}
+
+fn folder_of(path: &Path) -> PathBuf {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+/// Reads a file that must lie in `folder`, symbolic links followed.
+fn read_inside(folder: &Path, name: &str) -> Result<Vec<u8>, String> {
+    let folder = folder.canonicalize().map_err(|error| error.to_string())?;
+    let path = folder
+        .join(name)
+        .canonicalize()
+        .map_err(|error| format!("cannot read {name}: {error}"))?;
+    if !path.starts_with(&folder) {
+        return Err(format!(
+            "{name} leads outside the folder of the file that names it; copy it into that folder"
+        ));
+    }
+    read(&path, MAX_MESH_BYTES).map_err(|message| format!("{name}: {message}"))
+}
+
+/// Reads a regular file of at most `limit` bytes.
+fn read(path: &Path, limit: u64) -> Result<Vec<u8>, String> {
+    let metadata = fs::metadata(path).map_err(|error| format!("cannot be read: {error}"))?;
+    if !metadata.is_file() {
+        return Err("is not a file".into());
+    }
+    if metadata.len() > limit {
+        return Err(format!(
+            "has {} bytes; at most {limit} are read",
+            metadata.len()
+        ));
+    }
+    fs::read(path).map_err(|error| format!("cannot be read: {error}"))
+}
+
+/// Finds fault with the name of an output file before any work is done.
+pub fn check_output(path: &Path) -> Result<(), Failure> {
+    if path.is_dir() {
+        return Err(Failure::Wrong(format!(
+            "{}: is a folder; name a file",
+            path.display()
+        )));
+    }
+    if !folder_of(path).is_dir() {
+        return Err(Failure::Wrong(format!(
+            "{}: its folder does not exist",
+            path.display()
+        )));
+    }
+    Ok(())
+}
+
+/// Writes a file beside its place, then puts it there under its name.
+pub fn write_whole(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    let failed = |error: std::io::Error| {
+        Failure::Failed(format!("cannot write {}: {error}", path.display()))
+    };
+    let mut builder = tempfile::Builder::new();
+    // As readable as any new file; temporary files are private otherwise.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    let file = builder
+        .prefix(".lightwalk-")
+        .tempfile_in(folder_of(path))
+        .map_err(failed)?;
+    let mut writer = BufWriter::new(file);
+    write(&mut writer).map_err(failed)?;
+    let file = writer
+        .into_inner()
+        .map_err(|error| failed(error.into_error()))?;
+    file.persist(path).map_err(|error| failed(error.error))?;
+    Ok(())
+}

@@ -1,0 +1,100 @@
+//! `lightwalk frames`: the panels of a lesson as PNG files, without a display.
+
+use super::files::{self, Document};
+use super::{Failure, LimitArguments, parse_range, parse_size};
+use crate::panels::words::Language;
+use crate::panels::{Panel, Show, draw};
+use crate::picture::{Theme, rasterize, to_png};
+use crate::render::render;
+use glam::Vec2;
+use std::num::NonZeroUsize;
+use std::ops::Range;
+use std::path::PathBuf;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The id of a lesson, or a lesson file
+    lesson: String,
+    /// Steps, counted from 0; A is included, B is not
+    #[arg(long, value_name = "A..B", value_parser = parse_range, conflicts_with = "narrated")]
+    steps: Option<Range<usize>>,
+    /// The steps at which the lesson says something (this is so unless --steps is given)
+    #[arg(long)]
+    narrated: bool,
+    /// One panel; all of the lesson's panels unless given
+    #[arg(long, value_name = "PANEL", value_parser = panel_names())]
+    panel: Option<String>,
+    /// Of a picture
+    #[arg(long, value_parser = parse_size, value_name = "WxH", default_value = "640x480")]
+    size: [u32; 2],
+    /// Where the pictures go; it is made if it does not exist
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+fn panel_names() -> clap::builder::PossibleValuesParser {
+    Panel::ALL.map(Panel::name).into()
+}
+
+pub fn run(arguments: Arguments) -> Result<(), Failure> {
+    let Document::Lesson(lesson) =
+        files::lesson_or_scene(&arguments.lesson, &arguments.limits.into())?
+    else {
+        return Err(Failure::Wrong(format!(
+            "{}: is a scene; frames are drawn of a lesson",
+            arguments.lesson
+        )));
+    };
+    let mut open = lesson
+        .open()
+        .map_err(|error| files::wrong(&arguments.lesson, &error))?;
+    let narrated: Vec<usize> = open.narrated.iter().map(|narrated| narrated.step).collect();
+    let steps: Vec<usize> = match arguments.steps {
+        None => narrated.clone(),
+        Some(range) => {
+            let count = open.run.walk().len();
+            if range.end > count {
+                return Err(Failure::Wrong(format!(
+                    "--steps {}..{}: the lesson has {count} steps",
+                    range.start, range.end
+                )));
+            }
+            range.collect()
+        }
+    };
+    let panels = match arguments.panel.as_deref().and_then(Panel::from_name) {
+        Some(panel) => vec![panel],
+        None => open.lesson.panels.clone(),
+    };
+    let threads = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+    let finished = render(&open.stage, open.lesson.method, threads, &|_, _| {});
+
+    std::fs::create_dir_all(&arguments.out)
+        .map_err(|error| Failure::Wrong(format!("--out {}: {error}", arguments.out.display())))?;
+    let progress = super::progress::Progress::new("drawing");
+    for (done, &step) in steps.iter().enumerate() {
+        open.run.walk_mut().seek(step);
+        let show = Show {
+            run: &open.run,
+            finished: &finished,
+            focus: open.lesson.focus,
+            language: Language::English,
+            narrated: &narrated,
+            breakpoints: &[],
+        };
+        let [width, height] = arguments.size.map(|side| side as f32);
+        for &panel in &panels {
+            let picture = draw(panel, &show, Vec2::new(width, height));
+            let pixmap = rasterize(&picture, Theme::Light, 1.0)
+                .map_err(|error| Failure::Wrong(format!("--size: {error}")))?;
+            let path = arguments
+                .out
+                .join(format!("step-{step:06}-{}.png", panel.name()));
+            files::write_whole(&path, |writer| writer.write_all(&to_png(&pixmap)))?;
+        }
+        progress.show(done + 1, steps.len());
+    }
+    Ok(())
+}

@@ -1,0 +1,66 @@
+//! `lightwalk list`: the lessons.
+
+use super::Failure;
+use super::files::wrong;
+use crate::lesson::builtins;
+use crate::panels::words::Language;
+use std::io::Write;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// As a JSON array of objects with id, number, title, summary, topics and steps
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn run(arguments: Arguments) -> Result<(), Failure> {
+    let mut lessons = Vec::new();
+    for lesson in builtins() {
+        lessons.push(
+            lesson
+                .read()
+                .and_then(|lesson| lesson.open())
+                .map_err(|error| wrong(&lesson.id, &error))?,
+        );
+    }
+    let mut out = std::io::stdout().lock();
+    if arguments.json {
+        let lessons: Vec<_> = lessons
+            .iter()
+            .map(|open| {
+                let texts = |text: &crate::lesson::Text| serde_json::json!({ "en": text.en, "id": text.id });
+                serde_json::json!({
+                    "id": open.lesson.id,
+                    "number": open.lesson.number,
+                    "title": texts(&open.lesson.title),
+                    "summary": texts(&open.lesson.summary),
+                    "topics": open.lesson.topics,
+                    "steps": open.run.walk().len(),
+                    "narrated": open.narrated.len(),
+                })
+            })
+            .collect();
+        serde_json::to_writer_pretty(&mut out, &lessons).map_err(std::io::Error::from)?;
+        writeln!(out)?;
+    } else {
+        for open in &lessons {
+            let lesson = &open.lesson;
+            writeln!(
+                out,
+                "{:>2}  {:<20} {}",
+                lesson.number,
+                lesson.id,
+                lesson.title.in_language(Language::English)
+            )?;
+            writeln!(
+                out,
+                "{:24}{} · {} steps, {} narrated",
+                "",
+                lesson.topics.join(", "),
+                open.run.walk().len(),
+                open.narrated.len()
+            )?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,34 @@
+//! `lightwalk open`: the window.
+
+use super::Failure;
+
+#[derive(clap::Args, Default)]
+pub struct Arguments {
+    /// The id of a lesson, or a lesson file
+    lesson: Option<String>,
+}
+
+#[cfg(feature = "gui")]
+pub fn run(arguments: Arguments) -> Result<(), Failure> {
+    use super::files::{self, Document};
+    use crate::scene::Limits;
+    let lesson = match arguments.lesson {
+        None => None,
+        Some(name) => match files::lesson_or_scene(&name, &Limits::default())? {
+            Document::Lesson(lesson) => Some(*lesson),
+            Document::Scene(_) => {
+                return Err(Failure::Wrong(format!(
+                    "{name}: is a scene; the window opens lessons"
+                )));
+            }
+        },
+    };
+    crate::app::open(lesson).map_err(Failure::Failed)
+}
+
+#[cfg(not(feature = "gui"))]
+pub fn run(_: Arguments) -> Result<(), Failure> {
+    Err(Failure::Failed(
+        "this build has no window (feature `gui`); `lightwalk list` and `lightwalk frames LESSON --out DIR` work without one".into(),
+    ))
+}

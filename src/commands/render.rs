@@ -1,0 +1,158 @@
+//! `lightwalk render`: a picture of a scene.
+
+use super::progress::Progress;
+use super::{Failure, LimitArguments, files, parse_size};
+use crate::algorithms::stage::Stage;
+use crate::color::{Rgb, pfm, png_rgb8};
+use crate::render::{Method, render};
+use crate::scene::{Scene, View};
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use web_time::Instant;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A scene file
+    scene: PathBuf,
+    /// How to draw it
+    #[arg(long, value_parser = method_names(), value_name = "METHOD")]
+    method: String,
+    #[arg(long, value_parser = parse_size, value_name = "WxH", default_value = "640x480")]
+    size: [u32; 2],
+    /// As many as cores unless given
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
+    /// Scales a PNG by 2^EV
+    #[arg(
+        long,
+        value_name = "EV",
+        default_value_t = 0.0,
+        allow_negative_numbers = true
+    )]
+    exposure: f64,
+    /// FILE.png (8 bits, sRGB) or FILE.pfm (linear float)
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// Prints seconds by phase, what was drawn and what was left out, as one JSON object
+    #[arg(long)]
+    stats: bool,
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+/// The methods that are built, for the command line's help and errors.
+pub fn method_names() -> clap::builder::PossibleValuesParser {
+    Method::ALL.map(Method::name).into()
+}
+
+#[derive(Clone, Copy)]
+enum Format {
+    Png,
+    Pfm,
+}
+
+pub fn run(arguments: Arguments) -> Result<(), Failure> {
+    let Arguments {
+        size: [width, height],
+        exposure,
+        out,
+        ..
+    } = &arguments;
+    let method = method(&arguments.method)?;
+    let format = format(out)?;
+    if !(-64.0..=64.0).contains(exposure) {
+        return Err(Failure::Wrong(format!(
+            "--exposure {exposure}: allowed are numbers from -64 to 64"
+        )));
+    }
+    files::check_output(out)?;
+
+    let start = Instant::now();
+    let scene = files::scene(&arguments.scene, &arguments.limits.into())?;
+    let view = view(&scene, *width, *height)
+        .map_err(|message| files::wrong(&arguments.scene.display(), &message))?;
+    let read = start.elapsed();
+    let stage = Stage::new(scene, view);
+    for &object in &stage.tessellation.left_out {
+        eprintln!(
+            "lightwalk: {} leaves out the infinite plane \"{}\"",
+            method.name(),
+            stage.scene.objects[object].name
+        );
+    }
+    let staged = start.elapsed();
+    let threads = arguments
+        .threads
+        .unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN));
+    let progress = Progress::new("rendering");
+    let frame = render(&stage, method, threads, &|done, all| {
+        progress.show(done, all)
+    });
+    drop(progress);
+    let rendered = start.elapsed();
+    let bytes = match format {
+        Format::Pfm => pfm(*width, *height, &frame.color),
+        Format::Png => {
+            let factor = exposure.exp2();
+            let pixels: Vec<u8> = frame
+                .color
+                .iter()
+                .flat_map(|&color: &Rgb| (color * factor).to_srgb8())
+                .collect();
+            png_rgb8(*width, *height, &pixels)
+        }
+    };
+    files::write_whole(out, |writer| writer.write_all(&bytes))?;
+    let written = start.elapsed();
+
+    if arguments.stats {
+        let left_out: Vec<_> = stage
+            .tessellation
+            .left_out
+            .iter()
+            .map(|&object| serde_json::json!({ "object": stage.scene.objects[object].name, "why": "an infinite plane has no polygons" }))
+            .collect();
+        let stats = serde_json::json!({
+            "method": method.name(),
+            "size": [width, height],
+            "threads": threads,
+            "seconds": {
+                "read": read.as_secs_f64(),
+                "tessellate": (staged - read).as_secs_f64(),
+                "render": (rendered - staged).as_secs_f64(),
+                "write": (written - rendered).as_secs_f64(),
+            },
+            "polygons": stage.tessellation.polygon_count(),
+            "rays": { "primary": 0, "shadow": 0, "reflected": 0, "transmitted": 0, "total_internal_reflection": 0 },
+            "left_out": left_out,
+        });
+        use std::io::Write;
+        writeln!(std::io::stdout(), "{stats}")?;
+    }
+    Ok(())
+}
+
+/// A method by the name that clap has already checked.
+pub fn method(name: &str) -> Result<Method, Failure> {
+    Method::from_name(name)
+        .ok_or_else(|| Failure::Wrong(format!("--method {name}: there is no such method")))
+}
+
+fn format(out: &Path) -> Result<Format, Failure> {
+    match out.extension().and_then(|extension| extension.to_str()) {
+        Some("png") => Ok(Format::Png),
+        Some("pfm") => Ok(Format::Pfm),
+        _ => Err(Failure::Wrong(format!(
+            "--out {}: the name of a picture ends in .png or .pfm",
+            out.display()
+        ))),
+    }
+}
+
+/// The view of the scene's own camera.
+pub fn view(scene: &Scene, width: u32, height: u32) -> Result<View, String> {
+    let camera = scene
+        .camera
+        .ok_or("camera: the key is missing; a picture needs a camera")?;
+    Ok(View::new(&camera, width, height))
+}

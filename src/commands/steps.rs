@@ -1,0 +1,204 @@
+//! `lightwalk steps`: every step of a run, a JSON object a line.
+
+use super::files::{self, Document};
+use super::render::{method, method_names, view};
+use super::{Failure, LimitArguments, parse_size};
+use crate::algorithms::focus::Focus;
+use crate::algorithms::stage::Stage;
+use crate::record::{RecordingLimit, Value};
+use crate::render::Method;
+use crate::replay::{Run, Walk};
+use crate::scene::Scene;
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde_json::{Value as Json, json};
+use std::io::{BufWriter, Write};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// The id of a lesson, a lesson file, or a scene file
+    #[arg(value_name = "LESSON_OR_SCENE")]
+    name: String,
+    /// How to draw a scene; a lesson has its own method
+    #[arg(long, value_parser = method_names(), value_name = "METHOD")]
+    method: Option<String>,
+    /// Of the picture; a lesson has its own
+    #[arg(long, value_parser = parse_size, value_name = "WxH")]
+    size: Option<[u32; 2]>,
+    #[command(flatten)]
+    focus: FocusArguments,
+    /// Standard output unless given
+    #[arg(long, value_name = "FILE.jsonl")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+/// What is recorded: the whole frame unless given.
+#[derive(clap::Args)]
+#[group(multiple = false)]
+struct FocusArguments {
+    /// One pixel, from the top left, counted from 0
+    #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
+    pixel: Option<[u32; 2]>,
+    /// One scan line, from the top, counted from 0
+    #[arg(long, value_name = "Y")]
+    scan_line: Option<u32>,
+    /// One polygon, counted from 0 over all objects
+    #[arg(long, value_name = "N")]
+    polygon: Option<usize>,
+}
+
+fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
+    let pixel = text
+        .split_once(',')
+        .and_then(|(x, y)| Some([x.parse().ok()?, y.parse().ok()?]));
+    pixel.ok_or_else(|| "a pixel is written as 12,34".into())
+}
+
+pub fn run(arguments: Arguments) -> Result<(), Failure> {
+    if let Some(out) = &arguments.out {
+        files::check_output(out)?;
+    }
+    let run = record(&arguments)?;
+    if run.walk().truncated() {
+        eprintln!(
+            "lightwalk: the recording met its memory limit, and tells only the beginning; choose --polygon, --scan-line or --pixel"
+        );
+    }
+    match &arguments.out {
+        Some(path) => files::write_whole(path, |writer| write_steps(run.walk(), writer)),
+        None => {
+            let mut out = BufWriter::new(std::io::stdout().lock());
+            write_steps(run.walk(), &mut out)?;
+            Ok(out.flush()?)
+        }
+    }
+}
+
+fn record(arguments: &Arguments) -> Result<Run, Failure> {
+    let wrong = |message: &str| Failure::Wrong(message.to_owned());
+    let focus = &arguments.focus;
+    let focus = match (focus.pixel, focus.scan_line, focus.polygon) {
+        (Some([x, y]), _, _) => Some(Focus::Pixel { x, y }),
+        (_, Some(y), _) => Some(Focus::ScanLine(y)),
+        (_, _, Some(number)) => Some(Focus::Polygon(number)),
+        _ => None,
+    };
+    let method = arguments.method.as_deref().map(method).transpose()?;
+    match files::lesson_or_scene(&arguments.name, &arguments.limits.into())? {
+        Document::Lesson(lesson)
+            if method.is_none() && focus.is_none() && arguments.size.is_none() =>
+        {
+            Ok(lesson
+                .open()
+                .map_err(|error| files::wrong(&arguments.name, &error))?
+                .run)
+        }
+        Document::Lesson(lesson) => record_scene(
+            lesson.scene,
+            method.unwrap_or(lesson.method),
+            arguments.size.unwrap_or(lesson.size),
+            focus.unwrap_or(lesson.focus),
+            &arguments.name,
+        ),
+        Document::Scene(scene) => {
+            let method = method.ok_or_else(|| {
+                wrong("--method is missing: a scene can be drawn in several ways")
+            })?;
+            record_scene(
+                *scene,
+                method,
+                arguments.size.unwrap_or([640, 480]),
+                focus.unwrap_or(Focus::Frame),
+                &arguments.name,
+            )
+        }
+    }
+}
+
+fn record_scene(
+    scene: Scene,
+    method: Method,
+    [width, height]: [u32; 2],
+    focus: Focus,
+    name: &str,
+) -> Result<Run, Failure> {
+    let view = view(&scene, width, height).map_err(|message| files::wrong(&name, &message))?;
+    let stage = Stage::new(scene, view);
+    let within = |value: usize, size: usize, option: &str, what: &str| {
+        if value < size {
+            Ok(())
+        } else {
+            Err(Failure::Wrong(format!(
+                "{option} {value}: there are {size} {what}, counted from 0"
+            )))
+        }
+    };
+    match focus {
+        Focus::Frame => {}
+        Focus::Polygon(number) => within(
+            number,
+            stage.tessellation.polygon_count(),
+            "--polygon",
+            "polygons",
+        )?,
+        Focus::ScanLine(y) => within(y as usize, height as usize, "--scan-line", "rows")?,
+        Focus::Pixel { x, y } => {
+            within(x as usize, width as usize, "--pixel", "columns")?;
+            within(y as usize, height as usize, "--pixel", "rows")?;
+        }
+    }
+    Ok(Run::record(
+        Arc::new(stage),
+        method,
+        focus,
+        RecordingLimit::default(),
+    ))
+}
+
+fn write_steps(walk: &dyn Walk, out: &mut dyn Write) -> std::io::Result<()> {
+    for step in 0..walk.len() {
+        serde_json::to_writer(&mut *out, &Line { walk, step })?;
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+/// A step as one JSON object: `step`, `depth`, `kind`, then all values known there, an inner scope's before an outer one's.
+struct Line<'a> {
+    walk: &'a dyn Walk,
+    step: usize,
+}
+
+impl Serialize for Line<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut object = serializer.serialize_map(None)?;
+        object.serialize_entry("step", &self.step)?;
+        object.serialize_entry("depth", &self.walk.outline().depth(self.step))?;
+        object.serialize_entry("kind", self.walk.kind(self.step))?;
+        let fields = self.walk.fields(self.step);
+        for (index, field) in fields.0.iter().enumerate() {
+            if !fields.0[index + 1..]
+                .iter()
+                .any(|later| later.name == field.name)
+            {
+                object.serialize_entry(field.name, &json_of(field.value))?;
+            }
+        }
+        object.end()
+    }
+}
+
+/// A number that is not finite becomes null: JSON has none.
+fn json_of(value: Value) -> Json {
+    match value {
+        Value::Number(number) => json!(number),
+        Value::Integer(integer) => json!(integer),
+        Value::Rgb(color) => json!(color.channels()),
+        Value::Vector(vector) => json!(vector.to_array()),
+        Value::Truth(truth) => json!(truth),
+        Value::Word(word) => json!(word),
+    }
+}

@@ -1,0 +1,49 @@
+//! The lessons that come with the program, embedded in the binary with their scenes and meshes.
+
+use super::{Lesson, LessonError};
+use crate::scene::Limits;
+
+/// A lesson of the program's own.
+#[derive(Clone, Copy, Debug)]
+pub struct Builtin {
+    pub id: &'static str,
+    json: &'static str,
+}
+
+const BUILTINS: [Builtin; 2] = [
+    Builtin {
+        id: "gouraud-triangle",
+        json: include_str!("../../lessons/04-gouraud-triangle.json"),
+    },
+    Builtin {
+        id: "gouraud-teapot",
+        json: include_str!("../../lessons/05-gouraud-teapot.json"),
+    },
+];
+
+/// What those lessons name, by its path relative to them.
+const FILES: [(&str, &[u8]); 1] = [(
+    "meshes/teapot.obj",
+    include_bytes!("../../lessons/meshes/teapot.obj"),
+)];
+
+/// All of them, in the order of their numbers.
+pub fn builtins() -> &'static [Builtin] {
+    &BUILTINS
+}
+
+/// The lesson of this id.
+pub fn builtin(id: &str) -> Option<Builtin> {
+    BUILTINS.into_iter().find(|lesson| lesson.id == id)
+}
+
+impl Builtin {
+    /// Errors: none for a lesson that passed the tests.
+    pub fn read(self) -> Result<Lesson, LessonError> {
+        Lesson::read(self.json.as_bytes(), &Limits::default(), &mut |path| {
+            let file = FILES.iter().find(|(name, _)| *name == path);
+            file.map(|(_, bytes)| bytes.to_vec())
+                .ok_or_else(|| format!("{path} is not among the files of the program"))
+        })
+    }
+}

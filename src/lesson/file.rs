@@ -1,0 +1,111 @@
+//! The lesson file as it is written: what is shown, and what is said and asked at which steps.
+
+use crate::panels::words::Language;
+use crate::replay::Query;
+use crate::scene::SceneFile;
+use crate::scene::document::{Keyed, Schema, present};
+use serde::Deserialize;
+
+/// A lesson file, version 1. Keys are described in the README, under "Writing a lesson".
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LessonFile {
+    #[serde(default, deserialize_with = "present")]
+    pub schema: Option<Schema>,
+    /// Unique among lessons; part of links and command lines: lower-case words joined by `-`.
+    pub id: String,
+    /// Place in the list of lessons.
+    pub number: u32,
+    pub title: Text,
+    /// One sentence for the list of lessons.
+    pub summary: Text,
+    pub topics: Vec<String>,
+    /// A scene in the lesson file itself; either this or `scene_file`.
+    #[serde(default, deserialize_with = "present")]
+    pub scene: Option<Keyed<SceneFile>>,
+    /// Path of a scene file, relative to the lesson file.
+    #[serde(default, deserialize_with = "present")]
+    pub scene_file: Option<String>,
+    pub method: String,
+    /// Pixels, width and height.
+    pub size: [u32; 2],
+    pub focus: FocusFile,
+    pub panels: Vec<String>,
+    pub steps: Vec<Keyed<StepFile>>,
+}
+
+/// Which part of the frame is recorded.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum FocusFile {
+    Frame,
+    Polygon(usize),
+    ScanLine(u32),
+    Pixel([u32; 2]),
+}
+
+/// A step at which something is said.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StepFile {
+    /// The first such event behind the narrated step before.
+    pub at: Query,
+    pub say: Text,
+    /// What the lecture's slide prints, where it differs from the standard form.
+    #[serde(default, deserialize_with = "present")]
+    pub slide: Option<Text>,
+    #[serde(default, deserialize_with = "present")]
+    pub question: Option<Keyed<QuestionFile>>,
+}
+
+/// Predict before seeing.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct QuestionFile {
+    pub ask: Text,
+    /// The first such event behind the narrated step: the answer is read there.
+    pub at: Query,
+    pub answer: AnswerFile,
+    /// Said once it is answered.
+    pub why: Text,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum AnswerFile {
+    /// The value of a field, give or take `tolerance`.
+    Number { field: String, tolerance: f64 },
+    /// The one option whose condition holds at the step of the answer.
+    Choice(Vec<OptionFile>),
+    /// The pixel whose column and row the step tells as `x` and `y`, give or take `tolerance` pixels.
+    Pixel { tolerance: u32 },
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct OptionFile {
+    pub text: Text,
+    pub when: Query,
+}
+
+/// A text in both languages. `{I_4}` in it stands for the value of that field at the step, `{I_4:3}` for three decimals.
+#[derive(Clone, Debug, Deserialize, PartialEq, Eq)]
+#[serde(deny_unknown_fields)]
+pub struct Text {
+    pub en: String,
+    pub id: String,
+}
+
+impl Text {
+    pub fn in_language(&self, language: Language) -> &str {
+        match language {
+            Language::English => &self.en,
+            Language::Indonesian => &self.id,
+        }
+    }
+
+    /// Both languages, with the keys under which they stand.
+    pub fn both(&self) -> [(&'static str, &str); 2] {
+        [("en", &self.en), ("id", &self.id)]
+    }
+}

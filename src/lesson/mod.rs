@@ -1,0 +1,13 @@
+//! Lessons: a scene, a method and a focus, and what is said and asked on the way.
+//!
+//! Anchors are selectors: a narrated step is the first event of a kind behind the narrated step before it. A lesson is
+//! right when every anchor, every value in its texts and every answer is found in the run itself.
+
+mod builtin;
+mod file;
+mod resolve;
+pub mod template;
+
+pub use builtin::{Builtin, builtin, builtins};
+pub use file::{LessonFile, Text};
+pub use resolve::{Answer, Lesson, LessonError, Narrated, OpenLesson, Question};

@@ -1,0 +1,100 @@
+//! From the screen of the rendered picture, in pixels, to places in a panel, in points.
+
+use crate::algorithms::stage::Stage;
+use crate::picture::Rect;
+use crate::replay::shading::State;
+use glam::{DVec2, Vec2};
+
+/// A scale and an offset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Fit {
+    /// Points a pixel.
+    pub scale: f64,
+    offset: DVec2,
+}
+
+impl Fit {
+    /// The part of the screen from `low` to `high` as large as it fits into `area`, in its middle. A part without extent is
+    /// taken to be a tenth of a pixel large.
+    pub fn new(low: DVec2, high: DVec2, area: Rect) -> Self {
+        let size = (high - low).max(DVec2::splat(0.1));
+        let scale = (DVec2::new(area.width.into(), area.height.into()) / size).min_element();
+        Fit::centered(0.5 * (low + high), scale, area)
+    }
+
+    /// The point `center` of the screen in the middle of `area`, at `scale` points a pixel.
+    pub fn centered(center: DVec2, scale: f64, area: Rect) -> Self {
+        Fit {
+            scale,
+            offset: area.center().as_dvec2() - center * scale,
+        }
+    }
+
+    /// `scale` points a pixel, with the screen's upper left corner at `origin`.
+    pub fn at_origin(origin: Vec2, scale: f64) -> Self {
+        Fit {
+            scale,
+            offset: origin.as_dvec2(),
+        }
+    }
+
+    pub fn x(&self, x: f64) -> f32 {
+        (self.offset.x + self.scale * x) as f32
+    }
+
+    pub fn y(&self, y: f64) -> f32 {
+        (self.offset.y + self.scale * y) as f32
+    }
+
+    pub fn place(&self, point: DVec2) -> Vec2 {
+        Vec2::new(self.x(point.x), self.y(point.y))
+    }
+
+    /// Pixels `first..end` of row `y`.
+    pub fn pixels(&self, first: u32, end: u32, y: u32) -> Rect {
+        let low = DVec2::new(first.into(), y.into());
+        let high = DVec2::new(end.into(), f64::from(y) + 1.0);
+        Rect::between(self.place(low), self.place(high))
+    }
+}
+
+/// The corners of the polygon in hand on the screen: as they were told, and before that as the stage has them.
+pub(super) fn outline<A>(state: &State<A>) -> Vec<DVec2> {
+    if !state.edges.is_empty() {
+        let corners = state.corners.iter();
+        return corners
+            .map(|corner| DVec2::new(corner.x, corner.y))
+            .collect();
+    }
+    state.polygon.map_or_else(Vec::new, |polygon| {
+        staged(&state.stage, polygon.polygon as usize)
+    })
+}
+
+/// The corners of a polygon of the stage, on the screen; those before the near plane have no place there.
+pub(super) fn staged(stage: &Stage, polygon: usize) -> Vec<DVec2> {
+    stage.polygon(polygon).map_or_else(Vec::new, |polygon| {
+        let corners = polygon.corners().map(|(_, vertex)| vertex);
+        corners
+            .filter(|vertex| vertex.camera.z >= stage.view.near)
+            .map(|vertex| vertex.screen)
+            .collect()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_part_fills_one_side_and_keeps_its_shape() {
+        let area = Rect::new(10.0, 20.0, 200.0, 100.0);
+        let (low, high) = (DVec2::new(4.0, 6.0), DVec2::new(14.0, 16.0));
+        let fit = Fit::new(low, high, area);
+        assert_eq!(fit.scale, 10.0);
+        assert_eq!(fit.place(low), Vec2::new(60.0, 20.0));
+        assert_eq!(fit.place(high), Vec2::new(160.0, 120.0));
+        assert_eq!(fit.pixels(4, 6, 7), Rect::new(60.0, 30.0, 20.0, 10.0));
+        assert!(Fit::new(low, low, area).place(low).is_finite());
+    }
+}

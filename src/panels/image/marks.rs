@@ -1,0 +1,133 @@
+//! What is in hand, drawn over the picture. Nothing here has a tag: under the pointer are the picture's pixels.
+
+use super::super::fit::{Fit, outline, staged};
+use crate::algorithms::focus::Focus;
+use crate::algorithms::stage::Stage;
+use crate::picture::{Ink, Picture, Rect};
+use crate::replay::shading::{self, Dot};
+use crate::replay::{Canvas, wireframe};
+use glam::DVec2;
+use std::ops::Range;
+
+/// The side below which a marked pixel is drawn larger than it is, in points.
+const SMALLEST: f32 = 6.0;
+
+pub(super) struct Marks<'a> {
+    pub stage: &'a Stage,
+    pub canvas: &'a Canvas<Dot>,
+    outline: Vec<DVec2>,
+    /// Where the vertex in hand is.
+    vertex: Option<DVec2>,
+    /// The edge of the wireframe in hand.
+    edge: Option<[DVec2; 2]>,
+    span: Option<Range<u32>>,
+    pub polygon: Option<u32>,
+    pub row: Option<u32>,
+    pub pixel: Option<(u32, u32)>,
+}
+
+impl<'a> Marks<'a> {
+    pub fn of_shading<A>(state: &'a shading::State<A>) -> Self {
+        let stage = &*state.stage;
+        let in_hand = state.vertex.as_ref().map(|vertex| vertex.position);
+        let in_hand = in_hand.or(state.point.as_ref().map(|point| point.position));
+        Marks {
+            stage,
+            canvas: &state.canvas,
+            outline: outline(state),
+            vertex: in_hand
+                .map(|position| stage.view.to_camera(position))
+                .filter(|camera| camera.z >= stage.view.near)
+                .map(|camera| stage.view.to_screen(camera)),
+            edge: None,
+            span: state.span.as_ref().map(|span| span.first..span.end),
+            polygon: state.polygon.map(|polygon| polygon.polygon),
+            row: state.scan_line.map(|row| row.y),
+            pixel: state.pixel.as_ref().map(|pixel| (pixel.x, pixel.y)),
+        }
+    }
+
+    pub fn of_wireframe(state: &'a wireframe::State) -> Self {
+        Marks {
+            stage: &state.stage,
+            canvas: &state.canvas,
+            outline: Vec::new(),
+            vertex: None,
+            edge: state.line,
+            span: None,
+            polygon: None,
+            row: None,
+            pixel: state.pixel.map(|(x, y, _)| (x, y)),
+        }
+    }
+
+    pub fn draw(&self, picture: &mut Picture, focus: Focus, fit: &Fit) {
+        self.draw_focus(picture, focus, fit);
+        if let Some(y) = self.row {
+            let width = self.stage.view.width;
+            let band = at_least(fit.pixels(0, width, y), 2.0);
+            // The pixels of the span keep their colours.
+            let free = match &self.span {
+                Some(span) => [0..span.start, span.end..width],
+                None => [0..width, width..width],
+            };
+            for part in free {
+                let part = at_least(fit.pixels(part.start, part.end, y), 2.0);
+                picture.rect(part, Ink::This.fill().opacity(0.3));
+            }
+            if fit.scale >= 4.0 {
+                picture.rect(band, Ink::This.stroke(1.0));
+            }
+        }
+        let points = self.outline.iter().map(|&corner| fit.place(corner));
+        picture.polygon(points, Ink::Linked.stroke(2.0));
+        if let (Some(y), Some(span)) = (self.row, &self.span) {
+            let span = fit.pixels(span.start, span.end, y);
+            picture.rect(at_least(span, 3.0), Ink::This.stroke(1.5));
+        }
+        if let Some([start, end]) = self.edge {
+            picture.line(fit.place(start), fit.place(end), Ink::This.stroke(2.0));
+        }
+        if let Some(vertex) = self.vertex {
+            let paint = Ink::Surface.fill().outlined(Ink::This.stroke(2.5));
+            picture.circle(fit.place(vertex), 5.0, paint);
+        }
+        if let Some((x, y)) = self.pixel {
+            let square = at_least(fit.pixels(x, x + 1, y), SMALLEST);
+            picture.rect(square.grown(1.0), Ink::Surface.stroke(1.0));
+            picture.rect(square, Ink::This.stroke(2.0));
+        }
+    }
+
+    /// What the run recorded, where the whole picture was not.
+    fn draw_focus(&self, picture: &mut Picture, focus: Focus, fit: &Fit) {
+        let stroke = Ink::Linked.stroke(1.5).dotted();
+        match focus {
+            Focus::Frame => {}
+            Focus::Polygon(number) => {
+                let corners = staged(self.stage, number);
+                picture.polygon(corners.into_iter().map(|corner| fit.place(corner)), stroke);
+            }
+            Focus::ScanLine(y) => {
+                let row = fit.pixels(0, self.stage.view.width, y);
+                picture.rect(at_least(row, SMALLEST), stroke);
+            }
+            Focus::Pixel { x, y } => {
+                let square = fit.pixels(x, x.saturating_add(1), y);
+                picture.rect(at_least(square, SMALLEST + 4.0), stroke);
+            }
+        }
+    }
+}
+
+/// The rectangle, grown about its centre where a side is shorter than `side`.
+fn at_least(rect: Rect, side: f32) -> Rect {
+    let (width, height) = (rect.width.max(side), rect.height.max(side));
+    let center = rect.center();
+    Rect::new(
+        center.x - 0.5 * width,
+        center.y - 0.5 * height,
+        width,
+        height,
+    )
+}

@@ -1,0 +1,126 @@
+//! Small runs that the tests of panels look at.
+
+use super::Show;
+use super::words::Language;
+use crate::algorithms::focus::Focus;
+use crate::algorithms::frame::Frame;
+use crate::algorithms::stage::Stage;
+use crate::color::Rgb;
+use crate::record::RecordingLimit;
+use crate::render::{Method, render};
+use crate::replay::Run;
+use crate::scene::{Camera, Highlight, Light, Material, Mesh, Object, Scene, Shape, View};
+use glam::{DVec2, DVec3};
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+/// A recorded run with the finished picture.
+pub(crate) struct Sample {
+    pub run: Run,
+    pub finished: Frame,
+    pub focus: Focus,
+}
+
+impl Sample {
+    /// One triangle, grey, 48×36 pixels, the whole of it recorded.
+    pub fn triangle(method: Method) -> Self {
+        let shape = Shape::Polygon {
+            vertices: [[-0.58, 0.91, 0.0], [-1.44, -0.23, 0.0], [1.29, -0.68, 0.0]]
+                .map(DVec3::from)
+                .to_vec(),
+        };
+        let scene = scene(shape, Rgb::splat(0.7), Highlight::Blinn);
+        Sample::of(scene, method, Focus::Polygon(0), (48, 36))
+    }
+
+    /// A red pyramid of four faces around one vertex, 640×480 pixels, its first face recorded.
+    pub fn pyramid(method: Method) -> Self {
+        let positions = [
+            [0.1, 0.1, 1.0],
+            [-1.0, -0.8, 0.0],
+            [1.0, -0.7, 0.0],
+            [0.9, 0.8, 0.1],
+            [-0.8, 0.9, 0.0],
+        ]
+        .map(DVec3::from);
+        let faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
+        let no_uvs: [DVec2; 0] = [];
+        let shape = Shape::Mesh(Mesh::new(&positions, faces, &no_uvs));
+        let scene = scene(shape, Rgb::new(0.7, 0.2, 0.1), Highlight::Phong);
+        Sample::of(scene, method, Focus::Polygon(0), (640, 480))
+    }
+
+    pub fn of(scene: Scene, method: Method, focus: Focus, (width, height): (u32, u32)) -> Self {
+        let camera = scene.camera.expect("a sample has a camera");
+        let stage = Arc::new(Stage::new(scene, View::new(&camera, width, height)));
+        Sample {
+            finished: render(&stage, method, NonZeroUsize::MIN, &|_, _| {}),
+            run: Run::record(stage, method, focus, RecordingLimit::default()),
+            focus,
+        }
+    }
+
+    pub fn show(&self) -> Show<'_> {
+        Show {
+            run: &self.run,
+            finished: &self.finished,
+            focus: self.focus,
+            language: Language::English,
+            narrated: &[],
+            breakpoints: &[],
+        }
+    }
+
+    /// Goes to the `n`-th event of a kind, counted from 0.
+    pub fn go_to(&mut self, kind: &str, n: usize) -> &mut Self {
+        let walk = self.run.walk_mut();
+        let step = (0..walk.len())
+            .filter(|&step| walk.kind(step) == kind)
+            .nth(n)
+            .expect("the run has such an event");
+        walk.seek(step);
+        self
+    }
+}
+
+/// An object seen from straight ahead, lit by one lamp near it.
+fn scene(shape: Shape, diffuse: Rgb, highlight: Highlight) -> Scene {
+    Scene {
+        background: Rgb::splat(0.02),
+        ambient: Rgb::WHITE,
+        path_attenuation: [1.0, 0.0, 0.0],
+        camera: Some(Camera {
+            eye: DVec3::new(0.0, 0.0, 5.0),
+            target: DVec3::ZERO,
+            up: DVec3::Y,
+            fov_x: 40_f64.to_radians(),
+        }),
+        materials: vec![Material {
+            name: "clay".to_string(),
+            ambient: diffuse * 0.1,
+            diffuse,
+            specular: Rgb::splat(0.3),
+            shininess: 12.0,
+            highlight,
+            reflection: Rgb::BLACK,
+            transmission: Rgb::BLACK,
+            ior: 1.0,
+            emission: Rgb::BLACK,
+            reflectance: diffuse,
+            texture: None,
+        }],
+        objects: vec![Object {
+            name: "thing".to_string(),
+            material: 0,
+            shape,
+            patches: [1, 1],
+            casts_shadow: true,
+        }],
+        lights: vec![Light::Point {
+            position: DVec3::new(-1.2, 1.6, 1.4),
+            color: Rgb::WHITE,
+            attenuation: [1.0, 0.0, 0.0],
+            radius: 0.0,
+        }],
+    }
+}

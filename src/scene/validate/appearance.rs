@@ -1,0 +1,168 @@
+//! Camera, materials and lights.
+
+use super::rules::{
+    Check, FIELD_OF_VIEW, LENGTH, NOT_NEGATIVE, POSITIVE, RADIUS_OR_NONE, SHARE, SMALLEST, unit,
+};
+use crate::color::Rgb;
+use crate::scene::document::{Keyed, Place};
+use crate::scene::file::{CameraFile, LightFile, MaterialFile};
+use crate::scene::values::{Coefficient, Number, Triple};
+use crate::scene::{Camera, Highlight, Light, Material, Texture};
+use glam::DVec3;
+
+impl Check {
+    pub fn camera(&mut self, place: &Place, file: &CameraFile) -> Option<Camera> {
+        let problems = self.problems.len();
+        let eye = self.point(&place.key("eye"), file.eye);
+        let target = self.point(&place.key("target"), file.target);
+        let places_are_right = self.problems.len() == problems;
+        let up = self.direction(&place.key("up"), file.up);
+        let degrees = self.number(
+            &place.key("fov_x_degrees"),
+            file.fov_x_degrees,
+            FIELD_OF_VIEW,
+        );
+        if !places_are_right {
+            return None;
+        }
+        let to_target = target - eye;
+        let forward = unit(to_target).filter(|_| to_target.abs().max_element() >= SMALLEST);
+        let Some(forward) = forward else {
+            self.refuse(
+                &place.key("target"),
+                format!(
+                    "found {:?}, the same place as `eye`; the camera needs a direction to look in",
+                    file.target.0
+                ),
+            );
+            return None;
+        };
+        if up != DVec3::ZERO && forward.cross(up).length() < 1e-9 {
+            self.refuse(
+                &place.key("up"),
+                format!("found {:?}, parallel to the view from `eye` to `target`; allowed is any direction across it", file.up.0),
+            );
+        }
+        Some(Camera {
+            eye,
+            target,
+            up,
+            fov_x: degrees.to_radians(),
+        })
+    }
+
+    pub fn material(&mut self, place: &Place, name: String, file: MaterialFile) -> Material {
+        let mut color = |key, written: Option<Triple>| {
+            written.map_or(Rgb::BLACK, |written| self.color(&place.key(key), written))
+        };
+        let ambient = color("ambient", file.ambient);
+        let diffuse = color("diffuse", file.diffuse);
+        let emission = color("emission", file.emission);
+        let mut coefficient = |key, written: Option<Coefficient>| match written {
+            None => Rgb::BLACK,
+            Some(Coefficient::Grey(k)) => Rgb::splat(self.number(&place.key(key), k, NOT_NEGATIVE)),
+            Some(Coefficient::Color(k)) => self.color(&place.key(key), k),
+        };
+        let specular = coefficient("specular", file.specular);
+        let reflection = coefficient("reflection", file.reflection);
+        let transmission = coefficient("transmission", file.transmission);
+        let mut number = |key, written: Option<Number>, rule| {
+            written.map_or(1.0, |written| self.number(&place.key(key), written, rule))
+        };
+        let shininess = number("shininess", file.shininess, NOT_NEGATIVE);
+        let ior = number("ior", file.ior, POSITIVE);
+        let reflectance = match file.reflectance {
+            Some(written) => self
+                .triple(&place.key("reflectance"), written, SHARE)
+                .into(),
+            None => diffuse.channels().map(|k_d| k_d.min(1.0)).into(),
+        };
+        let highlight = match file.highlight.as_deref() {
+            None | Some("blinn") => Highlight::Blinn,
+            Some("phong") => Highlight::Phong,
+            Some(other) => {
+                self.refuse(
+                    &place.key("highlight"),
+                    format!("found {other:?}; allowed are \"blinn\" and \"phong\""),
+                );
+                Highlight::Blinn
+            }
+        };
+        let texture = file.texture.map(|Keyed(texture)| {
+            let Keyed(checker) = texture.checker;
+            let place = place.key("texture");
+            let place = place.key("checker");
+            let colors_place = place.key("colors");
+            let colors: Vec<Rgb> = checker
+                .colors
+                .iter()
+                .enumerate()
+                .map(|(i, &color)| self.color(&colors_place.index(i), color))
+                .collect();
+            let colors = <[Rgb; 2]>::try_from(colors).unwrap_or_else(|colors| {
+                self.refuse(
+                    &colors_place,
+                    format!("found {} colours; allowed are exactly 2", colors.len()),
+                );
+                [Rgb::BLACK; 2]
+            });
+            let scale = checker
+                .scale
+                .map_or(1.0, |scale| self.number(&place.key("scale"), scale, LENGTH));
+            Texture::Checker { colors, scale }
+        });
+        Material {
+            name,
+            ambient,
+            diffuse,
+            specular,
+            shininess,
+            highlight,
+            reflection,
+            transmission,
+            ior,
+            emission,
+            reflectance,
+            texture,
+        }
+    }
+
+    pub fn light(&mut self, place: &Place, file: &LightFile) -> Option<Light> {
+        match (&file.point, &file.directional) {
+            (Some(Keyed(point)), None) => {
+                let place = place.key("point");
+                Some(Light::Point {
+                    position: self.point(&place.key("position"), point.position),
+                    color: point
+                        .color
+                        .map_or(Rgb::WHITE, |color| self.color(&place.key("color"), color)),
+                    attenuation: self.attenuation(&place.key("attenuation"), point.attenuation),
+                    radius: point.radius.map_or(0.0, |radius| {
+                        self.number(&place.key("radius"), radius, RADIUS_OR_NONE)
+                    }),
+                })
+            }
+            (None, Some(Keyed(directional))) => {
+                let place = place.key("directional");
+                Some(Light::Directional {
+                    toward: self.direction(&place.key("toward"), directional.toward),
+                    color: directional
+                        .color
+                        .map_or(Rgb::WHITE, |color| self.color(&place.key("color"), color)),
+                })
+            }
+            (point, _) => {
+                let found = if point.is_some() {
+                    "two kinds"
+                } else {
+                    "no kind"
+                };
+                self.refuse(
+                    place,
+                    format!("found {found} of light; allowed is exactly one of `point` and `directional`"),
+                );
+                None
+            }
+        }
+    }
+}

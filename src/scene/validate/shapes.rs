@@ -1,0 +1,262 @@
+//! Shapes: from their numbers, or the file that they name, to a [`Shape`] and how it can be divided.
+
+use super::objects::{Division, Objects};
+use super::rules::{COORDINATE, LARGEST, LENGTH, SMALLEST};
+use crate::scene::document::{Keyed, Place};
+use crate::scene::file::{
+    BezierFile, CylinderFile, MeshFile, PlaneFile, PolygonFile, SphereFile, TransformFile,
+};
+use crate::scene::mesh_path::{mesh_format_is_known, mesh_path_is_inside};
+use crate::scene::obj::Obj;
+use crate::scene::tessellation::CYLINDER_SIDES;
+use crate::scene::values::{Count, Triple};
+use crate::scene::{Mesh, Shape};
+use glam::{DAffine3, DMat3, DVec3};
+use std::rc::Rc;
+
+/// How far the vertices of a polygon may lie off their mean plane, as a share of its extent.
+const NEARLY_PLANAR: f64 = 0.05;
+
+impl Objects<'_, '_> {
+    pub fn sphere(&mut self, place: &Place, file: &SphereFile) -> (Shape, Division) {
+        let center = self.check.point(&place.key("center"), file.center);
+        let radius = self.check.number(&place.key("radius"), file.radius, LENGTH);
+        (Shape::Sphere { center, radius }, Division::Sphere)
+    }
+
+    pub fn plane(&mut self, place: &Place, file: &PlaneFile) -> (Shape, Division) {
+        let point = self.check.point(&place.key("point"), file.point);
+        let normal = self.check.direction(&place.key("normal"), file.normal);
+        (
+            Shape::Plane { point, normal },
+            Division::Never("a plane, which has no end"),
+        )
+    }
+
+    pub fn polygon(&mut self, place: &Place, file: &PolygonFile) -> Option<(Shape, Division)> {
+        let place = &place.key("vertices");
+        let problems = self.check.problems.len();
+        let vertices = self.points(place, &file.vertices);
+        if self.check.problems.len() > problems {
+            return None;
+        }
+        let count = vertices.len();
+        if count < 3 {
+            let message = format!("found {count} vertices; a polygon has 3 or more");
+            self.check.refuse(place, message);
+            return None;
+        }
+        let Some(normal) = normal_of(&vertices) else {
+            self.check.refuse(
+                place,
+                "found vertices on one line, or a turn that undoes itself; a polygon has an area"
+                    .into(),
+            );
+            return None;
+        };
+        let off_plane = distance_off_plane(&vertices, normal);
+        if count > 4 && off_plane > NEARLY_PLANAR {
+            let message = format!(
+                "found vertices that lie off their mean plane by {:.0} % of the polygon's size; a polygon of more than 4 vertices is planar or nearly so (up to {:.0} %)",
+                100.0 * off_plane,
+                100.0 * NEARLY_PLANAR
+            );
+            self.check.refuse(place, message);
+            return None;
+        }
+        let division = match count {
+            3 => Division::Triangles(1),
+            4 => Division::Quadrilateral,
+            _ => Division::Never("a polygon of more than 4 vertices"),
+        };
+        Some((Shape::Polygon { vertices }, division))
+    }
+
+    pub fn cylinder(&mut self, place: &Place, file: &CylinderFile) -> (Shape, Division) {
+        let capped = file.capped.unwrap_or(true);
+        let sides = u64::from(CYLINDER_SIDES);
+        let caps = if capped { 2 * (sides - 2) } else { 0 };
+        let shape = Shape::Cylinder {
+            base: self.check.point(&place.key("base"), file.base),
+            axis: self.check.direction(&place.key("axis"), file.axis),
+            radius: self.check.number(&place.key("radius"), file.radius, LENGTH),
+            height: self.check.number(&place.key("height"), file.height, LENGTH),
+            capped,
+        };
+        (shape, Division::Triangles(2 * sides + caps))
+    }
+
+    pub fn bezier(&mut self, place: &Place, file: &BezierFile) -> Option<(Shape, Division)> {
+        let Count(divisions) = file.divisions;
+        if divisions == 0 {
+            self.check.refuse(
+                &place.key("divisions"),
+                "found 0; allowed is 1 or more".into(),
+            );
+        }
+        let patches_place = &place.key("patches");
+        if file.patches.is_empty() {
+            self.check.refuse(
+                patches_place,
+                "found no patches; allowed is one or more, each a list of 16 points".into(),
+            );
+        }
+        let mut patches = Vec::with_capacity(file.patches.len());
+        for (index, points) in file.patches.iter().enumerate() {
+            let place = &patches_place.index(index);
+            match <[DVec3; 16]>::try_from(self.points(place, points)) {
+                Ok(points) => patches.push(points),
+                Err(points) => {
+                    let message = format!(
+                        "found {} points; a bicubic patch has 16, row by row",
+                        points.len()
+                    );
+                    self.check.refuse(place, message);
+                }
+            }
+        }
+        let cells = u128::from(divisions).pow(2);
+        let triangles = cells.saturating_mul(2 * file.patches.len() as u128);
+        if !self.has_room_for(&place.key("divisions"), triangles) {
+            return None;
+        }
+        // Within the limit, so within 32 bits.
+        let shape = Shape::Bezier {
+            patches,
+            divisions: u32::try_from(divisions).ok()?,
+        };
+        Some((shape, Division::Triangles(u64::try_from(triangles).ok()?)))
+    }
+
+    /// `object` is the place of the object, which holds `mesh` and `transform` side by side.
+    pub fn mesh(
+        &mut self,
+        object: &Place,
+        file: &MeshFile,
+        transform: Option<&Keyed<TransformFile>>,
+    ) -> Option<(Shape, Division)> {
+        let problems = self.check.problems.len();
+        let transform_place = &object.key("transform");
+        let to_world = transform.map_or(DAffine3::IDENTITY, |Keyed(transform)| {
+            self.transform(transform_place, transform)
+        });
+        let transform_is_right = self.check.problems.len() == problems;
+
+        let place = &object.key("mesh");
+        let place = &place.key("file");
+        let obj = self.obj(&file.file);
+        let obj = match &*obj {
+            Ok(obj) => obj,
+            Err(message) => {
+                self.check.refuse(place, message.clone());
+                return None;
+            }
+        };
+        if !self.has_room_for(place, obj.triangles().into()) || !transform_is_right {
+            return None;
+        }
+        let mesh = obj.mesh(&to_world);
+        if mesh.face_count() == 0 {
+            let message = format!(
+                "found no face in {:?} with three corners at different places; a mesh needs at least one",
+                file.file
+            );
+            self.check.refuse(place, message);
+            return None;
+        }
+        if !is_within_bounds(&mesh) {
+            self.check.refuse(
+                transform_place,
+                format!("takes vertices of {:?} too far away; allowed are coordinates from -1e75 to 1e75", file.file),
+            );
+            return None;
+        }
+        Some((Shape::Mesh(mesh), Division::Triangles(obj.triangles())))
+    }
+
+    fn points(&mut self, place: &Place, written: &[Triple]) -> Vec<DVec3> {
+        written
+            .iter()
+            .enumerate()
+            .map(|(i, &point)| self.check.point(&place.index(i), point))
+            .collect()
+    }
+
+    /// Scale, then rotations about x, y, z, then translation.
+    fn transform(&mut self, place: &Place, file: &TransformFile) -> DAffine3 {
+        let translate = file.translate.map_or(DVec3::ZERO, |translate| {
+            self.check.point(&place.key("translate"), translate)
+        });
+        let rotate = file.rotate_degrees.map_or(DVec3::ZERO, |degrees| {
+            let degrees = self
+                .check
+                .triple(&place.key("rotate_degrees"), degrees, COORDINATE);
+            DVec3::from(degrees.map(f64::to_radians))
+        });
+        let scale = file.scale.map_or(1.0, |scale| {
+            self.check.number(&place.key("scale"), scale, LENGTH)
+        });
+        let rotation = DMat3::from_rotation_z(rotate.z)
+            * DMat3::from_rotation_y(rotate.y)
+            * DMat3::from_rotation_x(rotate.x);
+        DAffine3::from_mat3_translation(rotation * scale, translate)
+    }
+
+    /// What the mesh file at this path holds; each is read once.
+    fn obj(&mut self, path: &str) -> Rc<Result<Obj, String>> {
+        if let Some(obj) = self.meshes.get(path) {
+            return obj.clone();
+        }
+        let max_triangles = self.max_triangles();
+        let obj = mesh_path_is_inside(path)
+            .and_then(|()| mesh_format_is_known(path))
+            .and_then(|()| {
+                (self.read_file)(path).map_err(|why| format!("cannot read {path:?}: {why}"))
+            })
+            .and_then(|bytes| {
+                Obj::read(&bytes, max_triangles).map_err(|why| format!("in {path:?}: {why}"))
+            });
+        let obj = Rc::new(obj);
+        self.meshes.insert(path.to_owned(), obj.clone());
+        obj
+    }
+}
+
+/// The unit normal of a polygon, unless its area is within what the rounding of its coordinates can make up.
+fn normal_of(vertices: &[DVec3]) -> Option<DVec3> {
+    let origin = vertices[0];
+    let size = extent(vertices);
+    if size < SMALLEST {
+        return None;
+    }
+    let furthest = vertices
+        .iter()
+        .map(|v| v.abs().max_element())
+        .fold(0.0, f64::max);
+    let area: DVec3 = vertices[1..]
+        .windows(2)
+        .map(|pair| ((pair[0] - origin) / size).cross((pair[1] - origin) / size))
+        .sum();
+    (area.length() > 4.0 * f64::EPSILON * (furthest / size)).then(|| area.normalize())
+}
+
+/// The largest distance of a vertex from the plane through the mean of all, as a share of the extent.
+fn distance_off_plane(vertices: &[DVec3], normal: DVec3) -> f64 {
+    let origin = vertices[0];
+    let size = extent(vertices);
+    let heights = || vertices.iter().map(|&v| ((v - origin) / size).dot(normal));
+    let mean = heights().sum::<f64>() / vertices.len() as f64;
+    heights().map(|h| (h - mean).abs()).fold(0.0, f64::max)
+}
+
+/// The largest difference of a coordinate from that of the first vertex.
+fn extent(vertices: &[DVec3]) -> f64 {
+    vertices
+        .iter()
+        .map(|&v| (v - vertices[0]).abs().max_element())
+        .fold(0.0, f64::max)
+}
+
+fn is_within_bounds(mesh: &Mesh) -> bool {
+    (0..mesh.vertex_count() as u32).all(|v| mesh.position(v).abs().max_element() <= LARGEST)
+}
