@@ -12,7 +12,6 @@ macro_rules! words {
 }
 
 words! {
-    LESSONS: "Lessons", "Pelajaran";
     PRESENT: "Present", "Presentasi";
     SHARE: "Share step", "Bagikan langkah";
     SHARED: "Copied: the command that opens this lesson at this step.", "Disalin: perintah yang membuka pelajaran ini pada langkah ini.";
@@ -20,7 +19,6 @@ words! {
     THEME_LIGHT: "light", "terang";
     THEME_DARK: "dark", "gelap";
     THEME_PROJECTOR: "projector", "proyektor";
-    LANGUAGE: "Language", "Bahasa";
     KEYS: "keys", "tombol";
     KEYS_TITLE: "Keys", "Tombol";
     CLOSE: "Close", "Tutup";
@@ -28,10 +26,18 @@ words! {
     QUESTIONS: "Ask me questions", "Ajukan pertanyaan";
     TEXT_SIZE: "Text size", "Ukuran teks";
 
+    AT_THE_START_NAME: "first step", "langkah pertama";
+    PREVIOUS_SCOPE: "previous scope", "lingkup sebelumnya";
+    ONE_BACK: "one event back", "satu kejadian mundur";
+    PLAY: "play or pause", "putar atau jeda";
+    ONE_ON: "one event on", "satu kejadian maju";
+    NEXT_SCOPE: "next scope", "lingkup berikutnya";
+    SLOWER: "slower", "lebih lambat";
+    FASTER: "faster", "lebih cepat";
+
     STEP: "step", "langkah";
     OF: "of", "dari";
     STEPS_A_SECOND: "steps/s", "langkah/dtk";
-    SPEED: "Speed", "Kecepatan";
     LOOP: "loop", "ulang";
     LOOP_OFF: "loop off", "tanpa ulang";
     LOOP_FROM_HERE: "from this step", "dari langkah ini";
@@ -43,7 +49,6 @@ words! {
     BREAKPOINT: "breakpoint", "titik henti";
     TRUNCATED: "Only the beginning of this run fits in memory; the picture is whole all the same.", "Hanya awal dari proses ini yang muat di memori; gambarnya tetap utuh.";
 
-    WHY: "What and why", "Apa dan mengapa";
     SLIDE: "As on the slide", "Seperti pada salindia";
     LAST_SAID: "Said before, at step", "Sebelumnya, pada langkah";
     NEXT_SAID: "next explained step", "langkah berikut yang dijelaskan";
@@ -69,7 +74,6 @@ words! {
     FORMULA: "Formula", "Rumus";
     TIME_LINE: "Time line", "Garis waktu";
     CLICK_A_ROW: "click a row to light it up", "klik baris untuk menyorotnya";
-    RESIZE: "Resize the panels", "Ubah ukuran panel";
 
     LINE: "line", "garis";
     POLYGON: "polygon", "poligon";

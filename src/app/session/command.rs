@@ -63,6 +63,9 @@ pub enum Command {
     Speak(Language),
     OtherLanguage,
     Theme(Theme),
+    NextTheme,
+    /// Copies the command that opens this lesson at this step; the window takes it to the clipboard.
+    Share,
     /// Presentation: the whole screen, larger and with more contrast.
     Present,
     /// The sheet of keys.

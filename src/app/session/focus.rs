@@ -29,7 +29,9 @@ impl Session {
         let place = Place::of(self.walk(), self.step());
         let mut run = self.record(focus);
         let step = match focus {
-            Focus::Pixel { x, y } => Place::colored(x, y).find(run.walk()).or_else(|| place.find(run.walk())),
+            Focus::Pixel { x, y } => Place::colored(x, y)
+                .find(run.walk())
+                .or_else(|| place.find(run.walk())),
             _ => place.find(run.walk()),
         };
         run.walk_mut().seek(step.unwrap_or(0));
@@ -65,7 +67,12 @@ impl Session {
     }
 
     fn record(&self, focus: Focus) -> Run {
-        Run::record(self.open.stage.clone(), self.open.lesson.method, focus, RecordingLimit::default())
+        Run::record(
+            self.open.stage.clone(),
+            self.open.lesson.method,
+            focus,
+            RecordingLimit::default(),
+        )
     }
 }
 
@@ -78,18 +85,29 @@ struct Place {
 impl Place {
     fn of(walk: &dyn Walk, step: usize) -> Self {
         if walk.is_empty() {
-            return Place { kind: "Frame", at: Vec::new() };
+            return Place {
+                kind: "Frame",
+                at: Vec::new(),
+            };
         }
         let fields = walk.fields(step);
-        let at = PLACES.into_iter().filter_map(|name| match fields.get(name) {
-            Some(Value::Integer(value)) => Some((name, value)),
-            _ => None,
-        });
-        Place { kind: walk.kind(step), at: at.collect() }
+        let at = PLACES
+            .into_iter()
+            .filter_map(|name| match fields.get(name) {
+                Some(Value::Integer(value)) => Some((name, value)),
+                _ => None,
+            });
+        Place {
+            kind: walk.kind(step),
+            at: at.collect(),
+        }
     }
 
     fn colored(x: u32, y: u32) -> Self {
-        Place { kind: "PixelColored", at: vec![("y", y.into()), ("x", x.into())] }
+        Place {
+            kind: "PixelColored",
+            at: vec![("y", y.into()), ("x", x.into())],
+        }
     }
 
     /// The step that agrees in kind and place; else one that agrees in ever less of its place.
@@ -111,6 +129,9 @@ impl Place {
             comparison: Comparison::Equal,
             value: Operand::Number(value as f64),
         });
-        Query { kind: Some(self.kind.to_owned()), conditions: conditions.collect() }
+        Query {
+            kind: Some(self.kind.to_owned()),
+            conditions: conditions.collect(),
+        }
     }
 }

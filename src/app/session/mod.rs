@@ -97,6 +97,8 @@ pub struct Session {
     pub search: String,
     /// Whether the keyboard should go to the search field; the window takes this.
     pub search_wanted: bool,
+    /// A command line on its way to the clipboard; the window takes this.
+    pub shared: Option<String>,
     lessons: Vec<Listed>,
 }
 
@@ -119,6 +121,7 @@ impl Session {
             lit: None,
             search: String::new(),
             search_wanted: false,
+            shared: None,
             lessons: list(),
             open,
         };
@@ -138,6 +141,7 @@ impl Session {
 
     fn start_over(&mut self) {
         self.recording += 1;
+        self.look.inspector = self.open.lesson.panels.contains(&Panel::Inspector);
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
         self.standings = vec![Standing::Open; self.narrated.len()];
         self.breakpoints.clear();
@@ -240,7 +244,11 @@ impl Session {
     /// The lesson's number and title.
     pub fn title(&self) -> String {
         let lesson = self.lesson();
-        format!("{} · {}", lesson.number, lesson.title.in_language(self.look.language))
+        format!(
+            "{} · {}",
+            lesson.number,
+            lesson.title.in_language(self.look.language)
+        )
     }
 
     /// As it stands on the frame of the window, for people and for scripts.
@@ -270,7 +278,10 @@ fn list() -> Vec<Listed> {
         let lesson = builtin.read().ok()?;
         let title = Language::ALL
             .map(|language| format!("{} · {}", lesson.number, lesson.title.in_language(language)));
-        Some(Listed { id: builtin.id, title })
+        Some(Listed {
+            id: builtin.id,
+            title,
+        })
     });
     lessons.collect()
 }

@@ -54,7 +54,10 @@ impl Session {
     }
 
     pub(super) fn change_speed(&mut self, by: isize) -> bool {
-        let speed = self.speed.checked_add_signed(by).filter(|&speed| speed < SPEEDS.len());
+        let speed = self
+            .speed
+            .checked_add_signed(by)
+            .filter(|&speed| speed < SPEEDS.len());
         self.speed = speed.unwrap_or(self.speed);
         speed.is_some()
     }
@@ -63,7 +66,10 @@ impl Session {
     pub(super) fn play(&mut self, direction: Direction) {
         self.play = match self.playing() {
             Some(playing) if playing == direction => None,
-            _ => Some(Play { direction, due: 0.0 }),
+            _ => Some(Play {
+                direction,
+                due: 0.0,
+            }),
         };
     }
 
@@ -110,7 +116,9 @@ impl Session {
             return 1;
         }
         let target = here.saturating_add(most).min(end);
-        let stops = |step: &usize| self.question_at(*step) || self.breakpoints().binary_search(step).is_ok();
+        let stops = |step: &usize| {
+            self.question_at(*step) || self.breakpoints().binary_search(step).is_ok()
+        };
         let stop = (here + 1..=target).find(stops);
         self.seek(stop.unwrap_or(target));
         if stop.is_some() || self.loop_range().is_none() && target == self.last_step() {
@@ -131,7 +139,9 @@ impl Session {
             return 1;
         }
         let target = here.saturating_sub(most).max(start);
-        let stop = (target..here).rev().find(|step| self.breakpoints().binary_search(step).is_ok());
+        let stop = (target..here)
+            .rev()
+            .find(|step| self.breakpoints().binary_search(step).is_ok());
         self.seek(stop.unwrap_or(target));
         if stop.is_some() || self.step() == 0 && self.loop_range().is_none() {
             self.play = None;

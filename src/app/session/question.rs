@@ -25,19 +25,24 @@ impl Session {
     pub fn question_at(&self, step: usize) -> bool {
         self.look.questions
             && self.narrated.binary_search(&step).is_ok_and(|index| {
-                self.standings[index] == Standing::Open && self.open.narrated[index].question.is_some()
+                self.standings[index] == Standing::Open
+                    && self.open.narrated[index].question.is_some()
             })
     }
 
     /// The first step from `here`, and before `target`, at which a question waits.
     pub(super) fn question_between(&self, here: usize, target: usize) -> Option<usize> {
         let first = self.narrated.partition_point(|&step| step < here);
-        let ahead = self.narrated[first..].iter().take_while(|&&step| step < target);
+        let ahead = self.narrated[first..]
+            .iter()
+            .take_while(|&&step| step < target);
         ahead.copied().find(|&step| self.question_at(step))
     }
 
     pub(super) fn answer(&mut self, guess: &Guess) -> Result<(), Refused> {
-        let index = self.narrated_here().filter(|_| self.question_at(self.step()));
+        let index = self
+            .narrated_here()
+            .filter(|_| self.question_at(self.step()));
         let index = index.ok_or(words::NO_QUESTION)?;
         let question = self.open.narrated[index].question.as_ref();
         let right = match (question.map(|question| &question.answer), guess) {
@@ -51,24 +56,44 @@ impl Session {
             }
             _ => return Err(words::NO_QUESTION.into()),
         };
-        self.standings[index] = if right { Standing::Right } else { Standing::Wrong };
+        self.standings[index] = if right {
+            Standing::Right
+        } else {
+            Standing::Wrong
+        };
         Ok(())
     }
 
     pub(super) fn skip(&mut self) -> Result<(), Refused> {
-        let index = self.narrated_here().filter(|_| self.question_at(self.step()));
+        let index = self
+            .narrated_here()
+            .filter(|_| self.question_at(self.step()));
         self.standings[index.ok_or(words::NO_QUESTION)?] = Standing::Skipped;
         Ok(())
     }
 
     /// Whether a click on a pixel of the image answers the question at hand.
     pub fn pixel_is_asked(&self) -> bool {
-        matches!(self.question(), Some((Question { answer: Answer::Pixel { .. }, .. }, Standing::Open)))
+        matches!(
+            self.question(),
+            Some((
+                Question {
+                    answer: Answer::Pixel { .. },
+                    ..
+                },
+                Standing::Open
+            ))
+        )
     }
 }
 
 /// With a decimal point, or a comma as Indonesian writes it.
 fn read_number(text: &str) -> Option<f64> {
-    let number: f64 = text.trim().replace(',', ".").replace('−', "-").parse().ok()?;
+    let number: f64 = text
+        .trim()
+        .replace(',', ".")
+        .replace('−', "-")
+        .parse()
+        .ok()?;
     number.is_finite().then_some(number)
 }

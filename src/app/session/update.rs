@@ -24,8 +24,18 @@ impl Session {
             Command::FindBack(text) => return self.find(text, false),
             Command::Play => return self.start_playing(Direction::Forward),
             Command::PlayBackwards => return self.start_playing(Direction::Backward),
-            Command::Faster => return self.change_speed(1).then_some(()).ok_or(words::FASTEST.into()),
-            Command::Slower => return self.change_speed(-1).then_some(()).ok_or(words::SLOWEST.into()),
+            Command::Faster => {
+                return self
+                    .change_speed(1)
+                    .then_some(())
+                    .ok_or(words::FASTEST.into());
+            }
+            Command::Slower => {
+                return self
+                    .change_speed(-1)
+                    .then_some(())
+                    .ok_or(words::SLOWEST.into());
+            }
             Command::LoopFrom => self.around.from = toggled(self.around.from, self.step()),
             Command::LoopTo => self.around.to = toggled(self.around.to, self.step()),
             Command::LoopOff => self.around = Default::default(),
@@ -50,6 +60,9 @@ impl Session {
                 let opened = builtin.read().and_then(|lesson| self.replace(lesson));
                 return opened.map_err(|error| Refused::Error(error.to_string()));
             }
+            Command::Share => {
+                self.shared = Some(self.command_line().ok_or(words::SHARE_LESSON_ONLY)?);
+            }
             command => return self.change_look(&command),
         }
         Ok(())
@@ -59,12 +72,19 @@ impl Session {
     pub fn allows(&self, command: &Command) -> Result<(), Refused> {
         if let Some(target) = self.target(command)? {
             let waits = self.question_at(self.step()) && target > self.step();
-            return if waits { Err(words::ANSWER_FIRST.into()) } else { Ok(()) };
+            return if waits {
+                Err(words::ANSWER_FIRST.into())
+            } else {
+                Ok(())
+            };
         }
         let refusal = match command {
             Command::Play if self.playing().is_none() => self.cannot_play(Direction::Forward),
-            Command::PlayBackwards if self.playing().is_none() => self.cannot_play(Direction::Backward),
+            Command::PlayBackwards if self.playing().is_none() => {
+                self.cannot_play(Direction::Backward)
+            }
             Command::LoopOff if self.loop_ends() == (None, None) => Some(words::NO_LOOP),
+            Command::Share if !self.follows_lesson() => Some(words::SHARE_LESSON_ONLY),
             _ => None,
         };
         refusal.map_or(Ok(()), |words| Err(words.into()))
@@ -87,12 +107,14 @@ impl Session {
             Command::Into => go(moves::into, words::AT_THE_END),
             Command::Over => go(moves::over, words::AT_THE_END),
             Command::Out => go(moves::out, words::NOTHING_AROUND),
-            Command::NextNarrated => {
-                narrated(self.narrated.iter().find(|&&step| step > here), words::NOTHING_NARRATED_AHEAD)
-            }
-            Command::PreviousNarrated => {
-                narrated(self.narrated.iter().rfind(|&&step| step < here), words::NOTHING_NARRATED_BEFORE)
-            }
+            Command::NextNarrated => narrated(
+                self.narrated.iter().find(|&&step| step > here),
+                words::NOTHING_NARRATED_AHEAD,
+            ),
+            Command::PreviousNarrated => narrated(
+                self.narrated.iter().rfind(|&&step| step < here),
+                words::NOTHING_NARRATED_BEFORE,
+            ),
             Command::Seek(step) => Ok(step.min(last)),
             _ => return Ok(None),
         };
@@ -114,10 +136,13 @@ impl Session {
     }
 
     fn find(&mut self, text: String, forward: bool) -> Result<(), Refused> {
-        let query: Query = text.parse().map_err(|error| Refused::Error(format!("{error}")))?;
+        let query: Query = text
+            .parse()
+            .map_err(|error| Refused::Error(format!("{error}")))?;
         let (walk, here) = (self.walk(), self.step());
         let found = if forward {
-            query::next(walk, &query, here).or_else(|| query::matches(walk, &query, 0..here + 1).next())
+            query::next(walk, &query, here)
+                .or_else(|| query::matches(walk, &query, 0..here + 1).next())
         } else {
             query::previous(walk, &query, here)
                 .or_else(|| query::matches(walk, &query, here..walk.len()).next_back())
@@ -186,10 +211,19 @@ impl Session {
         match *command {
             Command::Speak(language) => look.language = language,
             Command::OtherLanguage => {
-                let others = Language::ALL.into_iter().filter(|&other| other != look.language);
+                let others = Language::ALL
+                    .into_iter()
+                    .filter(|&other| other != look.language);
                 look.language = others.last().unwrap_or(look.language);
             }
             Command::Theme(theme) => look.theme = theme,
+            Command::NextTheme => {
+                look.theme = match look.theme {
+                    Theme::Light => Theme::Dark,
+                    Theme::Dark => Theme::Projector,
+                    Theme::Projector => Theme::Light,
+                }
+            }
             Command::Present => {
                 look.presenting = !look.presenting;
                 if look.presenting {
@@ -202,7 +236,9 @@ impl Session {
             Command::Keys => look.keys = !look.keys,
             Command::Inspector => look.inspector = !look.inspector,
             Command::NormalText => look.text = super::Look::new().text,
-            Command::LargerText if look.text + 1 == TEXT_SIZES.len() => return Err(words::LARGEST.into()),
+            Command::LargerText if look.text + 1 == TEXT_SIZES.len() => {
+                return Err(words::LARGEST.into());
+            }
             Command::SmallerText if look.text == 0 => return Err(words::SMALLEST.into()),
             Command::LargerText => look.text += 1,
             Command::SmallerText => look.text -= 1,
