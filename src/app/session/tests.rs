@@ -85,7 +85,8 @@ fn playing_forward_takes_steps_in_time_and_ends_at_the_end() {
     go(&mut session, Command::Faster);
     session.advance(1.0);
     assert_eq!(session.step(), 5);
-    go(&mut session, Command::Seek(session.last_step() - 1));
+    let last = session.last_step();
+    go(&mut session, Command::Seek(last - 1));
     assert_eq!(session.playing(), None, "who walks stops playing");
     go(&mut session, Command::Play);
     session.advance(1.0);
@@ -234,7 +235,8 @@ fn another_focus_keeps_the_place_and_the_way_back_brings_the_narration() {
         assert_eq!((session.focus(), place(&session)), (focus, here));
         assert!(session.recording() > recording && session.said_last().is_none());
     }
-    go(&mut session, Command::Focus(session.lesson().focus));
+    let own = session.lesson().focus;
+    go(&mut session, Command::Focus(own));
     assert_eq!((session.step(), place(&session)), (step, here));
     assert!(session.said_last().is_some());
     assert_eq!(
