@@ -36,16 +36,21 @@ pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
         steps: Option<IgnoredAny>,
     }
     let bytes = read(path, document::MAX_BYTES as u64)
-        .map_err(|message| wrong(&path.display(), &message))?;
+        .map_err(|reason| wrong(&path.display(), &format!("cannot be read: {reason}")))?;
     let folder = folder_of(path);
     let mut read_file = |name: &str| read_inside(&folder, name);
     let wrong = |error: &dyn std::fmt::Display| wrong(&path.display(), &error);
-    match serde_json::from_slice(&bytes) {
-        Ok(Kind { steps: Some(_) }) => match Lesson::read(&bytes, limits, &mut read_file) {
+    let is_lesson = match serde_json::from_slice(&bytes) {
+        Ok(Kind { steps }) => steps.is_some(),
+        // Broken JSON: its problem is told in the words of what it most likely is.
+        Err(_) => bytes.windows(7).any(|window| window == b"\"steps\""),
+    };
+    match is_lesson {
+        true => match Lesson::read(&bytes, limits, &mut read_file) {
             Ok(lesson) => Ok(Document::Lesson(lesson.into())),
             Err(error) => Err(wrong(&error)),
         },
-        _ => match scene::read(&bytes, limits, &mut read_file) {
+        false => match scene::read(&bytes, limits, &mut read_file) {
             Ok(scene) => Ok(Document::Scene(scene.into())),
             Err(error) => Err(wrong(&error)),
         },
@@ -77,34 +82,43 @@ fn folder_of(path: &Path) -> PathBuf {
     }
 }
 
-/// Reads a file that must lie in `folder`, symbolic links followed.
+/// Reads a file that must lie in `folder`, symbolic links followed; or says why it cannot be read.
 fn read_inside(folder: &Path, name: &str) -> Result<Vec<u8>, String> {
-    let folder = folder.canonicalize().map_err(|error| error.to_string())?;
+    let folder = folder.canonicalize().map_err(|error| reason(&error))?;
     let path = folder
         .join(name)
         .canonicalize()
-        .map_err(|error| format!("cannot read {name}: {error}"))?;
+        .map_err(|error| reason(&error))?;
     if !path.starts_with(&folder) {
-        return Err(format!(
-            "{name} leads outside the folder of the file that names it; copy it into that folder"
-        ));
+        return Err(
+            "it leads outside the folder of the file that names it; copy it into that folder"
+                .into(),
+        );
     }
-    read(&path, MAX_MESH_BYTES).map_err(|message| format!("{name}: {message}"))
+    read(&path, MAX_MESH_BYTES)
 }
 
-/// Reads a regular file of at most `limit` bytes.
+/// Reads a regular file of at most `limit` bytes; or says why it cannot be read.
 fn read(path: &Path, limit: u64) -> Result<Vec<u8>, String> {
-    let metadata = fs::metadata(path).map_err(|error| format!("cannot be read: {error}"))?;
+    let metadata = fs::metadata(path).map_err(|error| reason(&error))?;
     if !metadata.is_file() {
-        return Err("is not a file".into());
+        return Err("it is not a file".into());
     }
     if metadata.len() > limit {
         return Err(format!(
-            "has {} bytes; at most {limit} are read",
+            "it has {} bytes; at most {limit} are read",
             metadata.len()
         ));
     }
-    fs::read(path).map_err(|error| format!("cannot be read: {error}"))
+    fs::read(path).map_err(|error| reason(&error))
+}
+
+fn reason(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::NotFound => "no such file".into(),
+        std::io::ErrorKind::PermissionDenied => "no permission to read it".into(),
+        _ => error.to_string(),
+    }
 }
 
 /// Finds fault with the name of an output file before any work is done.

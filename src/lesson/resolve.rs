@@ -246,7 +246,7 @@ fn read_scene(
         (Some(Keyed(scene)), None) => Ok(Some(scene.clone().check(limits, read_file, "scene")?)),
         (None, Some(path)) => {
             scene::mesh_path_is_inside(path).map_err(|message| problem("scene_file", message))?;
-            let bytes = read_file(path).map_err(|message| problem("scene_file", message))?;
+            let bytes = read_file(path).map_err(|reason| problem("scene_file", format!("cannot read \"{path}\": {reason}")))?;
             let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
             let mut read_mesh = |mesh: &str| read_file(&if folder.is_empty() { mesh.to_owned() } else { format!("{folder}/{mesh}") });
             Ok(Some(scene::read(&bytes, limits, &mut read_mesh)?))

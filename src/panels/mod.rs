@@ -2,10 +2,14 @@
 
 mod active_edges;
 mod code;
+#[cfg(test)]
+mod crowd;
 mod fit;
 mod formula;
 mod image;
 mod inspector;
+mod labels;
+mod message;
 #[cfg(test)]
 pub(crate) mod sample;
 mod scan_line;

@@ -1,7 +1,165 @@
+//! The polygon in hand, large: its corners and edges, the scan line with the points where it cuts them, the pixels of the
+//! span; and under it the interpolation of the step as bars.
+
+mod bars;
+mod line;
+mod polygon;
+
 use super::Show;
-use crate::picture::Picture;
+use super::message::message;
+use super::values::told_in_words;
+use super::words::Words;
+use crate::algorithms::scan_line::Carried;
+use crate::picture::{Picture, Rect};
+use crate::replay::Run;
+use crate::replay::shading::State;
 use glam::Vec2;
 
-pub fn draw(_: &Show, size: Vec2) -> Picture {
-    Picture::new(size.x, size.y)
+const NO_POLYGON: Words = Words::new(
+    "No polygon is in hand at this step. Go on (→) to the next polygon: its edges, the scan line and the span stand here.",
+    "Tidak ada poligon pada langkah ini. Lanjutkan (→) ke poligon berikutnya: sisi, garis scan, dan rentangnya tampil di sini.",
+);
+const NO_WEIGHTS: Words = Words::new(
+    "The weights of an interpolation stand here.",
+    "Bobot interpolasi tampil di sini.",
+);
+const NO_LINE: Words = Words::new(
+    "No edge is being drawn at this step. Go on (→) to the next edge: its line and the pixels that it takes stand here.",
+    "Tidak ada sisi yang digambar pada langkah ini. Lanjutkan (→) ke sisi berikutnya: garis dan pikselnya tampil di sini.",
+);
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    match show.run {
+        Run::Gouraud(replay) => of_state(show, replay.state(), size),
+        Run::Flat(replay) => of_state(show, replay.state(), size),
+        Run::Wireframe(replay) => match replay.state().line {
+            Some(ends) => {
+                let mut picture = Picture::new(size.x, size.y);
+                line::draw(&mut picture, replay, ends);
+                picture.alt = told_in_words(show);
+                picture
+            }
+            None => silent(show, NO_LINE, size),
+        },
+    }
+}
+
+fn of_state<A: Carried>(show: &Show, state: &State<A>, size: Vec2) -> Picture {
+    if state.polygon.is_none() {
+        return silent(show, NO_POLYGON, size);
+    }
+    let mut picture = Picture::new(size.x, size.y);
+    // The bars keep their place whether they are filled or not, so that the polygon stands still.
+    let bars = if A::NAMES.is_some() {
+        bars::height(size)
+    } else {
+        0.0
+    };
+    let area = Rect::new(0.0, 0.0, size.x, size.y - bars);
+    polygon::draw(&mut picture, state, area);
+    if bars > 0.0 {
+        let area = Rect::new(0.0, area.bottom(), size.x, bars).grown(-2.0);
+        match bars::Interpolation::in_hand(state) {
+            Some(interpolation) => interpolation.draw(&mut picture, area, show.language),
+            None if area.height >= 36.0 => {
+                let hint = message(
+                    NO_WEIGHTS,
+                    show.language,
+                    Vec2::new(area.width, area.height),
+                );
+                picture.place(area.min(), hint);
+            }
+            None => {}
+        }
+    }
+    picture.alt = told_in_words(show);
+    picture
+}
+
+/// Says why there is nothing to see.
+fn silent(show: &Show, words: Words, size: Vec2) -> Picture {
+    let mut picture = message(words, show.language, size);
+    picture.alt = format!("{} {}", told_in_words(show), picture.alt);
+    picture
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::crowd::{SIZES, crowd, nothing, texts};
+    use super::super::sample::Sample;
+    use super::*;
+    use crate::picture::Tag;
+    use crate::render::Method;
+
+    fn assert_apart(picture: &Picture, what: &str) {
+        let texts = texts(picture);
+        for (i, (text, place)) in texts.iter().enumerate() {
+            assert!(picture.bounds().encloses(place), "{what}: “{text}” is cut");
+            for (other, other_place) in &texts[..i] {
+                let common = place.intersection(other_place);
+                assert!(common.is_empty(), "{what}: “{text}” covers “{other}”");
+            }
+        }
+    }
+
+    #[test]
+    fn no_label_covers_another_at_any_step_and_size() {
+        let mut samples = [
+            (Sample::triangle(Method::Gouraud), 1),
+            (Sample::triangle(Method::Flat), 3),
+            (Sample::triangle(Method::Wireframe), 1),
+            (crowd(Method::Gouraud), 37),
+        ];
+        for (sample, stride) in &mut samples {
+            for step in (0..sample.run.walk().len()).step_by(*stride) {
+                sample.run.walk_mut().seek(step);
+                for size in SIZES {
+                    let picture = draw(&sample.show(), size);
+                    let kind = sample.run.walk().kind(step);
+                    assert_apart(&picture, &format!("step {step}, {kind}, {size}"));
+                    assert!(picture.alt.contains(kind));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn what_the_step_is_about_is_always_labelled() {
+        let mut sample = Sample::triangle(Method::Gouraud);
+        for (kind, name) in [
+            ("EdgeInterpolated", "I_4"),
+            ("SpanInterpolated", "I_P"),
+            ("Pixel", "x_P"),
+        ] {
+            for n in [0, 7, 16] {
+                sample.go_to(kind, n);
+                for size in SIZES {
+                    let picture = draw(&sample.show(), size);
+                    let found = picture.tagged_bounds(Tag::Field(name));
+                    assert!(found.is_some(), "{name} at {kind} {n}, {size}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_label_says_what_the_event_told() {
+        let mut sample = Sample::triangle(Method::Gouraud);
+        sample.go_to("EdgeInterpolated", 9);
+        let walk = sample.run.walk();
+        let told = walk.own_fields(walk.position()).get("I_4_incremental");
+        let expected = format!("I_4 = {}", super::super::values::short(told.unwrap(), 3));
+        let picture = draw(&sample.show(), Vec2::new(480.0, 400.0));
+        assert!(
+            texts(&picture).iter().any(|(text, _)| *text == expected),
+            "{expected}"
+        );
+    }
+
+    #[test]
+    fn without_a_polygon_a_sentence_says_so() {
+        let picture = draw(&nothing().show(), Vec2::new(260.0, 180.0));
+        assert!(picture.alt.contains("No polygon"));
+        assert_apart(&picture, "nothing");
+    }
 }

@@ -1,7 +1,525 @@
-use super::Show;
-use crate::picture::Picture;
-use glam::Vec2;
+//! The time line: scopes as nested bars, a row for each depth, with the cursor, and marks for narrated steps and breakpoints.
+//!
+//! The track on top always spans the whole run. In a run of few steps every row does too. In a longer one a row spans the
+//! scope that contains the cursor one depth further out, so that its bars stay readable however long the run is; what is
+//! too narrow is drawn as one quiet bar for many. Drawing looks at a few steps for every bar, never at all steps of the run.
 
-pub fn draw(_: &Show, size: Vec2) -> Picture {
-    Picture::new(size.x, size.y)
+use super::Show;
+use super::message::{NO_STEPS, message};
+use super::words::{Language, Words};
+use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, Tag, elide};
+use crate::record::{Outline, Value};
+use crate::replay::Walk;
+use glam::Vec2;
+use std::ops::Range;
+
+const MARGIN: f32 = 10.0;
+/// Height of the track with the marks.
+const TRACK: f32 = 18.0;
+const ROW: f32 = 20.0;
+const ROW_GAP: f32 = 5.0;
+const MOST_ROWS: usize = 5;
+/// Bars are at least this wide, and so are the places of the marks.
+const NARROWEST: f64 = 3.0;
+/// The bars of a run are all drawn on one scale where a step has this width.
+const WHOLE_RUN: f64 = 1.0;
+const TEXT: f32 = 12.0;
+
+const SAYS: Words = Words::new("Time line at step", "Garis waktu pada langkah");
+const OF: Words = Words::new("of", "dari");
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    let walk = show.run.walk();
+    if walk.is_empty() {
+        return message(NO_STEPS, show.language, size);
+    }
+    let position = walk.position();
+    let track = track(size);
+    let rows = rows(walk, size);
+    let mut picture = Picture::new(size.x, size.y);
+    picture.alt = in_words(show, &rows);
+
+    let whole = Span::new(0..walk.len(), track);
+    let y = MARGIN + 0.5 * TRACK;
+    let rule = Ink::Rule.stroke(2.0);
+    picture.line((track.x, y), (track.right(), y), rule);
+    marks(&mut picture, show, &whole, y);
+    for (i, row) in rows.iter().enumerate() {
+        if i > 0 && row.span.steps != rows[i - 1].span.steps {
+            funnel(&mut picture, &rows[i - 1], row);
+        }
+    }
+    for row in &rows {
+        row.draw(&mut picture, walk, show.language);
+    }
+    cursor(&mut picture, &whole, &rows, position, y);
+    picture
+}
+
+/// The step under `x` on the track that spans the whole run, in a time line of that size; 0 in an empty run.
+pub fn step_at(show: &Show, size: Vec2, x: f32) -> usize {
+    let len = show.run.walk().len();
+    let step = Span::new(0..len, track(size)).step(x);
+    step.min(len.saturating_sub(1))
+}
+
+/// The place of the track; names of the rows stand to the left of it.
+fn track(size: Vec2) -> Rect {
+    let names = (0.16 * size.x).clamp(64.0, 140.0);
+    Rect::new(MARGIN + names, MARGIN, size.x - 2.0 * MARGIN - names, TRACK)
+}
+
+/// Steps laid out from left to right, all of the same width.
+#[derive(Clone, PartialEq, Debug)]
+struct Span {
+    steps: Range<usize>,
+    left: f64,
+    /// Points a step.
+    scale: f64,
+}
+
+impl Span {
+    fn new(steps: Range<usize>, place: Rect) -> Self {
+        let scale = f64::from(place.width) / steps.len().max(1) as f64;
+        Span {
+            steps,
+            left: f64::from(place.x),
+            scale,
+        }
+    }
+
+    /// The left border of a step.
+    fn x(&self, step: usize) -> f32 {
+        (self.left + (step as f64 - self.steps.start as f64) * self.scale) as f32
+    }
+
+    fn middle(&self, step: usize) -> f32 {
+        (self.left + (step as f64 + 0.5 - self.steps.start as f64) * self.scale) as f32
+    }
+
+    /// The step at `x`; beyond the ends the first or the last.
+    fn step(&self, x: f32) -> usize {
+        // A cast from float saturates.
+        let steps = ((f64::from(x) - self.left) / self.scale) as usize;
+        (self.steps.start + steps).min(self.steps.end.saturating_sub(1))
+    }
+
+    /// How many steps are as wide as the narrowest bar.
+    fn slot(&self) -> usize {
+        (NARROWEST / self.scale).ceil() as usize
+    }
+}
+
+/// A bar: one scope, or several too narrow to be told apart.
+#[derive(Clone, PartialEq, Debug)]
+struct Bar {
+    steps: Range<usize>,
+    several: bool,
+}
+
+struct Row {
+    place: Rect,
+    span: Span,
+    bars: Vec<Bar>,
+    /// The scope of this depth around the cursor.
+    current: Option<usize>,
+}
+
+/// The rows that fit, those of the outermost depths first; where the cursor lies deeper, the rows around it.
+fn rows(walk: &dyn Walk, size: Vec2) -> Vec<Row> {
+    let outline = walk.outline();
+    let position = walk.position();
+    let track = track(size);
+    let whole = 0..walk.len();
+    let short = f64::from(track.width) >= WHOLE_RUN * whole.len() as f64;
+
+    // The scopes around the cursor from the outermost; the one that the step itself opens is among them.
+    let mut around: Vec<usize> = outline.scopes(position).collect();
+    around.reverse();
+    if outline.opens(position) {
+        around.push(position);
+    }
+    let mut rows: Vec<Row> = (0..=around.len())
+        .map(|depth| {
+            let steps = match depth.checked_sub(1) {
+                Some(parent) if !short => around[parent] + 1..outline.last(around[parent]) + 1,
+                _ => whole.clone(),
+            };
+            let span = Span::new(steps, track);
+            Row {
+                place: track,
+                bars: bars(outline, &span, depth),
+                span,
+                current: around.get(depth).copied(),
+            }
+        })
+        .filter(|row| !row.bars.is_empty())
+        .collect();
+    // A scope around the whole run says nothing.
+    if rows.len() > 1 && rows[0].bars.len() == 1 {
+        rows.remove(0);
+    }
+
+    let top = MARGIN + TRACK + 4.0;
+    let room = (((size.y - top - MARGIN + ROW_GAP) / (ROW + ROW_GAP)) as usize).min(MOST_ROWS);
+    rows.drain(..rows.len().saturating_sub(room));
+    for (i, row) in rows.iter_mut().enumerate() {
+        row.place.y = top + i as f32 * (ROW + ROW_GAP);
+        row.place.height = ROW;
+    }
+    rows
+}
+
+/// The scopes of `depth` within the span, from left to right; narrow neighbours as one bar. Looks at one step for every
+/// bar or gap, and at the scopes around it.
+fn bars(outline: &Outline, span: &Span, depth: usize) -> Vec<Bar> {
+    let slot = span.slot();
+    let mut bars: Vec<Bar> = Vec::new();
+    let mut step = span.steps.start;
+    while step < span.steps.end {
+        let Some(scope) = scope_at(outline, step, depth) else {
+            step += slot;
+            if slot > 1
+                && let Some(scope) = scope_at(outline, step.min(span.steps.end - 1), depth)
+            {
+                // The jump may have passed the beginning of a scope.
+                step = scope.max(step + 1 - slot);
+            }
+            continue;
+        };
+        let end = outline.last(scope) + 1;
+        if end - step >= slot {
+            bars.push(Bar {
+                steps: step..end,
+                several: step != scope,
+            });
+            step = end;
+            continue;
+        }
+        // From here on to the next slot, or as far as the scope there reaches; a wide one has a bar of its own.
+        let mut next = (step + slot).min(span.steps.end);
+        if next < span.steps.end
+            && let Some(scope) = scope_at(outline, next, depth)
+            && scope > step
+        {
+            let end = outline.last(scope) + 1;
+            next = if end - scope >= slot { scope } else { end };
+        }
+        let next = next.max(end);
+        bars.push(Bar {
+            steps: step..next,
+            several: next > end,
+        });
+        step = next;
+    }
+    bars
+}
+
+/// The scope of `depth` that `step` lies in or opens.
+fn scope_at(outline: &Outline, step: usize, depth: usize) -> Option<usize> {
+    let innermost = if outline.opens(step) {
+        Some(step)
+    } else {
+        outline.parent(step)
+    };
+    std::iter::successors(innermost, |&scope| outline.parent(scope))
+        .find(|&scope| outline.depth(scope) <= depth)
+        .filter(|&scope| outline.depth(scope) == depth)
+}
+
+impl Row {
+    fn bar(&self, bar: &Bar) -> Rect {
+        let (left, right) = (self.span.x(bar.steps.start), self.span.x(bar.steps.end));
+        let gap = if right - left > 6.0 { 1.0 } else { 0.5 };
+        let right = (right - gap).min(self.place.right());
+        Rect::new(left, self.place.y, right - left, self.place.height)
+    }
+
+    fn is_current(&self, bar: &Bar) -> bool {
+        self.current.is_some_and(|scope| bar.steps.contains(&scope))
+    }
+
+    fn draw(&self, picture: &mut Picture, walk: &dyn Walk, language: Language) {
+        let mut kinds: Vec<&str> = Vec::new();
+        for bar in &self.bars {
+            let current = self.is_current(bar);
+            let rect = self.bar(bar);
+            let scope = bar.steps.start;
+            let kind = walk.kind(scope);
+            if !bar.several && !kinds.contains(&kind) {
+                kinds.push(kind);
+            }
+            let ink = if current { Ink::LinkedTint } else { Ink::Faint };
+            let tag = if bar.several { Tag::Step } else { Tag::Scope };
+            picture.tagged(tag(scope), |picture| {
+                let radius = if rect.width > 8.0 { 3.0 } else { 0.0 };
+                picture.rounded_rect(rect, radius, ink);
+                if !bar.several {
+                    label(picture, rect, walk, scope, current, language);
+                }
+            });
+        }
+        // The kind in hand comes first.
+        if let Some(current) = self.current.map(|scope| walk.kind(scope)) {
+            kinds.sort_by_key(|&kind| kind != current);
+        }
+        let names: Vec<String> = kinds
+            .into_iter()
+            .map(|kind| in_text(kind, language))
+            .collect();
+        let place = Rect {
+            x: MARGIN,
+            width: self.place.x - MARGIN - 8.0,
+            ..self.place
+        };
+        let name = elide(&names.join(", "), Style::Body, TEXT, place.width);
+        picture.text_in(place, name, Style::Body.size(TEXT).ink(Ink::Muted));
+    }
+}
+
+/// The longest of a scope's names that fits into its bar.
+fn label(
+    picture: &mut Picture,
+    rect: Rect,
+    walk: &dyn Walk,
+    scope: usize,
+    current: bool,
+    language: Language,
+) {
+    let style = if current {
+        Style::Bold.size(TEXT)
+    } else {
+        Style::Body.size(TEXT).ink(Ink::Muted)
+    };
+    let kind = in_text(walk.kind(scope), language);
+    let names = match number_of(walk, scope) {
+        Some(number) => [format!("{kind} {number}"), number.to_string()],
+        None => [kind, String::new()],
+    };
+    let fitting = names
+        .into_iter()
+        .find(|name| style.width(name) + 6.0 <= rect.width);
+    if let Some(name) = fitting
+        && !name.is_empty()
+    {
+        picture.text_in(rect, name, style.middle());
+    }
+}
+
+/// What tells a scope from its neighbours: the scan line's y, the pixel's x, and of others the value named as they are.
+fn number_of(walk: &dyn Walk, scope: usize) -> Option<i64> {
+    let fields = walk.own_fields(scope);
+    let name = match walk.kind(scope) {
+        "ScanLine" => "y".to_string(),
+        "Pixel" => "x".to_string(),
+        kind => kind.to_lowercase(),
+    };
+    match fields.get(&name) {
+        Some(Value::Integer(number)) => Some(number),
+        _ => None,
+    }
+}
+
+const KINDS: [(&str, Words); 10] = [
+    ("Frame", Words::new("frame", "gambar")),
+    ("Polygon", Words::new("polygon", "poligon")),
+    ("Vertex", Words::new("vertex", "titik sudut")),
+    ("Illumination", Words::new("illumination", "pencahayaan")),
+    ("Light", Words::new("light", "cahaya")),
+    ("EdgeTable", Words::new("edge table", "tabel sisi")),
+    ("ScanLine", Words::new("scan line", "garis scan")),
+    ("Edge", Words::new("edge", "sisi")),
+    ("Span", Words::new("span", "bentang")),
+    ("Pixel", Words::new("pixel", "piksel")),
+];
+
+/// The kind of a scope in words; a kind that is not in the table as it is written.
+fn in_text(kind: &str, language: Language) -> String {
+    let words = KINDS.iter().find(|(known, _)| *known == kind);
+    words
+        .map_or(kind, |(_, words)| words.in_language(language))
+        .to_string()
+}
+
+/// From the bar in hand to the row below, which shows the inside of it.
+fn funnel(picture: &mut Picture, above: &Row, below: &Row) {
+    let Some(bar) = above.bars.iter().find(|bar| above.is_current(bar)) else {
+        return;
+    };
+    let bar = above.bar(bar);
+    let (top, bottom) = (bar.bottom(), below.place.y);
+    picture.polygon(
+        [
+            (bar.x, top),
+            (bar.right(), top),
+            (below.place.right(), bottom),
+            (below.place.x, bottom),
+        ],
+        Ink::LinkedTint.fill().opacity(0.6),
+    );
+}
+
+/// Green dots where something is said, red diamonds where playing stops; one mark for all that lie closer than it is wide.
+fn marks(picture: &mut Picture, show: &Show, whole: &Span, y: f32) {
+    for step in apart(show.narrated, whole, 7.0) {
+        picture.tagged(Tag::Step(step), |picture| {
+            picture.circle((whole.middle(step), y), 3.5, Ink::Good);
+        });
+    }
+    for step in apart(show.breakpoints, whole, 7.0) {
+        let x = whole.middle(step);
+        picture.tagged(Tag::Step(step), |picture| {
+            let corners = [(x, y - 5.0), (x + 5.0, y), (x, y + 5.0), (x - 5.0, y)];
+            let edge = Ink::Surface.stroke(1.0);
+            picture.polygon(corners, Ink::Bad.fill().outlined(edge));
+        });
+    }
+}
+
+/// Of ascending steps those at least `distance` points apart.
+fn apart(steps: &[usize], span: &Span, distance: f64) -> Vec<usize> {
+    let far = (distance / span.scale).ceil() as usize;
+    let mut rest = steps;
+    std::iter::from_fn(|| {
+        let &step = rest.first().filter(|&&step| step < span.steps.end)?;
+        rest = &rest[rest.partition_point(|&other| other < step + far)..];
+        Some(step)
+    })
+    .collect()
+}
+
+/// Through the track and all rows, on the scale of each.
+fn cursor(picture: &mut Picture, whole: &Span, rows: &[Row], position: usize, y: f32) {
+    let stroke = Stroke {
+        dash: Dash::Solid,
+        ..Ink::This.stroke(2.0)
+    };
+    let x = whole.middle(position);
+    let mut points = vec![Vec2::new(x, y)];
+    for row in rows {
+        // The step that opens the scope of a row lies before its first step.
+        if row.span.steps.contains(&position) {
+            let x = row.span.middle(position);
+            points.extend([Vec2::new(x, row.place.y), Vec2::new(x, row.place.bottom())]);
+        }
+    }
+    picture.tagged(Tag::Step(position), |picture| {
+        picture.polyline(points, stroke);
+        let top = y - 0.5 * TRACK - 1.0;
+        let head = [(x - 7.0, top), (x + 7.0, top), (x, y + 1.0)];
+        picture.polygon(head, Ink::This);
+    });
+}
+
+/// Where the cursor stands, from the outermost scope shown to the innermost.
+fn in_words(show: &Show, rows: &[Row]) -> String {
+    let walk = show.run.walk();
+    let scopes: Vec<String> = rows
+        .iter()
+        .filter_map(|row| {
+            let scope = row.current?;
+            let kind = in_text(walk.kind(scope), show.language);
+            Some(match number_of(walk, scope) {
+                Some(number) => format!("{kind} {number}"),
+                None => kind,
+            })
+        })
+        .collect();
+    let head = format!(
+        "{} {} {} {}",
+        SAYS.in_language(show.language),
+        walk.position() + 1,
+        OF.in_language(show.language),
+        walk.len()
+    );
+    if scopes.is_empty() {
+        format!("{head}.")
+    } else {
+        format!("{head}: {}.", scopes.join(", "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::crowd::{self, SIZES, assert_legible};
+    use super::super::sample::Sample;
+    use super::*;
+    use crate::render::Method;
+
+    #[test]
+    fn every_step_is_legible_and_bars_never_overlap() {
+        for method in Method::ALL {
+            let mut sample = crowd::crowd(method);
+            for step in sample.some_steps(997) {
+                sample.seek(step);
+                for size in SIZES {
+                    let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                    let picture = draw(&sample.show_in(Language::Indonesian), size);
+                    assert_legible(&picture, &what);
+                    let rows = rows(sample.walk(), size);
+                    assert!(!rows.is_empty(), "{what}");
+                    for row in &rows {
+                        assert!(row.bars.len() as f64 <= f64::from(size.x) / NARROWEST);
+                        for pair in row.bars.windows(2) {
+                            let (a, b) = (row.bar(&pair[0]), row.bar(&pair[1]));
+                            assert!(a.right() <= b.x, "{what}: {a:?} and {b:?}");
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn every_scope_lies_in_exactly_one_bar_of_its_row() {
+        let sample = Sample::triangle(Method::Gouraud);
+        let outline = sample.walk().outline();
+        for width in [200.0, 900.0, 1e5] {
+            let span = Span::new(0..outline.len(), Rect::new(0.0, 0.0, width, 20.0));
+            for depth in 0..5 {
+                let bars = bars(outline, &span, depth);
+                let scopes = (0..outline.len())
+                    .filter(|&step| outline.opens(step) && outline.depth(step) == depth);
+                for scope in scopes {
+                    let wide =
+                        (outline.last(scope) + 1 - scope) as f64 * span.scale >= 2.0 * NARROWEST;
+                    let within = bars.iter().filter(|bar| bar.steps.contains(&scope)).count();
+                    assert!(
+                        within == 1 || !wide && within == 0,
+                        "{scope} at depth {depth}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_click_at_the_cursor_stays() {
+        let mut sample = Sample::triangle(Method::Gouraud);
+        let size = Vec2::new(900.0, 140.0);
+        for step in 0..sample.walk().len() {
+            sample.seek(step);
+            let show = sample.show();
+            let span = Span::new(0..sample.walk().len(), track(size));
+            assert_eq!(step_at(&show, size, span.middle(step)), step);
+        }
+        let last = sample.walk().len() - 1;
+        assert_eq!(step_at(&sample.show(), size, -50.0), 0);
+        assert_eq!(step_at(&sample.show(), size, 5000.0), last);
+        assert_eq!(step_at(&crowd::nothing().show(), size, 300.0), 0);
+    }
+
+    #[test]
+    fn marks_keep_their_distance() {
+        let span = Span::new(0..1000, Rect::new(0.0, 0.0, 500.0, 20.0));
+        assert_eq!(apart(&[0, 3, 14, 20, 999, 5000], &span, 7.0), [0, 14, 999]);
+    }
+
+    #[test]
+    fn nothing_recorded_is_said() {
+        let sample = crowd::nothing();
+        for language in Language::ALL {
+            assert_legible(&draw(&sample.show_in(language), SIZES[0]), "empty");
+        }
+    }
 }

@@ -1,10 +1,10 @@
 //! How panels write and colour the values that events tell.
 
 use super::Show;
-use super::words::Words;
+use super::words::{Language, Words};
 use crate::algorithms::scan_line::Carried;
 use crate::color::Rgb;
-use crate::picture::{Ink, fixed};
+use crate::picture::{Ink, fixed, number};
 use crate::record::{Fields, Value};
 
 const STEP: Words = Words::new("Step", "Langkah");
@@ -74,6 +74,52 @@ pub(super) fn step_in_words(show: &Show) -> String {
     format!("{step} {position}, {}", walk.kind(position))
 }
 
+const YES: Words = Words::new("yes", "ya");
+const NO: Words = Words::new("no", "tidak");
+
+/// A value in one line: numbers to six digits, a grey as one number, vectors and colours with `decimals` each.
+pub(super) fn shown(value: Value, decimals: usize, language: Language) -> String {
+    match value {
+        Value::Number(v) => number(v),
+        Value::Integer(v) => number(v as f64),
+        Value::Rgb(color) if color.is_grey() => number(color.r),
+        Value::Rgb(color) => color
+            .channels()
+            .map(|channel| component(channel, decimals))
+            .join("  "),
+        Value::Vector(v) => format!("({})", v.to_array().map(|v| fixed(v, decimals)).join(", ")),
+        Value::Truth(true) => YES.in_language(language).to_string(),
+        Value::Truth(false) => NO.in_language(language).to_string(),
+        Value::Word(word) => word.to_string(),
+    }
+}
+
+/// With `decimals`, but what would round to zero with two digits: a difference of 10⁻¹⁷ is none of 0.
+fn component(v: f64, decimals: usize) -> String {
+    let rounds_to_zero = v.abs() < 0.5 * 10_f64.powi(-(decimals as i32));
+    if v == 0.0 {
+        "0".to_string()
+    } else if rounds_to_zero {
+        number(format!("{v:.1e}").parse().unwrap_or(v))
+    } else {
+        fixed(v, decimals)
+    }
+}
+
+/// The whole step as a sentence: its number, its kind, and what it tells.
+pub(super) fn told_in_words(show: &Show) -> String {
+    let walk = show.run.walk();
+    if walk.is_empty() {
+        return step_in_words(show);
+    }
+    let values: Vec<String> = walk
+        .own_fields(walk.position())
+        .iter()
+        .map(|field| format!("{} = {}", field.name, short(field.value, 6)))
+        .collect();
+    format!("{}: {}.", step_in_words(show), values.join(", "))
+}
+
 fn trimmed(decimal: &str) -> String {
     if decimal.contains('.') {
         decimal
@@ -88,6 +134,7 @@ fn trimmed(decimal: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
 
     #[test]
     fn grey_is_one_number_and_differences_are_magnitudes() {
@@ -98,5 +145,22 @@ mod tests {
         assert_eq!(difference(Rgb::BLACK.into()), "0");
         assert_eq!(value_of(crate::algorithms::flat::Nothing), None);
         assert_eq!(on_swatch(Some(Rgb::BLACK.into())), Ink::Rgb(Rgb::WHITE));
+    }
+
+    #[test]
+    fn every_type_of_value_has_its_form() {
+        let en = |value| shown(value, 3, Language::English);
+        assert_eq!(en(Value::Number(1.0 / 3.0)), "0.333333");
+        assert_eq!(en(Value::Integer(-12)), "−12");
+        assert_eq!(en(Rgb::splat(0.25).into()), "0.25");
+        assert_eq!(
+            en(Rgb::new(0.5, -1.25e-17, 0.0).into()),
+            "0.500  −1.2·10⁻¹⁷  0"
+        );
+        assert_eq!(
+            en(DVec3::new(0.0, -0.6, 0.8).into()),
+            "(0.000, −0.600, 0.800)"
+        );
+        assert_eq!(shown(true.into(), 3, Language::Indonesian), "ya");
     }
 }

@@ -26,6 +26,8 @@ pub struct State<A> {
     pub polygon: Option<PolygonInHand>,
     /// The vertex whose normal and intensity are being found.
     pub vertex: Option<VertexInHand>,
+    /// The vertices that were lit for the polygon in hand, with their intensities; others were lit for one before it.
+    pub lit: Vec<(u32, Rgb)>,
     /// The point that is being lit.
     pub point: Option<PointInHand>,
     pub corners: Vec<CornerInHand<A>>,
@@ -73,9 +75,12 @@ pub struct PointInHand {
 pub struct LightInHand {
     pub light: u16,
     pub attenuation: f64,
-    pub to_light: Option<DVec3>,
-    pub halfway: Option<DVec3>,
-    pub mirrored: Option<DVec3>,
+    /// L and N·L.
+    pub to_light: Option<(DVec3, f64)>,
+    /// H and N·H.
+    pub halfway: Option<(DVec3, f64)>,
+    /// R and R·V.
+    pub mirrored: Option<(DVec3, f64)>,
     pub diffuse: Option<Rgb>,
     pub specular: Option<Rgb>,
     pub step: usize,
@@ -159,6 +164,7 @@ impl<A> State<A> {
             stage,
             polygon: None,
             vertex: None,
+            lit: Vec::new(),
             point: None,
             corners: Vec::new(),
             edges: Vec::new(),
@@ -172,6 +178,7 @@ impl<A> State<A> {
     /// Forgets what belongs to one polygon.
     fn clear_polygon(&mut self) {
         self.vertex = None;
+        self.lit.clear();
         self.point = None;
         self.corners.clear();
         self.edges.clear();
@@ -256,10 +263,26 @@ impl<A> State<A> {
             (Event::Viewer { to_eye, .. }, _) => point.to_eye = Some(to_eye),
             (Event::Ambient { term, .. }, _) => point.ambient = Some(term),
             (Event::Illuminated { intensity }, _) => point.intensity = Some(intensity),
-            (Event::ToLight { to_light, .. }, Some(light)) => light.to_light = Some(to_light),
+            (Event::ToLight { to_light, n_dot_l }, Some(light)) => {
+                light.to_light = Some((to_light, n_dot_l));
+            }
             (Event::Diffuse { term, .. }, Some(light)) => light.diffuse = Some(term),
-            (Event::Mirrored { mirrored, .. }, Some(light)) => light.mirrored = Some(mirrored),
-            (Event::Halfway { halfway, .. }, Some(light)) => light.halfway = Some(halfway),
+            (
+                Event::Mirrored {
+                    mirrored, r_dot_v, ..
+                },
+                Some(light),
+            ) => {
+                light.mirrored = Some((mirrored, r_dot_v));
+            }
+            (
+                Event::Halfway {
+                    halfway, n_dot_h, ..
+                },
+                Some(light),
+            ) => {
+                light.halfway = Some((halfway, n_dot_h));
+            }
             (Event::Specular { term, .. }, Some(light)) => light.specular = Some(term),
             _ => {}
         }
@@ -419,7 +442,8 @@ impl Fold<gouraud::Event> for State<Rgb> {
             }
             gouraud::Event::Normal(event) => self.find_normal(step, event),
             gouraud::Event::Illumination(event) => self.light_point(step, event),
-            gouraud::Event::VertexLit { intensity, .. } => {
+            gouraud::Event::VertexLit { vertex, intensity } => {
+                self.lit.push((*vertex, *intensity));
                 if let Some(vertex) = &mut self.vertex {
                     vertex.intensity = Some(*intensity);
                 }

@@ -12,10 +12,10 @@ use glam::DVec3;
 
 impl Check {
     pub fn camera(&mut self, place: &Place, file: &CameraFile) -> Option<Camera> {
-        let problems = self.problems.len();
+        let problems = self.count;
         let eye = self.point(&place.key("eye"), file.eye);
         let target = self.point(&place.key("target"), file.target);
-        let places_are_right = self.problems.len() == problems;
+        let places_are_right = self.count == problems;
         let up = self.direction(&place.key("up"), file.up);
         let degrees = self.number(
             &place.key("fov_x_degrees"),

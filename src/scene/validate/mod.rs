@@ -37,7 +37,7 @@ impl Default for Limits {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}", document::one_a_line(.problems))]
 pub struct SceneError {
-    /// One or more.
+    /// One or more. Of more than a thousand the first, and a last one that says how many are not told.
     pub problems: Vec<Problem>,
 }
 
@@ -94,9 +94,9 @@ impl SceneFile {
         let ambient = color("ambient", self.ambient, Rgb::WHITE);
         let path_attenuation =
             check.attenuation(&root.key("path_attenuation"), self.path_attenuation);
-        if !check.problems.is_empty() {
+        if check.count > 0 {
             return Err(SceneError {
-                problems: check.problems,
+                problems: check.told(root),
             });
         }
         Ok(Scene {

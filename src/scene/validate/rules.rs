@@ -31,20 +31,42 @@ pub const RADIUS_OR_NONE: Rule = (
     "0 or a radius greater than 0 and at most 1e75",
 );
 
+/// How many problems are kept; of the rest the number is enough.
+const TOLD: usize = 1000;
+
 /// The problems found so far. Its methods hand on what is written also where it is wrong, so that checking goes on.
 #[derive(Default)]
 pub struct Check {
-    pub problems: Vec<Problem>,
+    /// The first of them.
+    problems: Vec<Problem>,
+    pub count: usize,
 }
 
 impl Check {
     pub fn refuse(&mut self, place: &Place, message: String) {
-        self.problems.push(Problem {
-            place: place.to_string(),
-            line: None,
-            column: None,
-            message,
-        });
+        self.count += 1;
+        if self.problems.len() < TOLD {
+            self.problems.push(Problem {
+                place: place.to_string(),
+                line: None,
+                column: None,
+                message,
+            });
+        }
+    }
+
+    /// The problems kept, and how many there are beside them.
+    pub fn told(mut self, root: &Place) -> Vec<Problem> {
+        let untold = self.count - self.problems.len();
+        if untold > 0 {
+            self.problems.push(Problem {
+                place: root.to_string(),
+                line: None,
+                column: None,
+                message: format!("and {untold} more problems"),
+            });
+        }
+        self.problems
     }
 
     pub fn number(&mut self, place: &Place, Number(value): Number, rule: Rule) -> f64 {

@@ -35,9 +35,9 @@ impl Objects<'_, '_> {
 
     pub fn polygon(&mut self, place: &Place, file: &PolygonFile) -> Option<(Shape, Division)> {
         let place = &place.key("vertices");
-        let problems = self.check.problems.len();
+        let problems = self.check.count;
         let vertices = self.points(place, &file.vertices);
-        if self.check.problems.len() > problems {
+        if self.check.count > problems {
             return None;
         }
         let count = vertices.len();
@@ -135,12 +135,12 @@ impl Objects<'_, '_> {
         file: &MeshFile,
         transform: Option<&Keyed<TransformFile>>,
     ) -> Option<(Shape, Division)> {
-        let problems = self.check.problems.len();
+        let problems = self.check.count;
         let transform_place = &object.key("transform");
         let to_world = transform.map_or(DAffine3::IDENTITY, |Keyed(transform)| {
             self.transform(transform_place, transform)
         });
-        let transform_is_right = self.check.problems.len() == problems;
+        let transform_is_right = self.check.count == problems;
 
         let place = &object.key("mesh");
         let place = &place.key("file");

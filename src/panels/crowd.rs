@@ -1,0 +1,204 @@
+//! A run with every kind of event for the tests of panels, and what every picture must hold to.
+
+use super::Show;
+use super::sample::Sample;
+use super::words::Language;
+use crate::algorithms::focus::Focus;
+use crate::color::Rgb;
+use crate::picture::{Picture, Rect, Shape as Drawn};
+use crate::record::RecordingLimit;
+use crate::render::Method;
+use crate::replay::{Run, Walk};
+use crate::scene::{Camera, Highlight, Light, Material, Mesh, Object, Scene, Shape};
+use glam::{DVec3, Vec2};
+use std::collections::HashMap;
+
+/// Sizes at which panels are checked: the smallest, as in the window, low and wide, tall, large.
+pub const SIZES: [Vec2; 6] = [
+    Vec2::new(260.0, 180.0),
+    Vec2::new(320.0, 220.0),
+    Vec2::new(420.0, 260.0),
+    Vec2::new(700.0, 120.0),
+    Vec2::new(280.0, 600.0),
+    Vec2::new(1400.0, 900.0),
+];
+
+impl Sample {
+    pub fn walk(&self) -> &dyn Walk {
+        self.run.walk()
+    }
+
+    pub fn seek(&mut self, step: usize) -> &mut Self {
+        self.run.walk_mut().seek(step);
+        self
+    }
+
+    pub fn show_in(&self, language: Language) -> Show<'_> {
+        Show {
+            language,
+            ..self.show()
+        }
+    }
+
+    /// The first step of `kind`.
+    pub fn first(&self, kind: &str) -> usize {
+        (0..self.walk().len())
+            .find(|&step| self.walk().kind(step) == kind)
+            .unwrap_or_else(|| panic!("the sample has a {kind}"))
+    }
+
+    /// The first three steps of each kind, and every `stride`-th of all.
+    pub fn some_steps(&self, stride: usize) -> Vec<usize> {
+        let mut seen = HashMap::new();
+        (0..self.walk().len())
+            .filter(|&step| {
+                let count = seen.entry(self.walk().kind(step)).or_insert(0);
+                *count += 1;
+                *count <= 3 || step % stride == 0
+            })
+            .collect()
+    }
+}
+
+fn material(name: &str, color: Rgb, highlight: Highlight) -> Material {
+    Material {
+        name: name.to_string(),
+        ambient: color * 0.1,
+        diffuse: color,
+        specular: Rgb::splat(0.4),
+        shininess: 20.0,
+        highlight,
+        reflection: Rgb::BLACK,
+        transmission: Rgb::BLACK,
+        ior: 1.0,
+        emission: Rgb::BLACK,
+        reflectance: Rgb::BLACK,
+        texture: None,
+    }
+}
+
+fn object(name: &str, material: usize, shape: Shape) -> Object {
+    Object {
+        name: name.to_string(),
+        material,
+        shape,
+        patches: [1, 1],
+        casts_shadow: true,
+    }
+}
+
+fn mesh(positions: &[[f64; 3]], faces: &[[u32; 3]]) -> Shape {
+    let positions: Vec<DVec3> = positions.iter().copied().map(DVec3::from).collect();
+    Shape::Mesh(Mesh::new(&positions, faces, &[]))
+}
+
+fn scene(materials: Vec<Material>, objects: Vec<Object>, lights: Vec<Light>) -> Scene {
+    Scene {
+        background: Rgb::splat(0.05),
+        ambient: Rgb::WHITE,
+        path_attenuation: [1.0, 0.0, 0.0],
+        camera: Some(Camera {
+            eye: DVec3::new(0.0, 0.0, 6.0),
+            target: DVec3::ZERO,
+            up: DVec3::Y,
+            fov_x: 40_f64.to_radians(),
+        }),
+        materials,
+        objects,
+        lights,
+    }
+}
+
+fn lamp(color: Rgb) -> Light {
+    Light::Point {
+        position: DVec3::new(-2.0, 3.0, 3.0),
+        color,
+        attenuation: [1.0, 0.02, 0.01],
+        radius: 0.0,
+    }
+}
+
+/// Every kind of event: colours and greys, both highlights, a light in front and one behind, hidden pixels, an edge on no
+/// row, normals that cancel out, and an edge outside the frame. 28×21, the whole frame.
+pub fn crowd(method: Method) -> Sample {
+    let roof = [
+        [-1.2, -1.0, 0.0],
+        [0.0, -1.0, 0.5],
+        [0.0, 1.0, 0.5],
+        [1.2, 0.2, 0.0],
+    ];
+    let wall = [[-1.6, -1.3, -1.0], [1.9, -1.3, -1.0], [1.5, 1.2, -1.0]];
+    let leaf = [[-1.6, 0.5, 0.0], [-1.0, 0.6, 0.0], [-1.3, 1.4, 0.1]];
+    let far = [[1.8, 0.9, 0.0], [6.0, 1.0, 0.0], [6.0, 3.0, 0.0]];
+    let scene = scene(
+        vec![
+            material("red", Rgb::new(0.7, 0.2, 0.1), Highlight::Phong),
+            material("grey", Rgb::splat(0.6), Highlight::Blinn),
+        ],
+        vec![
+            object("roof", 0, mesh(&roof, &[[0, 1, 2], [1, 3, 2]])),
+            object("wall", 1, mesh(&wall, &[[0, 1, 2]])),
+            object("leaf", 1, mesh(&leaf, &[[0, 1, 2], [0, 2, 1]])),
+            object("far", 0, mesh(&far, &[[0, 1, 2]])),
+        ],
+        vec![
+            lamp(Rgb::new(1.0, 0.9, 0.8)),
+            Light::Directional {
+                toward: DVec3::Z,
+                color: Rgb::splat(0.5),
+            },
+        ],
+    );
+    Sample::of(scene, method, Focus::Frame, (28, 21))
+}
+
+/// A run with no steps: there is no room to record any.
+pub fn nothing() -> Sample {
+    let mut sample = crowd(Method::Gouraud);
+    if let Run::Gouraud(replay) = &sample.run {
+        let stage = replay.state().stage.clone();
+        sample.run = Run::record(stage, Method::Gouraud, Focus::Frame, RecordingLimit(0));
+    }
+    sample
+}
+
+/// The texts of a picture with the boxes that they take.
+pub fn texts(picture: &Picture) -> Vec<(&str, Rect)> {
+    picture
+        .items
+        .iter()
+        .filter_map(|item| match &item.shape {
+            Drawn::Text { text, .. } if !text.trim().is_empty() => {
+                Some((text.as_str(), item.shape.bounds()))
+            }
+            _ => None,
+        })
+        .collect()
+}
+
+/// Everything lies within the picture, no text is too small or covers another, and the step is said in words.
+pub fn assert_legible(picture: &Picture, what: &str) {
+    let bounds = picture.bounds().grown(0.01);
+    for item in &picture.items {
+        let shape = item.shape.bounds();
+        assert!(
+            bounds.encloses(&shape),
+            "{what}: {:?} lies outside, at {shape:?}",
+            item.shape
+        );
+        if let Drawn::Text { set, text, .. } = &item.shape {
+            assert!(set.size >= 11.0, "{what}: {text} has {} points", set.size);
+        }
+    }
+    let texts = texts(picture);
+    for (i, (text, rect)) in texts.iter().enumerate() {
+        for (other, other_rect) in &texts[..i] {
+            let common = rect.intersection(other_rect);
+            assert!(
+                common.width < 0.5 || common.height < 0.5,
+                "{what}: “{text}” covers “{other}”"
+            );
+        }
+    }
+    assert!(!picture.alt.is_empty(), "{what}: nothing is said in words");
+}

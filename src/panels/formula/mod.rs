@@ -1,0 +1,351 @@
+//! The formula of the step: with symbols, with this step's numbers under it, and the result; where a step computes nothing,
+//! a sentence. All numbers are told values.
+
+mod set;
+mod table;
+mod template;
+
+use super::Show;
+use super::message::{NO_STEPS, message};
+use super::values::shown;
+use super::words::{Language, Words};
+use crate::picture::{Ink, Picture, Style, wrap};
+use crate::record::Value;
+use glam::Vec2;
+use set::{Atom, Voice, flow, set_pieces};
+use table::{Entry, Formula, TABLE, When};
+use template::{Known, Piece, parse, places};
+
+const MARGIN: f32 = 10.0;
+const CHANNELS: [Words; 3] = [
+    Words::new("red", "merah"),
+    Words::new("green", "hijau"),
+    Words::new("blue", "biru"),
+];
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    let walk = show.run.walk();
+    if walk.is_empty() {
+        return message(NO_STEPS, show.language, size);
+    }
+    let known = Known::at(walk, walk.position());
+    let Some(entry) = entry(walk.kind(walk.position()), &known) else {
+        return message(NO_FORMULA, show.language, size);
+    };
+    let formulas = formulas(entry, &known);
+    let says = filled(entry.says, &known, show.language);
+
+    let mut picture = Picture::new(size.x, size.y);
+    let sheet = |detail: &Detail, text: f32| {
+        Sheet::new(
+            &says,
+            &formulas,
+            &known,
+            show.language,
+            size.x,
+            text,
+            detail,
+        )
+    };
+    let room = size.y - 2.0 * MARGIN;
+    let fitting = DETAILS.iter().find_map(|detail| {
+        let steps = (2.0 * (detail.largest - detail.smallest)) as usize;
+        (0..=steps)
+            .map(|i| sheet(detail, detail.largest - 0.5 * i as f32))
+            .find(|sheet| sheet.fits && sheet.height <= room)
+    });
+    let sheet = fitting.unwrap_or_else(|| sheet(&DETAILS[DETAILS.len() - 1], 11.0));
+    sheet.draw(&mut picture, room);
+    picture.alt = in_words(&says, &formulas, &known, show.language);
+    picture
+}
+
+const NO_FORMULA: Words = Words::new(
+    "This step has no formula. Go on to the next.",
+    "Langkah ini tidak memiliki rumus. Lanjutkan ke langkah berikutnya.",
+);
+
+/// The entry of the table for a step of `kind`.
+fn entry(kind: &str, known: &Known) -> Option<&'static Entry> {
+    TABLE
+        .iter()
+        .find(|entry| entry.kind == kind && holds(entry.when, known))
+}
+
+fn holds(when: When, known: &Known) -> bool {
+    let value = |name| known.get(name).map(|told| told.field.value);
+    let number = |name| match value(name) {
+        Some(Value::Number(v)) => v,
+        _ => f64::NAN,
+    };
+    match when {
+        When::Always => true,
+        When::Told(name) => value(name).is_some(),
+        When::True(name) => value(name) == Some(Value::Truth(true)),
+        When::NotPositive(name) => number(name) <= 0.0,
+        When::Finite(name) => number(name).is_finite(),
+    }
+}
+
+/// A formula of the step, split at its equals sign.
+struct Parsed {
+    left: Vec<Piece>,
+    right: Vec<Piece>,
+    note: Option<Words>,
+}
+
+fn formulas(entry: &Entry, known: &Known) -> Vec<Parsed> {
+    let applies = |formula: &&Formula| {
+        holds(formula.when, known)
+            && places(&parse(formula.template))
+                .into_iter()
+                .all(|place| known.values(place).is_some())
+    };
+    let parsed = |formula: &Formula| {
+        let (left, right) = formula
+            .template
+            .split_once(" = ")
+            .unwrap_or((formula.template, ""));
+        Parsed {
+            left: parse(left),
+            right: parse(right),
+            note: formula.note,
+        }
+    };
+    entry.formulas.iter().filter(applies).map(parsed).collect()
+}
+
+impl Parsed {
+    /// The value that the formula defines, where it is no mere relation.
+    fn result(&self, known: &Known) -> Option<Value> {
+        match self.left.as_slice() {
+            [Piece::Place(place)] => known.values(place)?.first().copied(),
+            _ => None,
+        }
+    }
+
+    /// Whether a colour with unequal channels takes part: then each channel has a row of its own.
+    fn is_coloured(&self, known: &Known) -> bool {
+        let all = [places(&self.left), places(&self.right)].concat();
+        all.into_iter()
+            .filter_map(|place| known.values(place))
+            .flatten()
+            .any(|value| matches!(value, Value::Rgb(color) if !color.is_grey()))
+    }
+}
+
+/// A sentence of the table with its values.
+fn filled(words: Words, known: &Known, language: Language) -> String {
+    let mut text = String::new();
+    for piece in parse(words.in_language(language)) {
+        match piece {
+            Piece::Text(part) => text.push_str(&part),
+            Piece::Place(place) => match known.values(&place).as_deref() {
+                Some([value, ..]) => text.push_str(&shown(*value, 4, language)),
+                // A subscript of several letters is in braces too.
+                _ => text.push_str(&format!("{{{}}}", place.name)),
+            },
+            Piece::Fraction(..) => {}
+        }
+    }
+    text
+}
+
+fn in_words(says: &str, formulas: &[Parsed], known: &Known, language: Language) -> String {
+    let mut text = says.replace(['{', '}'], "");
+    for formula in formulas {
+        if let (Some(value), [Piece::Place(place)]) = (formula.result(known), &formula.left[..]) {
+            let value = shown(value, 4, language);
+            text.push_str(&format!(" {} = {value}.", place.name));
+        }
+    }
+    text
+}
+
+/// How much is shown: less where there is less room.
+struct Detail {
+    largest: f32,
+    smallest: f32,
+    stacked: bool,
+    sentences: bool,
+    numbers: bool,
+    symbols: bool,
+}
+
+const fn detail(largest: f32, smallest: f32, shown: [bool; 4]) -> Detail {
+    let [stacked, sentences, numbers, symbols] = shown;
+    Detail {
+        largest,
+        smallest,
+        stacked,
+        sentences,
+        numbers,
+        symbols,
+    }
+}
+
+const DETAILS: [Detail; 6] = [
+    detail(17.0, 12.0, [true, true, true, true]),
+    detail(13.0, 11.0, [false, true, true, true]),
+    detail(13.0, 11.0, [true, false, true, true]),
+    detail(12.0, 11.0, [false, false, true, true]),
+    detail(13.0, 11.0, [true, false, false, true]),
+    detail(12.0, 11.0, [false, false, false, false]),
+];
+
+/// The lines of the panel at one size of text.
+struct Sheet {
+    lines: Vec<set::Line>,
+    height: f32,
+    fits: bool,
+}
+
+impl Sheet {
+    fn new(
+        says: &str,
+        formulas: &[Parsed],
+        known: &Known,
+        language: Language,
+        width: f32,
+        text: f32,
+        detail: &Detail,
+    ) -> Self {
+        let width = width - 2.0 * MARGIN;
+        let mut sheet = Sheet {
+            lines: Vec::new(),
+            height: 0.0,
+            fits: true,
+        };
+        let sentence = |sheet: &mut Sheet, words: &str, above: f32| {
+            let size = (text - 2.0).clamp(11.0, 13.0);
+            for (i, line) in wrap(words, Style::Label, size, width)
+                .into_iter()
+                .enumerate()
+            {
+                let style = Style::Label.size(size).ink(Ink::Muted);
+                let gap = if i == 0 { above } else { 1.0 };
+                sheet.push(vec![Atom::text(line, style)], width, 0.0, gap);
+            }
+        };
+        if detail.sentences || formulas.is_empty() {
+            sentence(&mut sheet, says, 0.0);
+        }
+        for formula in formulas {
+            let above = 0.5 * text;
+            if let Some(note) = formula.note.filter(|_| detail.sentences) {
+                sentence(&mut sheet, note.in_language(language), above);
+            }
+            formula_lines(&mut sheet, formula, known, language, width, text, detail);
+        }
+        sheet
+    }
+
+    fn push(&mut self, atoms: Vec<Atom>, width: f32, indent: f32, gap: f32) {
+        let (lines, fits) = flow(atoms, width, indent);
+        for (i, mut line) in lines.into_iter().enumerate() {
+            line.gap = if i == 0 && !self.lines.is_empty() {
+                gap
+            } else {
+                2.0
+            };
+            self.height += line.gap + line.height();
+            self.lines.push(line);
+        }
+        self.fits &= fits;
+    }
+
+    fn draw(self, picture: &mut Picture, room: f32) {
+        let mut y = MARGIN;
+        for line in self.lines {
+            y += line.gap;
+            if y + line.height() > MARGIN + room {
+                break;
+            }
+            let bottom = y + line.height();
+            line.draw(picture, MARGIN, y);
+            y = bottom;
+        }
+    }
+}
+
+/// The rows of one formula: symbols, numbers, result.
+fn formula_lines(
+    sheet: &mut Sheet,
+    formula: &Parsed,
+    known: &Known,
+    language: Language,
+    width: f32,
+    text: f32,
+    detail: &Detail,
+) {
+    let stacked = detail.stacked;
+    let set = |pieces: &[Piece], voice| set_pieces(pieces, voice, known, language, text, stacked);
+    let equals = || Atom::text("= ".to_string(), Style::Label.size(text));
+    let result = |value: String| {
+        let style = Style::LabelBold.size(text).ink(Ink::This);
+        vec![equals(), Atom::text(value, style)]
+    };
+    let indent = 1.2 * text;
+    let coloured = formula.is_coloured(known);
+    let value = formula.result(known);
+    let whole = value.map(|value| shown(value, 4, language));
+
+    let mut symbols = set(&formula.left, Voice::Symbols);
+    let has_numbers = !places(&formula.right).is_empty();
+    // A value alone, a formula without numbers of its own, or the shortest form: one row with the result.
+    if formula.right.is_empty() || !detail.symbols {
+        match whole {
+            Some(whole) => symbols.extend(spaced(result(whole), text)),
+            None => {
+                sheet.push(symbols, width, indent, 0.5 * text);
+                symbols = set(&formula.left, Voice::Numbers(0));
+            }
+        }
+        sheet.push(symbols, width, indent, 0.5 * text);
+        return;
+    }
+    let mut right = vec![equals()];
+    right.extend(set(&formula.right, Voice::Symbols));
+    symbols.extend(spaced(right, text));
+    sheet.push(symbols, width, indent, 0.5 * text);
+
+    if has_numbers && detail.numbers {
+        let channels = if coloured { 3 } else { 1 };
+        for (channel, name) in CHANNELS.iter().enumerate().take(channels) {
+            let mut row = Vec::new();
+            if coloured {
+                let name = name.in_language(language).to_string();
+                row.push(Atom::text(
+                    name,
+                    Style::Body.size(text.min(12.0)).ink(Ink::Muted),
+                ));
+            }
+            let mut numbers = vec![equals()];
+            numbers.extend(set(&formula.right, Voice::Numbers(channel)));
+            row.extend(spaced(numbers, if coloured { text } else { 0.0 }));
+            if let (true, Some(value)) = (coloured, value) {
+                let end = result(set::number_text(value, channel, language));
+                row.extend(spaced(end, text));
+            }
+            sheet.push(row, width, indent, 0.25 * text);
+        }
+        if coloured {
+            return;
+        }
+    }
+    if let Some(whole) = whole {
+        sheet.push(result(whole), width, indent, 0.25 * text);
+    }
+}
+
+/// Atoms that may begin a new line, with a space before.
+fn spaced(mut atoms: Vec<Atom>, text: f32) -> Vec<Atom> {
+    if let Some(first) = atoms.first_mut() {
+        first.breaks = true;
+        first.space = 0.4 * text;
+    }
+    atoms
+}
+
+#[cfg(test)]
+mod tests;

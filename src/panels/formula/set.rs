@@ -1,0 +1,289 @@
+//! Sets the pieces of a template in boxes beside each other, and lets them flow into lines.
+
+use super::super::values::shown;
+use super::super::words::Language;
+use super::template::{Known, Piece, Place};
+use crate::picture::{Ink, Picture, Style, Tag, Text, ascent, descent};
+use crate::record::Value;
+use glam::Vec2;
+
+/// Whether a formula is written with its symbols or with the numbers of a colour channel (0 for what has no colour).
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Voice {
+    Symbols,
+    Numbers(usize),
+}
+
+/// What stays together on a line: texts and fraction bars around a common baseline.
+#[derive(Clone, Default)]
+pub struct Atom {
+    texts: Vec<(Vec2, String, Text, Option<Tag>)>,
+    /// Left end and length.
+    bars: Vec<(Vec2, f32)>,
+    width: f32,
+    up: f32,
+    down: f32,
+    /// Whether a line may end before it, and the space that else stands there.
+    pub breaks: bool,
+    pub space: f32,
+}
+
+impl Atom {
+    pub fn text(text: String, style: Text) -> Self {
+        Atom {
+            width: style.width(&text),
+            up: ascent(style.style, style.size),
+            down: descent(style.style, style.size),
+            texts: vec![(Vec2::ZERO, text, style, None)],
+            ..Atom::default()
+        }
+    }
+
+    /// Puts `other` to the right, its baseline `drop` lower.
+    fn append(&mut self, other: Atom, drop: f32) {
+        let at = Vec2::new(self.width, drop);
+        let moved = |(place, text, style, tag)| (place + at, text, style, tag);
+        self.texts.extend(other.texts.into_iter().map(moved));
+        self.bars.extend(
+            other
+                .bars
+                .into_iter()
+                .map(|(place, length)| (place + at, length)),
+        );
+        self.width += other.width;
+        self.up = self.up.max(other.up - drop);
+        self.down = self.down.max(other.down + drop);
+    }
+
+    /// One above the other with a bar between, at the height of a minus sign.
+    fn fraction(above: Atom, below: Atom, size: f32) -> Self {
+        const PADDING: f32 = 2.0;
+        let width = above.width.max(below.width) + 2.0 * PADDING;
+        let axis = -0.31 * size;
+        let mut fraction = Atom {
+            bars: vec![(Vec2::new(1.0, axis), width - 2.0)],
+            ..Atom::default()
+        };
+        for (part, drop) in [
+            (&above, axis - 1.5 - above.down),
+            (&below, axis + 2.5 + below.up),
+        ] {
+            fraction.width = 0.5 * (width - part.width);
+            fraction.append(part.clone(), drop);
+        }
+        fraction.width = width;
+        fraction
+    }
+}
+
+/// The atoms of a template; a line may break before an operator outside of parentheses.
+pub fn set_pieces(
+    pieces: &[Piece],
+    voice: Voice,
+    known: &Known,
+    language: Language,
+    size: f32,
+    stacked: bool,
+) -> Vec<Atom> {
+    let style = match voice {
+        Voice::Symbols => Style::Formula.size(size),
+        Voice::Numbers(_) => Style::Label.size(size),
+    };
+    let mut atoms = vec![Atom::default()];
+    let mut depth = 0;
+    // What stands before a number: after an operator, a negative one needs parentheses.
+    let mut before = ' ';
+    let mut raised = false;
+    for piece in pieces {
+        let last = atoms.len() - 1;
+        match piece {
+            Piece::Text(text) => {
+                let mut start = 0;
+                for (at, c) in text.char_indices() {
+                    depth += i32::from(c == '(') - i32::from(c == ')');
+                    let next = text[at..].chars().nth(1);
+                    if c == ' ' && depth == 0 && next.is_some_and(|next| "+−·<≥".contains(next))
+                    {
+                        append_text(&mut atoms, &text[start..at], style);
+                        atoms.push(Atom {
+                            breaks: true,
+                            space: 0.3 * size,
+                            ..Atom::default()
+                        });
+                        start = at + 1;
+                    }
+                    if c != ' ' {
+                        before = c;
+                    }
+                }
+                raised = text.ends_with('^');
+                let end = text.len() - usize::from(raised);
+                append_text(&mut atoms, &text[start.min(end)..end], style);
+            }
+            Piece::Place(place) => {
+                let text = match voice {
+                    Voice::Symbols => place.symbol.clone(),
+                    Voice::Numbers(channel) => {
+                        numbers(place, known, channel, "+−·/".contains(before), language)
+                    }
+                };
+                let text = if raised { format!("^{{{text}}}") } else { text };
+                let style = match voice {
+                    Voice::Symbols => style,
+                    Voice::Numbers(_) => style.ink(Ink::Linked),
+                };
+                let mut atom = Atom::text(text, style);
+                if let Some(told) = known.get(&place.name) {
+                    atom.texts[0].3 = Some(Tag::Field(told.field.name));
+                }
+                atoms[last].append(atom, 0.0);
+                (before, raised) = (' ', false);
+            }
+            Piece::Fraction(above, below) => {
+                let part = |pieces: &[Piece]| {
+                    joined(set_pieces(pieces, voice, known, language, size, stacked))
+                };
+                let (above_set, below_set) = (part(above), part(below));
+                if stacked {
+                    atoms[last].append(Atom::fraction(above_set, below_set, size), 0.0);
+                } else {
+                    let bracketed = |atom: Atom, pieces: &[Piece]| {
+                        let single = pieces.len() == 1
+                            && !matches!(&pieces[0], Piece::Text(text) if text.contains(' '));
+                        if single {
+                            return atom;
+                        }
+                        let mut whole = Atom::text("(".to_string(), style);
+                        whole.append(atom, 0.0);
+                        whole.append(Atom::text(")".to_string(), style), 0.0);
+                        whole
+                    };
+                    atoms[last].append(bracketed(above_set, above), 0.0);
+                    atoms[last].append(Atom::text("/".to_string(), style), 0.0);
+                    atoms[last].append(bracketed(below_set, below), 0.0);
+                }
+                before = ' ';
+            }
+        }
+    }
+    atoms
+}
+
+fn append_text(atoms: &mut [Atom], text: &str, style: Text) {
+    if let (false, Some(last)) = (text.is_empty(), atoms.last_mut()) {
+        last.append(Atom::text(text.to_string(), style), 0.0);
+    }
+}
+
+fn joined(atoms: Vec<Atom>) -> Atom {
+    let mut whole = Atom::default();
+    for atom in atoms {
+        whole.width += atom.space;
+        whole.append(atom, 0.0);
+    }
+    whole
+}
+
+/// The most terms of a sum that are written out.
+const MOST_TERMS: usize = 5;
+
+/// The values of a placeholder, several joined by plus signs.
+fn numbers(
+    place: &Place,
+    known: &Known,
+    channel: usize,
+    after_operator: bool,
+    language: Language,
+) -> String {
+    let values = known.values(place).unwrap_or_default();
+    let terms: Vec<String> = values
+        .iter()
+        .enumerate()
+        .map(|(i, &value)| {
+            let text = number_text(value, channel, language);
+            if text.starts_with('−') && (after_operator || i > 0) {
+                format!("({text})")
+            } else {
+                text
+            }
+        })
+        .collect();
+    if terms.len() > MOST_TERMS {
+        let (first, last) = (&terms[..MOST_TERMS - 2], &terms[terms.len() - 1]);
+        format!("{} + … + {last}", first.join(" + "))
+    } else {
+        terms.join(" + ")
+    }
+}
+
+/// A value as it stands in a formula: of a colour the one channel.
+pub fn number_text(value: Value, channel: usize, language: Language) -> String {
+    match value {
+        Value::Rgb(color) => shown(Value::Number(color.channels()[channel]), 4, language),
+        value => shown(value, 4, language),
+    }
+}
+
+/// A line of atoms, and the space above it.
+pub struct Line {
+    atom: Atom,
+    pub gap: f32,
+}
+
+impl Line {
+    pub fn height(&self) -> f32 {
+        self.atom.up + self.atom.down
+    }
+
+    /// With its upper left corner at (x, y).
+    pub fn draw(self, picture: &mut Picture, x: f32, y: f32) {
+        let at = Vec2::new(x, y + self.atom.up);
+        for (place, text, style, tag) in self.atom.texts {
+            let item = |picture: &mut Picture| {
+                picture.text(at + place, text, style);
+            };
+            match tag {
+                Some(tag) => {
+                    picture.tagged(tag, item);
+                }
+                None => item(picture),
+            }
+        }
+        for (place, length) in self.atom.bars {
+            let from = at + place;
+            picture.line(from, from + Vec2::X * length, Ink::Text.stroke(1.0));
+        }
+    }
+}
+
+/// Breaks atoms into lines of at most `width`, those after the first set in by `indent`; and whether none is wider.
+pub fn flow(atoms: Vec<Atom>, width: f32, indent: f32) -> (Vec<Line>, bool) {
+    let mut lines: Vec<Atom> = Vec::new();
+    let mut units: Vec<Atom> = Vec::new();
+    for atom in atoms {
+        match units.last_mut() {
+            Some(unit) if !atom.breaks => unit.append(atom, 0.0),
+            _ => units.push(atom),
+        }
+    }
+    for unit in units {
+        match lines.last_mut() {
+            Some(line) if line.width + unit.space + unit.width <= width => {
+                line.width += unit.space;
+                line.append(unit, 0.0);
+            }
+            _ => {
+                let mut line = Atom::default();
+                line.width = if lines.is_empty() { 0.0 } else { indent };
+                line.append(unit, 0.0);
+                lines.push(line);
+            }
+        }
+    }
+    let fits = lines.iter().all(|line| line.width <= width);
+    let lines = lines
+        .into_iter()
+        .map(|atom| Line { atom, gap: 0.0 })
+        .collect();
+    (lines, fits)
+}

@@ -1,0 +1,118 @@
+use super::super::crowd::{self, SIZES, assert_legible, texts};
+use super::super::sample::Sample;
+use super::*;
+use crate::render::Method;
+use std::collections::HashSet;
+
+/// Every step of the crowd, by every method.
+fn each_step(mut look: impl FnMut(&str, &Known)) {
+    for method in Method::ALL {
+        let sample = crowd::crowd(method);
+        for step in 0..sample.walk().len() {
+            look(sample.walk().kind(step), &Known::at(sample.walk(), step));
+        }
+    }
+}
+
+#[test]
+fn every_step_has_an_entry_and_every_entry_and_formula_is_used_with_all_its_values() {
+    let mut used = HashSet::new();
+    each_step(|kind, known| {
+        let entry = entry(kind, known).unwrap_or_else(|| panic!("{kind} has no entry"));
+        for language in Language::ALL {
+            let says = filled(entry.says, known, language).replace("f_{att}", "");
+            assert!(!says.contains('{'), "{kind}: {says}");
+        }
+        for formula in entry
+            .formulas
+            .iter()
+            .filter(|formula| holds(formula.when, known))
+        {
+            for place in places(&parse(formula.template)) {
+                let values = known.values(place);
+                assert!(values.is_some(), "{kind}: nobody told {}", place.name);
+            }
+            used.insert(formula.template);
+        }
+        used.insert(entry.says.en);
+    });
+    for entry in TABLE {
+        assert!(
+            used.contains(entry.says.en),
+            "{}: {}",
+            entry.kind,
+            entry.says.en
+        );
+        for formula in entry.formulas {
+            assert!(used.contains(formula.template), "{}", formula.template);
+        }
+    }
+}
+
+#[test]
+fn the_result_is_printed_as_the_field_is() {
+    let mut sample = crowd::crowd(Method::Gouraud);
+    for step in sample.some_steps(997) {
+        sample.seek(step);
+        let picture = draw(&sample.show(), SIZES[5]);
+        let known = Known::at(sample.walk(), step);
+        let entry = entry(sample.walk().kind(step), &known).expect("every step has one");
+        for formula in formulas(entry, &known) {
+            let Some(value) = formula.result(&known) else {
+                continue;
+            };
+            let coloured = formula.is_coloured(&known) && !formula.right.is_empty();
+            for channel in 0..if coloured { 3 } else { 1 } {
+                let expected = if coloured && !places(&formula.right).is_empty() {
+                    set::number_text(value, channel, Language::English)
+                } else {
+                    shown(value, 4, Language::English)
+                };
+                let found = texts(&picture).iter().any(|(text, _)| *text == expected);
+                assert!(found, "{}: {expected}", entry.kind);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_step_is_legible_at_every_size() {
+    for method in Method::ALL {
+        let mut sample = crowd::crowd(method);
+        for step in sample.some_steps(2011) {
+            sample.seek(step);
+            for size in SIZES {
+                for language in Language::ALL {
+                    let picture = draw(&sample.show_in(language), size);
+                    let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                    assert_legible(&picture, &what);
+                    assert!(!picture.items.is_empty(), "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_interpolated_edge_has_symbols_numbers_and_result() {
+    let mut sample = Sample::triangle(Method::Gouraud);
+    sample.go_to("EdgeInterpolated", 4);
+    let picture = draw(&sample.show(), Vec2::new(500.0, 300.0));
+    let printed: String = texts(&picture).into_iter().map(|(text, _)| text).collect();
+    let fields = sample.walk().fields(sample.walk().position());
+    for name in ["y_4", "y_2", "y_1", "I_1", "I_2", "I_4", "difference"] {
+        let value = fields.get(name).expect("told");
+        assert!(
+            printed.contains(&shown(value, 4, Language::English)),
+            "{name} in {printed}"
+        );
+    }
+}
+
+#[test]
+fn nothing_recorded_is_said() {
+    let sample = crowd::nothing();
+    for language in Language::ALL {
+        assert_legible(&draw(&sample.show_in(language), SIZES[0]), "empty");
+    }
+}

@@ -1,0 +1,180 @@
+//! Labels beside points: each goes where it covers no other one, and as few lines as can be.
+
+use crate::picture::{Ink, Picture, Rect, Text, ascent, descent};
+use glam::Vec2;
+
+/// Gaps between a point and its label, in points.
+const GAPS: [f32; 7] = [3.0, 8.0, 15.0, 24.0, 36.0, 52.0, 72.0];
+/// From the n-th gap on a thin line leads from the point to the label.
+const LED: usize = 3;
+/// Between the boxes of two labels.
+const APART: f32 = 1.0;
+
+pub(super) struct Labels {
+    area: Rect,
+    taken: Vec<Rect>,
+    lines: Vec<[Vec2; 2]>,
+}
+
+impl Labels {
+    /// All labels will lie in `area`.
+    pub fn new(area: Rect) -> Self {
+        Labels {
+            area,
+            taken: Vec::new(),
+            lines: Vec::new(),
+        }
+    }
+
+    /// No label may cover `rect`.
+    pub fn keep_free(&mut self, rect: Rect) {
+        self.taken.push(rect);
+    }
+
+    /// Labels should not cover the line, but may.
+    pub fn spare(&mut self, from: Vec2, to: Vec2) {
+        self.lines.push([from, to]);
+    }
+
+    /// Writes `text` beside the disc of `radius` at `at`, rather in the direction `toward`. Where there is no room left the
+    /// label is left out.
+    pub fn put(
+        &mut self,
+        picture: &mut Picture,
+        (at, radius): (Vec2, f32),
+        toward: Vec2,
+        text: &str,
+        set: Text,
+    ) {
+        let above = ascent(set.style, set.size);
+        let size = Vec2::new(set.width(text), above + descent(set.style, set.size));
+        let Some((place, gap)) = self.place(at, radius, toward.normalize_or_zero(), size) else {
+            return;
+        };
+        if gap >= LED {
+            let [start, end] = leader(at, radius, place);
+            picture.line(start, end, Ink::Muted.stroke(0.75));
+            self.spare(start, end);
+        }
+        let baseline = Vec2::new(place.x, place.y + above);
+        let set = Text {
+            anchor: crate::picture::Anchor::Start,
+            ..set
+        };
+        picture.text(baseline, text, set);
+        self.taken.push(place);
+    }
+
+    /// The cheapest free box beside a disc, and which gap lies between them.
+    fn place(&self, at: Vec2, radius: f32, toward: Vec2, size: Vec2) -> Option<(Rect, usize)> {
+        let mut best: Option<(f32, Rect, usize)> = None;
+        for (ring, gap) in GAPS.into_iter().enumerate() {
+            for turn in 0..16 {
+                let direction = Vec2::from_angle(turn as f32 * std::f32::consts::PI / 8.0);
+                // The box's nearest point, not its middle, keeps the distance.
+                let middle = at + (radius + gap) * direction + 0.5 * size * squared(direction);
+                let corner = middle - 0.5 * size;
+                let place = Rect::new(corner.x, corner.y, size.x, size.y);
+                if !self.is_free(place) {
+                    continue;
+                }
+                let crossed = self.lines.iter().filter(|line| crosses(**line, place));
+                let mut cost = 0.1 * gap + 2.0 * crossed.count() as f32 - direction.dot(toward);
+                if ring >= LED {
+                    let line = leader(at, radius, place);
+                    let struck = self.taken.iter().filter(|taken| crosses(line, **taken));
+                    cost += 4.0 * struck.count() as f32;
+                }
+                if best.is_none_or(|(least, ..)| cost < least) {
+                    best = Some((cost, place, ring));
+                }
+            }
+        }
+        best.map(|(_, place, ring)| (place, ring))
+    }
+
+    fn is_free(&self, place: Rect) -> bool {
+        let apart = place.grown(APART);
+        self.area.encloses(&place)
+            && !self
+                .taken
+                .iter()
+                .any(|taken| !taken.intersection(&apart).is_empty())
+    }
+}
+
+/// The line from the edge of a disc to the nearest point of a box.
+fn leader(at: Vec2, radius: f32, place: Rect) -> [Vec2; 2] {
+    let near = at.clamp(place.min(), place.max());
+    [at + radius * (near - at).normalize_or_zero(), near]
+}
+
+/// The point of the square in a direction from its middle, from −1 to 1 on both axes.
+fn squared(direction: Vec2) -> Vec2 {
+    direction / direction.abs().max_element()
+}
+
+/// Whether a line passes through a rectangle (Liang and Barsky).
+fn crosses([from, to]: [Vec2; 2], rect: Rect) -> bool {
+    let (mut first, mut last) = (0.0_f32, 1.0_f32);
+    let along = to - from;
+    for (step, low, high) in [
+        (along.x, rect.x - from.x, rect.right() - from.x),
+        (along.y, rect.y - from.y, rect.bottom() - from.y),
+    ] {
+        if step == 0.0 {
+            if low > 0.0 || high < 0.0 {
+                return false;
+            }
+        } else {
+            let (enter, leave) = (low / step, high / step);
+            first = first.max(enter.min(leave));
+            last = last.min(enter.max(leave));
+        }
+    }
+    first <= last
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::picture::Style;
+
+    #[test]
+    fn labels_of_one_point_lie_apart_until_there_is_no_room() {
+        let area = Rect::new(0.0, 0.0, 120.0, 90.0);
+        let mut labels = Labels::new(area);
+        let mut picture = Picture::new(120.0, 90.0);
+        for _ in 0..40 {
+            let set = Style::Label.size(12.0);
+            labels.put(
+                &mut picture,
+                (Vec2::new(60.0, 45.0), 4.0),
+                Vec2::X,
+                "I_4 = 0.5",
+                set,
+            );
+        }
+        let count = labels.taken.len();
+        assert!((4..40).contains(&count), "{count} labels");
+        for (i, place) in labels.taken.iter().enumerate() {
+            assert!(area.encloses(place));
+            let others = &labels.taken[..i];
+            assert!(
+                others
+                    .iter()
+                    .all(|other| other.intersection(place).is_empty())
+            );
+        }
+    }
+
+    #[test]
+    fn a_line_crosses_a_box_that_it_passes_through() {
+        let rect = Rect::new(10.0, 10.0, 10.0, 10.0);
+        let line = |from: [f32; 2], to: [f32; 2]| [Vec2::from(from), Vec2::from(to)];
+        assert!(crosses(line([0.0, 0.0], [30.0, 30.0]), rect));
+        assert!(crosses(line([15.0, 0.0], [15.0, 11.0]), rect));
+        assert!(!crosses(line([0.0, 25.0], [25.0, 40.0]), rect));
+        assert!(!crosses(line([0.0, 5.0], [40.0, 5.0]), rect));
+    }
+}

@@ -1,0 +1,27 @@
+//! What a panel says instead of a picture.
+
+use super::words::{Language, Words};
+use crate::picture::{Ink, Picture, Style, wrap};
+use glam::Vec2;
+
+/// Where nothing was recorded.
+pub const NO_STEPS: Words = Words::new(
+    "Nothing is recorded here: no polygon lies in the focus. Click the image to look at another place.",
+    "Tidak ada yang direkam di sini: tidak ada poligon dalam fokus. Klik gambar untuk melihat tempat lain.",
+);
+
+/// A picture of one friendly sentence, centred.
+pub fn message(words: Words, language: Language, size: Vec2) -> Picture {
+    const LINE: f32 = 18.0;
+    let text = words.in_language(language);
+    let mut picture = Picture::new(size.x, size.y);
+    picture.alt = text.to_string();
+    let style = Style::Body.size(13.0).ink(Ink::Muted).middle();
+    let lines = wrap(text, style.style, style.size, (size.x - 32.0).min(420.0));
+    let top = 0.5 * (size.y - LINE * lines.len() as f32);
+    for (i, line) in lines.into_iter().enumerate() {
+        let y = top + LINE * (i as f32 + 0.5) + style.baseline_below_middle();
+        picture.text((0.5 * size.x, y), line, style);
+    }
+    picture
+}

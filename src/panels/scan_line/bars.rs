@@ -1,0 +1,250 @@
+//! An interpolation as bars: how much weight each end has, the ramp from end to end, and the direct and the incremental value.
+
+use super::super::values::{difference, short, value_of};
+use super::super::words::{Language, Words};
+use crate::algorithms::scan_line::Carried;
+use crate::color::Rgb;
+use crate::numeric::interpolate;
+use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, Text, measure};
+use crate::record::Value;
+use crate::replay::shading::State;
+use glam::Vec2;
+
+const WEIGHTS: Words = Words::new("weights", "bobot");
+const RAMP: Words = Words::new("ramp", "gradasi");
+const DIRECT: Words = Words::new("direct", "langsung");
+const INCREMENTAL: Words = Words::new("incremental", "inkremental");
+const DIFFERENCE: Words = Words::new("difference", "selisih");
+
+/// Height of a bar with the gap under it, and of a line of text.
+const BAR: f32 = 24.0;
+const LINE: f32 = 16.0;
+/// The width from which on the values stand side by side.
+const WIDE: f32 = 420.0;
+/// Colours along the ramp.
+const SHADES: u32 = 64;
+
+/// The height that the bars take of a panel of that size: none where the panel is too low.
+pub(super) fn height(size: Vec2) -> f32 {
+    let lines = if size.x >= WIDE { 2.0 } else { 3.0 };
+    match size.y {
+        y if y >= 300.0 => 2.0 * BAR + lines * LINE + 6.0,
+        y if y >= 230.0 => 2.0 * BAR + 4.0,
+        y if y >= 170.0 => BAR + 4.0,
+        _ => 0.0,
+    }
+}
+
+/// An interpolation between two ends.
+pub(super) struct Interpolation {
+    ends: [(&'static str, Value); 2],
+    /// Of the ends; they sum up to 1.
+    weights: [f64; 2],
+    /// Names of the direct and the incremental value.
+    names: [&'static str; 2],
+    values: Option<[Value; 2]>,
+    difference: Option<Value>,
+}
+
+impl Interpolation {
+    /// That of the pixel in hand on its span, or of the edge in hand on the scan line.
+    pub fn in_hand<A: Carried>(state: &State<A>) -> Option<Self> {
+        let names = A::NAMES?;
+        let both = |(direct, incremental): (A, A)| {
+            Some((
+                [value_of(direct)?, value_of(incremental)?],
+                value_of(incremental - direct)?,
+            ))
+        };
+        if let (Some(pixel), Some(span)) = (&state.pixel, &state.span) {
+            let (four, five) = span.ends?;
+            let told = pixel.values.and_then(both);
+            return Some(Interpolation {
+                ends: [(names.four, value_of(four)?), (names.five, value_of(five)?)],
+                weights: weights(span.x_4, span.x_5, pixel.x_p),
+                names: [names.pixel, names.pixel_incremental],
+                values: told.map(|(values, _)| values),
+                difference: told.map(|(_, difference)| difference),
+            });
+        }
+        let edge = state.edges.get(state.edge?)?;
+        let upper = state.corners.get(usize::from(edge.upper))?;
+        let lower = state.corners.get(usize::from(edge.lower))?;
+        let told = edge.cut.as_ref().and_then(|cut| cut.values).and_then(both);
+        Some(Interpolation {
+            ends: [
+                (names.one, value_of(upper.value)?),
+                (names.two, value_of(lower.value)?),
+            ],
+            weights: weights(upper.y, lower.y, state.scan_line?.y_4),
+            names: [names.four, names.four_incremental],
+            values: told.map(|(values, _)| values),
+            difference: told.map(|(_, difference)| difference),
+        })
+    }
+
+    pub fn draw(&self, picture: &mut Picture, area: Rect, language: Language) {
+        let title = Style::Body.size(12.0).ink(Ink::Muted);
+        let titles = [WEIGHTS, RAMP].map(|words| words.in_language(language));
+        // Titles only where the bars stay long.
+        let left = if area.width >= 380.0 { 72.0 } else { 4.0 };
+        let bar = |row: f32| {
+            Rect::new(
+                area.x + left,
+                area.y + row * BAR + 2.0,
+                area.width - left - 4.0,
+                BAR - 6.0,
+            )
+        };
+        if left > 4.0 {
+            let rows = if area.height >= 2.0 * BAR { 2 } else { 1 };
+            for (row, words) in titles.into_iter().enumerate().take(rows) {
+                let bar = bar(row as f32);
+                let place = Rect::new(area.x + 4.0, bar.y, left, bar.height);
+                picture.text_in(place, words, title);
+            }
+        }
+        self.draw_weights(picture, bar(0.0));
+        if area.height >= 2.0 * BAR - 4.0 {
+            self.draw_ramp(picture, bar(1.0));
+        }
+        let rest = area.height - 2.0 * BAR;
+        if rest >= LINE {
+            let rest = Rect::new(area.x + 4.0, area.y + 2.0 * BAR, area.width - 8.0, rest);
+            self.draw_values(picture, rest, language);
+        }
+    }
+
+    /// A bar in two parts, as long as the weights of the ends.
+    fn draw_weights(&self, picture: &mut Picture, bar: Rect) {
+        let cut = bar.x + self.weights[0].clamp(0.0, 1.0) as f32 * bar.width;
+        let parts = [
+            Rect::between(bar.min(), (cut, bar.bottom())),
+            Rect::between((cut, bar.y), bar.max()),
+        ];
+        let set = Style::Label.size(12.0).middle();
+        for (i, (part, fill)) in parts
+            .into_iter()
+            .zip([Ink::LinkedTint, Ink::Faint])
+            .enumerate()
+        {
+            let (name, _) = self.ends[i];
+            let weight = short(self.weights[i].into(), 3);
+            picture.tagged(Tag::Field(name), |picture| {
+                picture.rect(part, fill);
+                let texts = [format!("{weight} → {name}"), name.to_string()];
+                let fits = |text: &&String| set.width(text) <= part.width - 4.0;
+                if let Some(text) = texts.iter().find(fits) {
+                    picture.text_in(part, text.clone(), set);
+                }
+            });
+        }
+        picture.rect(bar, Ink::Rule.stroke(1.0));
+    }
+
+    /// The colours from one end to the other, with a mark where the step is.
+    fn draw_ramp(&self, picture: &mut Picture, bar: Rect) {
+        let [(first, one), (second, two)] = self.ends;
+        let set = Style::Label.size(12.0);
+        let room = set.width(first).max(set.width(second)) + 8.0;
+        let strip = Rect::new(bar.x + room, bar.y, bar.width - 2.0 * room, bar.height);
+        let ends = [(first, bar.x, set), (second, bar.right(), set.end())];
+        for (name, x, set) in ends {
+            let y = bar.center().y + set.baseline_below_middle();
+            picture.tagged(Tag::Field(name), |picture| {
+                picture.text((x, y), name, set);
+            });
+        }
+        if let (Value::Rgb(one), Value::Rgb(two)) = (one, two) {
+            picture.image(strip, shades(one, two));
+        }
+        picture.rect(strip, Ink::Rule.stroke(1.0));
+        let x = strip.x + self.weights[1].clamp(0.0, 1.0) as f32 * strip.width;
+        let mark = Rect::new(x - 3.0, strip.y - 2.0, 6.0, strip.height + 4.0);
+        picture.rect(mark.grown(1.0), Ink::Surface.stroke(1.0));
+        picture.rect(mark, Ink::This.stroke(2.0));
+    }
+
+    /// Direct value, incremental value, and what lies between them: side by side where there is room.
+    fn draw_values(&self, picture: &mut Picture, area: Rect, language: Language) {
+        let Some([direct, incremental]) = self.values else {
+            return;
+        };
+        let digits = |value| match value {
+            Value::Rgb(color) if !color.is_grey() => 3,
+            _ => 6,
+        };
+        let columns = [
+            (DIRECT, self.names[0], exact(direct, digits(direct))),
+            (
+                INCREMENTAL,
+                self.names[1],
+                exact(incremental, digits(incremental)),
+            ),
+            (
+                DIFFERENCE,
+                "difference",
+                self.difference.map(difference).unwrap_or_default(),
+            ),
+        ];
+        let title = Style::Body.size(12.0).ink(Ink::Muted);
+        let side_by_side = area.width + 12.0 >= WIDE;
+        for (i, (words, name, value)) in columns.into_iter().enumerate() {
+            let i = i as f32;
+            let (words_at, value_at, room) = if side_by_side {
+                let width = area.width / 3.0;
+                let x = area.x + i * width;
+                ((x, area.y), (x, area.y + LINE), width - 8.0)
+            } else {
+                let y = area.y + i * LINE;
+                ((area.x, y), (area.x + 88.0, y), area.width - 88.0)
+            };
+            let below = 0.5 * LINE + title.baseline_below_middle();
+            picture.text(
+                (words_at.0, words_at.1 + below),
+                words.in_language(language),
+                title,
+            );
+            picture.tagged(Tag::Field(name), |picture| {
+                let set = fitted(&value, room);
+                picture.text((value_at.0, value_at.1 + below), value, set);
+            });
+        }
+    }
+}
+
+/// With all its decimals, so that values stand under each other.
+fn exact(value: Value, digits: usize) -> String {
+    let one = |v: f64| crate::picture::fixed(v, digits);
+    match value {
+        Value::Rgb(color) if color.is_grey() => one(color.r),
+        Value::Rgb(color) => color.channels().map(one).join(" "),
+        value => short(value, digits),
+    }
+}
+
+/// Typewriter where it fits, else the narrower text face.
+fn fitted(text: &str, room: f32) -> Text {
+    if measure(text, Style::Mono, 12.0) <= room {
+        Style::Mono.size(12.0)
+    } else {
+        Style::Body.size(11.0)
+    }
+}
+
+/// The weights of two values at `one` and `two`, at a place between them.
+fn weights(one: f64, two: f64, at: f64) -> [f64; 2] {
+    [
+        interpolate(1.0, one, 0.0, two, at),
+        interpolate(0.0, one, 1.0, two, at),
+    ]
+}
+
+/// Colours from one to another, left to right.
+fn shades(one: Rgb, two: Rgb) -> Image {
+    let last = f64::from(SHADES - 1);
+    let bytes: Vec<u8> = (0..SHADES)
+        .flat_map(|i| interpolate(one, 0.0, two, last, i.into()).to_srgb8())
+        .collect();
+    Image::new(SHADES, 1, bytes)
+}

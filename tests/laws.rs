@@ -1,0 +1,277 @@
+//! Laws that hold for every scan-line method, on a scene with everything in it.
+
+mod common;
+
+use common::{TEAPOT, stage};
+use lightwalk::algorithms::flat::flat;
+use lightwalk::algorithms::focus::Focus;
+use lightwalk::algorithms::frame::Frame;
+use lightwalk::algorithms::gouraud::gouraud;
+use lightwalk::algorithms::stage::Stage;
+use lightwalk::algorithms::wireframe::wireframe;
+use lightwalk::record::{Recording, RecordingLimit};
+use lightwalk::render::{Method, render};
+use lightwalk::replay::{Canvas, Run, Walk};
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+const ONE: NonZeroUsize = NonZeroUsize::MIN;
+
+fn unrecorded(stage: &Stage, method: Method) -> Frame {
+    render(stage, method, ONE, &|_, _| {})
+}
+
+/// The frame that a recorded run draws, and how many steps it kept.
+fn recorded(
+    stage: &Stage,
+    method: Method,
+    focus: Focus,
+    limit: RecordingLimit,
+) -> (Frame, usize, bool) {
+    let mut frame = Frame::new(
+        stage.view.width,
+        0..stage.view.height,
+        stage.scene.background,
+    );
+    match method {
+        Method::Wireframe => {
+            let mut recording = Recording::new(limit);
+            wireframe(stage, focus, &mut frame, &mut recording);
+            (frame, recording.len(), recording.truncated())
+        }
+        Method::Flat => {
+            let mut recording = Recording::new(limit);
+            flat(stage, focus, &mut frame, &mut recording);
+            (frame, recording.len(), recording.truncated())
+        }
+        Method::Gouraud => {
+            let mut recording = Recording::new(limit);
+            gouraud(stage, focus, &mut frame, &mut recording);
+            (frame, recording.len(), recording.truncated())
+        }
+    }
+}
+
+#[test]
+fn a_recorded_frame_is_the_unrecorded_one_bit_for_bit() {
+    let stage = stage(TEAPOT, 160, 120);
+    for method in Method::ALL {
+        let (frame, steps, truncated) =
+            recorded(&stage, method, Focus::Frame, RecordingLimit::default());
+        assert!(frame == unrecorded(&stage, method), "{}", method.name());
+        assert!(steps > 10_000 && !truncated);
+    }
+}
+
+#[test]
+fn a_truncated_recording_still_draws_the_right_picture() {
+    let stage = stage(TEAPOT, 160, 120);
+    for method in Method::ALL {
+        let (frame, steps, truncated) =
+            recorded(&stage, method, Focus::Frame, RecordingLimit(100_000));
+        assert!(frame == unrecorded(&stage, method), "{}", method.name());
+        assert!(truncated && steps <= 100_000 / 32);
+    }
+}
+
+#[test]
+fn any_number_of_threads_draws_the_same_picture() {
+    let stage = stage(TEAPOT, 97, 61);
+    for method in Method::ALL {
+        let one = unrecorded(&stage, method);
+        for threads in [2, 3, 16] {
+            let many = render(
+                &stage,
+                method,
+                NonZeroUsize::new(threads).unwrap(),
+                &|_, _| {},
+            );
+            assert!(many == one, "{} on {threads} threads", method.name());
+        }
+    }
+}
+
+#[test]
+fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
+    let stage = stage(TEAPOT, 120, 90);
+    for method in Method::ALL {
+        let whole = unrecorded(&stage, method);
+        for y in [0, 20, 45, 46, 89] {
+            let (frame, ..) = recorded(
+                &stage,
+                method,
+                Focus::ScanLine(y),
+                RecordingLimit::default(),
+            );
+            for row in 0..90 {
+                for x in 0..120 {
+                    let expected = if row == y {
+                        whole.pixel(x, row)
+                    } else {
+                        stage.scene.background
+                    };
+                    assert_eq!(
+                        frame.pixel(x, row),
+                        expected,
+                        "{}: ({x}, {row}) in focus {y}",
+                        method.name()
+                    );
+                }
+            }
+        }
+        for (x, y) in [(0, 0), (60, 45), (61, 45), (30, 60), (119, 89), (80, 10)] {
+            let (frame, ..) = recorded(
+                &stage,
+                method,
+                Focus::Pixel { x, y },
+                RecordingLimit::default(),
+            );
+            assert_eq!(
+                frame.pixel(x, y),
+                whole.pixel(x, y),
+                "{}: ({x}, {y})",
+                method.name()
+            );
+            let others = frame
+                .color
+                .iter()
+                .filter(|&&color| color != stage.scene.background)
+                .count();
+            assert!(
+                others <= 1,
+                "{}: a pixel's run drew {others} pixels",
+                method.name()
+            );
+        }
+    }
+}
+
+#[test]
+fn the_polygons_drawn_one_by_one_make_the_frame() {
+    let stage = stage(TEAPOT, 64, 48);
+    for method in [Method::Flat, Method::Gouraud] {
+        let mut frame = Frame::new(64, 0..48, stage.scene.background);
+        for number in 0..stage.tessellation.polygon_count() {
+            let mut recording = Recording::new(RecordingLimit::default());
+            match method {
+                Method::Flat => flat(&stage, Focus::Polygon(number), &mut frame, &mut recording),
+                _ => {
+                    let mut recording = Recording::new(RecordingLimit::default());
+                    gouraud(&stage, Focus::Polygon(number), &mut frame, &mut recording);
+                }
+            }
+        }
+        assert!(frame == unrecorded(&stage, method), "{}", method.name());
+    }
+}
+
+fn canvas_of(run: &Run) -> Vec<lightwalk::color::Rgb> {
+    fn colors(canvas: &Canvas<lightwalk::replay::shading::Dot>) -> Vec<lightwalk::color::Rgb> {
+        canvas.iter().map(|dot| dot.color).collect()
+    }
+    match run {
+        Run::Wireframe(replay) => colors(&replay.state().canvas),
+        Run::Flat(replay) => colors(&replay.state().canvas),
+        Run::Gouraud(replay) => colors(&replay.state().canvas),
+    }
+}
+
+#[test]
+fn the_replayed_picture_is_the_rendered_one() {
+    let stage = Arc::new(stage(TEAPOT, 96, 72));
+    for method in Method::ALL {
+        let mut run = Run::record(
+            stage.clone(),
+            method,
+            Focus::Frame,
+            RecordingLimit::default(),
+        );
+        let last = run.walk().len() - 1;
+        run.walk_mut().seek(last);
+        assert!(
+            canvas_of(&run) == unrecorded(&stage, method).color,
+            "{}",
+            method.name()
+        );
+        // Back to the beginning: nothing is drawn.
+        run.walk_mut().seek(0);
+        assert!(
+            canvas_of(&run)
+                .iter()
+                .all(|&color| color == stage.scene.background)
+        );
+    }
+}
+
+#[test]
+fn every_scope_closes_and_every_step_has_a_line() {
+    let stage = Arc::new(stage(TEAPOT, 32, 24));
+    for method in Method::ALL {
+        let run = Run::record(
+            stage.clone(),
+            method,
+            Focus::Frame,
+            RecordingLimit::default(),
+        );
+        let walk: &dyn Walk = run.walk();
+        assert_eq!(
+            walk.outline().last(0),
+            walk.len() - 1,
+            "the frame is the outermost scope"
+        );
+        for step in 0..walk.len() {
+            let line = walk.line(step);
+            assert!(
+                line.number < line.listing.lines.len(),
+                "{} at step {step}",
+                walk.kind(step)
+            );
+        }
+    }
+}
+
+#[test]
+fn gourauds_values_are_called_as_on_the_slide() {
+    let stage = Arc::new(stage(TEAPOT, 64, 48));
+    let run = Run::record(
+        stage,
+        Method::Gouraud,
+        Focus::Pixel { x: 32, y: 24 },
+        RecordingLimit::default(),
+    );
+    let walk = run.walk();
+    let at = |kind: &str| {
+        (0..walk.len())
+            .find(|&step| walk.kind(step) == kind)
+            .map(|step| walk.fields(step))
+            .unwrap()
+    };
+    let edge = at("EdgeInterpolated");
+    for name in [
+        "y_1",
+        "y_2",
+        "y_4",
+        "I_1",
+        "I_2",
+        "I_4",
+        "x_4",
+        "I_4_incremental",
+        "difference",
+    ] {
+        assert!(edge.get(name).is_some(), "{name}");
+    }
+    let pixel = at("SpanInterpolated");
+    for name in [
+        "x_4",
+        "x_5",
+        "x_P",
+        "I_4",
+        "I_5",
+        "I_P",
+        "I_P_incremental",
+        "difference",
+        "y_4",
+    ] {
+        assert!(pixel.get(name).is_some(), "{name}");
+    }
+}
