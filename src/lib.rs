@@ -1,6 +1,8 @@
 //! Lightwalk: walk through classic rendering, step by step, forward and back.
 
 pub mod algorithms;
+#[cfg(feature = "gui")]
+pub mod app;
 pub mod color;
 pub mod commands;
 pub mod lesson;

@@ -6,6 +6,9 @@ use super::Failure;
 pub struct Arguments {
     /// The id of a lesson, or a lesson file
     lesson: Option<String>,
+    /// The step to open it at, counted from 0
+    #[arg(long, value_name = "N", requires = "lesson")]
+    step: Option<usize>,
 }
 
 #[cfg(feature = "gui")]
@@ -23,7 +26,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             }
         },
     };
-    crate::app::open(lesson).map_err(Failure::Failed)
+    crate::app::open(lesson, arguments.step.unwrap_or(0)).map_err(Failure::Failed)
 }
 
 #[cfg(not(feature = "gui"))]

@@ -39,6 +39,11 @@ const SIZES_A_PIXEL: f32 = 8.0;
 const LARGEST_SIZE: f32 = 1024.0;
 
 impl Face {
+    /// The font file, as it is bundled.
+    pub(super) fn file(self) -> &'static [u8] {
+        FILES[self as usize]
+    }
+
     fn parsed(self) -> &'static ttf_parser::Face<'static> {
         &FACES[self as usize]
     }

@@ -43,7 +43,7 @@ pub use raster::{RasterError, draw_over, rasterize, to_png};
 pub use rect::Rect;
 pub use shape::{Image, Item, Shape};
 pub use tag::Tag;
-pub use text::{Anchor, Style, Text, ascent, descent, elide, measure, wrap};
+pub use text::{Anchor, Style, Text, ascent, descent, elide, font_file, measure, wrap};
 pub use theme::Theme;
 
 /// A display list: what stands later in `items` lies on top. Sizes are in logical points.

@@ -122,6 +122,11 @@ impl Anchor {
     }
 }
 
+/// The bundled TrueType file behind a style, for those that set text themselves.
+pub fn font_file(style: Style) -> &'static [u8] {
+    style.face().file()
+}
+
 /// The width of one line of text, in points.
 pub fn measure(text: &str, style: Style, size: f32) -> f32 {
     place(&mut glyphs(), text, style, size, |_| {})

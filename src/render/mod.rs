@@ -78,7 +78,7 @@ fn map_bands(
             .num_threads(threads.get())
             .build()
     {
-        return pool.install(|| bands.par_iter().map(draw).collect());
+        return pool.install(|| bands.par_iter().map(&draw).collect());
     }
     bands.iter().map(draw).collect()
 }

@@ -1,0 +1,114 @@
+//! The window on the screen: eframe's part of the app.
+
+use super::session::Session;
+use super::window::{self, Window};
+use super::{Command, style};
+use crate::lesson::{Lesson, builtins};
+use std::any::Any;
+use std::panic::{self, AssertUnwindSafe};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+struct App {
+    session: Session,
+    window: Window,
+}
+
+impl eframe::App for App {
+    fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
+        window::ui(&mut self.session, &mut self.window, ui);
+    }
+
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        visuals.panel_fill.to_normalized_gamma_f32()
+    }
+}
+
+/// Opens the window on a lesson (the first of the program's own unless given), at a step, and returns when it is closed.
+///
+/// Errors: one line on why there is no window, and what works without.
+pub fn open(lesson: Option<Lesson>, step: usize) -> Result<(), String> {
+    let lesson = match lesson {
+        Some(lesson) => lesson,
+        None => {
+            let first = builtins().first().ok_or("there is no lesson")?;
+            first.read().map_err(|error| error.to_string())?
+        }
+    };
+    let mut session = Session::new(lesson).map_err(|error| error.to_string())?;
+    // A question on the way has its turn first; there is no other reason to refuse.
+    let _ = session.update(Command::Seek(step));
+    show(session).map_err(|problem| {
+        format!(
+            "cannot open a window: {problem}; `lightwalk frames LESSON --out DIR` and `lightwalk render SCENE --method gouraud --out FILE.png` work without one"
+        )
+    })
+}
+
+fn show(session: Session) -> Result<(), String> {
+    let options = eframe::NativeOptions {
+        viewport: egui::ViewportBuilder::default()
+            .with_title(session.window_title())
+            .with_app_id("lightwalk")
+            .with_icon(egui::IconData::default())
+            .with_inner_size([1280.0, 800.0])
+            .with_min_inner_size([720.0, 480.0]),
+        ..Default::default()
+    };
+    // Where a library is missing, winit panics before there is a window: that is a message, not a crash.
+    let shown = Arc::new(AtomicBool::new(false));
+    let hook = Arc::new(panic::take_hook());
+    panic::set_hook(Box::new({
+        let (shown, hook) = (shown.clone(), hook.clone());
+        move |panic| {
+            if shown.load(Ordering::Relaxed) {
+                hook(panic);
+            }
+        }
+    }));
+    let running = panic::catch_unwind(AssertUnwindSafe(|| {
+        let shown = shown.clone();
+        let create: eframe::AppCreator = Box::new(move |creation| {
+            shown.store(true, Ordering::Relaxed);
+            creation.egui_ctx.set_fonts(style::fonts());
+            Ok(Box::new(App {
+                session,
+                window: Window::default(),
+            }))
+        });
+        eframe::run_native("lightwalk", options, create)
+    }));
+    match running {
+        Ok(result) => result.map_err(|error| no_window(&error.to_string())),
+        Err(panic) if shown.load(Ordering::Relaxed) => panic::resume_unwind(panic),
+        Err(panic) => Err(no_window(&message(&*panic))),
+    }
+}
+
+fn message(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    text.or_else(|| panic.downcast_ref::<&str>().copied())
+        .unwrap_or_default()
+        .to_owned()
+}
+
+/// What is missing, in one line, from what the window system reported.
+fn no_window(report: &str) -> String {
+    let set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    if report.contains("xkbcommon-x11") {
+        return "the library libxkbcommon-x11 is missing (on Debian and Ubuntu: apt install libxkbcommon-x11-0)".into();
+    }
+    if cfg!(target_os = "linux")
+        && !set("DISPLAY")
+        && !set("WAYLAND_DISPLAY")
+        && !set("WAYLAND_SOCKET")
+    {
+        return "there is no display (DISPLAY and WAYLAND_DISPLAY are not set)".into();
+    }
+    let line = report.split_whitespace().collect::<Vec<_>>().join(" ");
+    if line.is_empty() {
+        "the window system did not say why".into()
+    } else {
+        line
+    }
+}

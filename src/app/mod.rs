@@ -1,0 +1,21 @@
+//! The window: a [`Session`] holds what is shown, [`window`] shows it, [`open`] puts it on the screen.
+
+mod key_sheet;
+mod keys;
+mod main_window;
+mod narration;
+mod panel_view;
+mod question_card;
+pub mod session;
+mod style;
+mod tiles;
+mod top_bar;
+mod transport;
+pub mod window;
+mod words;
+
+#[cfg(test)]
+mod tests;
+
+pub use main_window::open;
+pub use session::{Command, Session};

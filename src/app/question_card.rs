@@ -1,0 +1,136 @@
+//! The card that asks before the answer is seen.
+
+use super::session::{Command, Guess, Session, Standing};
+use super::window::Window;
+use super::{style, words};
+use crate::lesson::{Answer, Question};
+use crate::picture::{Ink, number};
+use egui::{Button, Frame, Key, Margin, RichText, Stroke, TextEdit, Ui};
+
+pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let Some((question, standing)) = session.question() else {
+        return;
+    };
+    let theme = session.look.theme;
+    let (fill, line) = match standing {
+        Standing::Open => (Ink::WarnTint, Ink::Warn),
+        _ => (Ink::Surface, Ink::Rule),
+    };
+    let frame = Frame::new()
+        .fill(style::color(theme, fill))
+        .stroke(Stroke::new(1.0, style::color(theme, line)))
+        .corner_radius(5)
+        .inner_margin(Margin::symmetric(12, 10));
+    frame.show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        ui.label(style::strong(session.say(words::BEFORE_YOU_GO_ON), 14.0));
+        ui.label(question.ask(session.look.language));
+        if standing == Standing::Open {
+            ask(session, &question.answer, window, commands, ui);
+        } else {
+            verdict(session, question, standing, commands, ui);
+        }
+    });
+}
+
+fn ask(
+    session: &Session,
+    answer: &Answer,
+    window: &mut Window,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
+    match answer {
+        Answer::Number { .. } => {
+            ui.horizontal_wrapped(|ui| {
+                let edit = TextEdit::singleline(&mut window.answer)
+                    .desired_width(96.0)
+                    .hint_text("0.__");
+                let response = ui.add(edit);
+                let (name, text) = (session.say(words::YOUR_ANSWER), window.answer.clone());
+                response.widget_info(|| egui::WidgetInfo {
+                    label: Some(name.to_owned()),
+                    ..egui::WidgetInfo::text_edit(true, "", &text, "")
+                });
+                let entered =
+                    response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+                if ui
+                    .add(primary(session, session.say(words::CHECK)))
+                    .clicked()
+                    || entered
+                {
+                    commands.push(Command::Answer(Guess::Number(window.answer.clone())));
+                }
+                skip(session, commands, ui);
+            });
+        }
+        Answer::Choice { options, .. } => {
+            for (index, option) in options.iter().enumerate() {
+                let text = &option[session.look.language as usize];
+                if ui.add(Button::new(text).wrap()).clicked() {
+                    commands.push(Command::Answer(Guess::Choice(index)));
+                }
+            }
+            skip(session, commands, ui);
+        }
+        Answer::Pixel { .. } => {
+            ui.label(RichText::new(session.say(words::CLICK_A_PIXEL)).strong());
+            skip(session, commands, ui);
+        }
+    }
+}
+
+fn skip(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    if ui
+        .add(Button::new(session.say(words::SKIP)).frame(false))
+        .clicked()
+    {
+        commands.push(Command::Skip);
+    }
+}
+
+/// The one button of a card that is meant to be pressed.
+fn primary(session: &Session, text: &str) -> Button<'static> {
+    let theme = session.look.theme;
+    let text = style::strong(text, 13.0).color(style::color(theme, Ink::Surface));
+    Button::new(text).fill(style::color(theme, Ink::Linked))
+}
+
+fn verdict(
+    session: &Session,
+    question: &Question,
+    standing: Standing,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
+    let (words, ink) = match standing {
+        Standing::Right => (words::RIGHT, Ink::Good),
+        Standing::Wrong => (words::WRONG, Ink::Warn),
+        Standing::Open | Standing::Skipped => (words::SKIPPED, Ink::Muted),
+    };
+    let answer = match &question.answer {
+        Answer::Number { value, .. } => number(*value),
+        Answer::Choice { options, right } => {
+            options[*right][session.look.language as usize].clone()
+        }
+        Answer::Pixel { x, y, .. } => format!("({x}, {y})"),
+    };
+    let sign = if standing == Standing::Right {
+        "✓ "
+    } else {
+        ""
+    };
+    let ink = style::color(session.look.theme, ink);
+    ui.label(style::strong(format!("{sign}{} {answer}", session.say(words)), 14.0).color(ink));
+    ui.label(question.why(session.look.language));
+    if ui
+        .link(format!(
+            "{} {} →",
+            session.say(words::SHOW_THE_STEP),
+            question.step
+        ))
+        .clicked()
+    {
+        commands.push(Command::Seek(question.step));
+    }
+}

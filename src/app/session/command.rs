@@ -1,0 +1,113 @@
+//! What a user can ask of a session, and why it may be refused.
+
+use crate::algorithms::focus::Focus;
+use crate::panels::words::{Language, Words};
+use crate::picture::{Tag, Theme};
+
+/// Everything that keys, buttons and clicks do.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// So many events on; the last one where there are fewer.
+    Forward(usize),
+    /// So many events back.
+    Back(usize),
+    NextScope,
+    PreviousScope,
+    /// To the next event, inside the scope that opens here.
+    Into,
+    /// To what follows the scope that opens here.
+    Over,
+    /// To what follows the scope around.
+    Out,
+    Start,
+    End,
+    NextNarrated,
+    PreviousNarrated,
+    Seek(usize),
+    /// To the next event that a search text selects; around the end to the first.
+    Find(String),
+    FindBack(String),
+    /// To where the keyboard writes a search.
+    Search,
+    /// Plays, or pauses.
+    Play,
+    PlayBackwards,
+    Faster,
+    Slower,
+    /// The loop starts at this step; a second time, there is none.
+    LoopFrom,
+    LoopTo,
+    LoopOff,
+    /// Sets one at this step, or takes it away.
+    Breakpoint,
+    /// Looks at another part of the frame.
+    Focus(Focus),
+    /// Looks at what the pointer is over.
+    FocusOnPointer,
+    /// Looks at the polygon that is seen at a pixel.
+    FocusOnPolygonAt {
+        x: u32,
+        y: u32,
+    },
+    /// Goes to what a tag shows, looks at it, or lights it up.
+    Click(Tag),
+    Hover(Option<Tag>),
+    Answer(Guess),
+    Skip,
+    /// Questions on or off.
+    Questions,
+    /// The lesson as it was when it was opened.
+    Reset,
+    /// A built-in lesson by its id.
+    Open(String),
+    Speak(Language),
+    OtherLanguage,
+    Theme(Theme),
+    NextTheme,
+    /// Copies the command that opens this lesson at this step; the window takes it to the clipboard.
+    Share,
+    /// Presentation: the whole screen, larger and with more contrast.
+    Present,
+    /// The sheet of keys.
+    Keys,
+    Inspector,
+    LargerText,
+    SmallerText,
+    NormalText,
+}
+
+/// An answer to a question.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Guess {
+    /// As it was typed.
+    Number(String),
+    /// An index into the options.
+    Choice(usize),
+    Pixel {
+        x: u32,
+        y: u32,
+    },
+}
+
+/// Why a command was not carried out.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refused {
+    Because(Words),
+    /// With details, which are in English.
+    Error(String),
+}
+
+impl Refused {
+    pub fn in_language(&self, language: Language) -> &str {
+        match self {
+            Refused::Because(words) => words.in_language(language),
+            Refused::Error(text) => text,
+        }
+    }
+}
+
+impl From<Words> for Refused {
+    fn from(words: Words) -> Self {
+        Refused::Because(words)
+    }
+}

@@ -1,0 +1,287 @@
+//! Everything that the window shows, without a window: a [`Command`] changes it, and nothing else does.
+
+mod command;
+mod focus;
+mod play;
+mod question;
+mod update;
+
+#[cfg(test)]
+mod tests;
+
+pub use command::{Command, Guess, Refused};
+pub use play::Direction;
+pub use question::Standing;
+
+use crate::algorithms::focus::Focus;
+use crate::algorithms::frame::Frame;
+use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson, builtins};
+use crate::panels::words::{Language, Words};
+use crate::panels::{Panel, Show};
+use crate::picture::{Tag, Theme};
+use crate::render::render;
+use crate::replay::Walk;
+use play::{Loop, Play};
+use std::collections::HashMap;
+use std::num::NonZeroUsize;
+
+/// Text sizes, relative to the normal one.
+const TEXT_SIZES: [f32; 7] = [0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.75];
+
+/// How things are shown.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Look {
+    pub language: Language,
+    pub theme: Theme,
+    /// An index into the text sizes.
+    text: usize,
+    pub presenting: bool,
+    /// The theme to return to after presenting.
+    before_presenting: Theme,
+    pub keys: bool,
+    pub inspector: bool,
+    pub questions: bool,
+}
+
+impl Look {
+    fn new() -> Self {
+        Look {
+            language: Language::English,
+            theme: Theme::Light,
+            text: 2,
+            presenting: false,
+            before_presenting: Theme::Light,
+            keys: false,
+            inspector: true,
+            questions: true,
+        }
+    }
+
+    /// How much larger than normal everything is drawn.
+    pub fn zoom(&self) -> f32 {
+        TEXT_SIZES[self.text] * self.theme.text_scale()
+    }
+}
+
+/// A lesson in the list of lessons.
+#[derive(Clone, Debug)]
+pub struct Listed {
+    pub id: &'static str,
+    /// By language, with its number.
+    pub title: [String; 2],
+}
+
+/// A lesson that is walked through.
+///
+/// Invariant: the run is the recording of `focus`; where that is the lesson's own, the narration belongs to its steps.
+pub struct Session {
+    open: OpenLesson,
+    focus: Focus,
+    /// Steps at which something is said under this focus.
+    narrated: Vec<usize>,
+    /// How each narrated step's question stands.
+    standings: Vec<Standing>,
+    finished: Frame,
+    /// Counts the recordings, so that pictures of an earlier one are known to be old.
+    recording: u64,
+    breakpoints: HashMap<Focus, Vec<usize>>,
+    play: Option<Play>,
+    /// An index into the speeds.
+    speed: usize,
+    around: Loop,
+    pub look: Look,
+    hovered: Option<Tag>,
+    /// Lit up by a click, until the next one.
+    lit: Option<Tag>,
+    /// The search text of the last search.
+    pub search: String,
+    /// Whether the keyboard should go to the search field; the window takes this.
+    pub search_wanted: bool,
+    /// A command line on its way to the clipboard; the window takes this.
+    pub shared: Option<String>,
+    lessons: Vec<Listed>,
+}
+
+impl Session {
+    /// Opens a lesson at its first step. Errors: those of the lesson.
+    pub fn new(lesson: Lesson) -> Result<Self, LessonError> {
+        let open = lesson.open()?;
+        let mut session = Session {
+            focus: open.lesson.focus,
+            narrated: Vec::new(),
+            standings: Vec::new(),
+            finished: finished(&open),
+            recording: 0,
+            breakpoints: HashMap::new(),
+            play: None,
+            speed: play::NORMAL_SPEED,
+            around: Loop::default(),
+            look: Look::new(),
+            hovered: None,
+            lit: None,
+            search: String::new(),
+            search_wanted: false,
+            shared: None,
+            lessons: list(),
+            open,
+        };
+        session.start_over();
+        Ok(session)
+    }
+
+    /// Puts another lesson in place of this one; what belongs to the user (language, theme, speed) stays.
+    fn replace(&mut self, lesson: Lesson) -> Result<(), LessonError> {
+        let open = lesson.open()?;
+        self.finished = finished(&open);
+        self.focus = open.lesson.focus;
+        self.open = open;
+        self.start_over();
+        Ok(())
+    }
+
+    fn start_over(&mut self) {
+        self.recording += 1;
+        self.look.inspector = self.open.lesson.panels.contains(&Panel::Inspector);
+        self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
+        self.standings = vec![Standing::Open; self.narrated.len()];
+        self.breakpoints.clear();
+        self.play = None;
+        self.around = Loop::default();
+        self.hovered = None;
+        self.lit = None;
+        self.open.run.walk_mut().seek(0);
+    }
+
+    pub fn lesson(&self) -> &Lesson {
+        &self.open.lesson
+    }
+
+    pub fn walk(&self) -> &dyn Walk {
+        self.open.run.walk()
+    }
+
+    /// The step that is shown.
+    pub fn step(&self) -> usize {
+        self.walk().position()
+    }
+
+    /// The last step, by its number.
+    pub fn last_step(&self) -> usize {
+        self.walk().len().saturating_sub(1)
+    }
+
+    pub fn focus(&self) -> Focus {
+        self.focus
+    }
+
+    /// Whether the lesson's own part of the frame is looked at.
+    pub fn follows_lesson(&self) -> bool {
+        self.focus == self.open.lesson.focus
+    }
+
+    /// Counts the recordings of this session.
+    pub fn recording(&self) -> u64 {
+        self.recording
+    }
+
+    pub fn show(&self) -> Show<'_> {
+        Show {
+            run: &self.open.run,
+            finished: &self.finished,
+            focus: self.focus,
+            language: self.look.language,
+            narrated: &self.narrated,
+            breakpoints: self.breakpoints(),
+        }
+    }
+
+    /// What is said at exactly this step.
+    pub fn said_here(&self) -> Option<&Narrated> {
+        self.narrated_here().map(|index| &self.open.narrated[index])
+    }
+
+    /// What was said last, at this step or before.
+    pub fn said_last(&self) -> Option<&Narrated> {
+        let behind = self.narrated.partition_point(|&step| step <= self.step());
+        self.open.narrated.get(behind.checked_sub(1)?)
+    }
+
+    fn narrated_here(&self) -> Option<usize> {
+        self.narrated.binary_search(&self.step()).ok()
+    }
+
+    /// Ascending.
+    pub fn breakpoints(&self) -> &[usize] {
+        self.breakpoints.get(&self.focus).map_or(&[], |steps| steps)
+    }
+
+    pub fn hovered(&self) -> Option<Tag> {
+        self.hovered
+    }
+
+    pub fn lit(&self) -> Option<Tag> {
+        self.lit
+    }
+
+    pub fn lessons(&self) -> &[Listed] {
+        &self.lessons
+    }
+
+    /// The panels in the middle of the window.
+    pub fn panels(&self) -> Vec<Panel> {
+        let lesson = self.open.lesson.panels.iter().copied();
+        let mut panels: Vec<Panel> = lesson.filter(|&panel| panel != Panel::Inspector).collect();
+        if self.look.inspector {
+            panels.push(Panel::Inspector);
+        }
+        panels
+    }
+
+    pub fn say(&self, words: Words) -> &'static str {
+        words.in_language(self.look.language)
+    }
+
+    /// The lesson's number and title.
+    pub fn title(&self) -> String {
+        let lesson = self.lesson();
+        format!(
+            "{} · {}",
+            lesson.number,
+            lesson.title.in_language(self.look.language)
+        )
+    }
+
+    /// As it stands on the frame of the window, for people and for scripts.
+    pub fn window_title(&self) -> String {
+        let [step, last] = [self.step(), self.last_step()];
+        let title = self.lesson().title.in_language(self.look.language);
+        let (word, of) = (self.say(super::words::STEP), self.say(super::words::OF));
+        format!("Lightwalk – {title} – {word} {step} {of} {last}")
+    }
+
+    /// The command that opens this lesson at this step; none while another part is looked at.
+    pub fn command_line(&self) -> Option<String> {
+        let open = format!("lightwalk open {} --step {}", self.lesson().id, self.step());
+        self.follows_lesson().then_some(open)
+    }
+}
+
+/// The whole picture, unrecorded.
+fn finished(open: &OpenLesson) -> Frame {
+    let threads = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+    render(&open.stage, open.lesson.method, threads, &|_, _| {})
+}
+
+/// The built-in lessons that can be read.
+fn list() -> Vec<Listed> {
+    let lessons = builtins().iter().filter_map(|builtin| {
+        let lesson = builtin.read().ok()?;
+        let title = Language::ALL
+            .map(|language| format!("{} · {}", lesson.number, lesson.title.in_language(language)));
+        Some(Listed {
+            id: builtin.id,
+            title,
+        })
+    });
+    lessons.collect()
+}

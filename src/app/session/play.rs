@@ -1,0 +1,151 @@
+//! Playing: steps in time, forward or backward, around a loop, up to whatever asks to stop.
+
+use super::Session;
+
+/// Steps a second.
+const SPEEDS: [f64; 10] = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0, 1024.0];
+
+pub(super) const NORMAL_SPEED: usize = 3;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    Forward,
+    Backward,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Play {
+    direction: Direction,
+    /// Steps, or parts of one, that are due and not yet taken.
+    due: f64,
+}
+
+/// The range of steps that playing stays in; it is one once both ends are set.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Loop {
+    pub from: Option<usize>,
+    pub to: Option<usize>,
+}
+
+impl Loop {
+    fn range(self) -> Option<(usize, usize)> {
+        self.from.zip(self.to).filter(|(from, to)| from < to)
+    }
+}
+
+impl Session {
+    pub fn playing(&self) -> Option<Direction> {
+        self.play.map(|play| play.direction)
+    }
+
+    /// Steps a second.
+    pub fn speed(&self) -> f64 {
+        SPEEDS[self.speed]
+    }
+
+    /// First and last step of the loop.
+    pub fn loop_range(&self) -> Option<(usize, usize)> {
+        self.around.range()
+    }
+
+    /// The ends of the loop that are set.
+    pub fn loop_ends(&self) -> (Option<usize>, Option<usize>) {
+        (self.around.from, self.around.to)
+    }
+
+    pub(super) fn change_speed(&mut self, by: isize) -> bool {
+        let speed = self
+            .speed
+            .checked_add_signed(by)
+            .filter(|&speed| speed < SPEEDS.len());
+        self.speed = speed.unwrap_or(self.speed);
+        speed.is_some()
+    }
+
+    /// Starts to play that way; pauses what plays that way already.
+    pub(super) fn play(&mut self, direction: Direction) {
+        self.play = match self.playing() {
+            Some(playing) if playing == direction => None,
+            _ => Some(Play {
+                direction,
+                due: 0.0,
+            }),
+        };
+    }
+
+    /// Whether playing that way could go on from here.
+    pub(super) fn can_play(&self, direction: Direction) -> bool {
+        self.loop_range().is_some()
+            || match direction {
+                Direction::Forward => self.step() < self.last_step(),
+                Direction::Backward => self.step() > 0,
+            }
+    }
+
+    /// Lets time pass. Playing stops at breakpoints, at questions and at both ends.
+    pub fn advance(&mut self, seconds: f64) {
+        let speed = self.speed();
+        let Some(play) = &mut self.play else { return };
+        play.due += seconds.clamp(0.0, 1.0) * speed;
+        let steps = play.due.floor();
+        play.due -= steps;
+        let direction = play.direction;
+        let mut left = steps as usize;
+        while left > 0 && self.play.is_some() {
+            left -= match direction {
+                Direction::Forward => self.play_forward(left),
+                Direction::Backward => self.play_backward(left),
+            };
+        }
+    }
+
+    /// Plays up to `most` steps on, to the next place where something happens; how many it took, at least 1.
+    fn play_forward(&mut self, most: usize) -> usize {
+        let here = self.step();
+        let (from, end) = self.loop_range().unwrap_or((0, self.last_step()));
+        if self.question_at(here) {
+            self.play = None;
+            return 1;
+        }
+        if here >= end {
+            if self.loop_range().is_some() {
+                self.seek(from);
+            } else {
+                self.play = None;
+            }
+            return 1;
+        }
+        let target = here.saturating_add(most).min(end);
+        let stops = |step: &usize| {
+            self.question_at(*step) || self.breakpoints().binary_search(step).is_ok()
+        };
+        let stop = (here + 1..=target).find(stops);
+        self.seek(stop.unwrap_or(target));
+        if stop.is_some() || self.loop_range().is_none() && target == self.last_step() {
+            self.play = None;
+        }
+        self.step() - here
+    }
+
+    fn play_backward(&mut self, most: usize) -> usize {
+        let here = self.step();
+        let (start, to) = self.loop_range().unwrap_or((0, self.last_step()));
+        if here <= start {
+            match self.loop_range() {
+                // A question on the way around would be jumped over.
+                Some(_) if self.question_between(here, to).is_none() => self.seek(to),
+                _ => self.play = None,
+            }
+            return 1;
+        }
+        let target = here.saturating_sub(most).max(start);
+        let stop = (target..here)
+            .rev()
+            .find(|step| self.breakpoints().binary_search(step).is_ok());
+        self.seek(stop.unwrap_or(target));
+        if stop.is_some() || self.step() == 0 && self.loop_range().is_none() {
+            self.play = None;
+        }
+        here - self.step()
+    }
+}

@@ -1,0 +1,99 @@
+//! Predict before seeing: what follows a question stays hidden until it is answered or skipped.
+
+use super::{Guess, Refused, Session};
+use crate::app::words;
+use crate::lesson::{Answer, Question};
+
+/// How a question stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    Open,
+    Right,
+    Wrong,
+    Skipped,
+}
+
+impl Session {
+    /// The question at this step, and how it stands.
+    pub fn question(&self) -> Option<(&Question, Standing)> {
+        let index = self.narrated_here().filter(|_| self.look.questions)?;
+        let question = self.open.narrated[index].question.as_ref()?;
+        Some((question, self.standings[index]))
+    }
+
+    /// Whether a question waits to be answered at `step`.
+    pub fn question_at(&self, step: usize) -> bool {
+        self.look.questions
+            && self.narrated.binary_search(&step).is_ok_and(|index| {
+                self.standings[index] == Standing::Open
+                    && self.open.narrated[index].question.is_some()
+            })
+    }
+
+    /// The first step from `here`, and before `target`, at which a question waits.
+    pub(super) fn question_between(&self, here: usize, target: usize) -> Option<usize> {
+        let first = self.narrated.partition_point(|&step| step < here);
+        let ahead = self.narrated[first..]
+            .iter()
+            .take_while(|&&step| step < target);
+        ahead.copied().find(|&step| self.question_at(step))
+    }
+
+    pub(super) fn answer(&mut self, guess: &Guess) -> Result<(), Refused> {
+        let index = self
+            .narrated_here()
+            .filter(|_| self.question_at(self.step()));
+        let index = index.ok_or(words::NO_QUESTION)?;
+        let question = self.open.narrated[index].question.as_ref();
+        let right = match (question.map(|question| &question.answer), guess) {
+            (Some(Answer::Number { value, tolerance }), Guess::Number(text)) => {
+                let number = read_number(text).ok_or(words::NOT_A_NUMBER)?;
+                (number - value).abs() <= *tolerance
+            }
+            (Some(Answer::Choice { right, .. }), Guess::Choice(choice)) => choice == right,
+            (Some(Answer::Pixel { x, y, tolerance }), Guess::Pixel { x: at_x, y: at_y }) => {
+                x.abs_diff(*at_x) <= *tolerance && y.abs_diff(*at_y) <= *tolerance
+            }
+            _ => return Err(words::NO_QUESTION.into()),
+        };
+        self.standings[index] = if right {
+            Standing::Right
+        } else {
+            Standing::Wrong
+        };
+        Ok(())
+    }
+
+    pub(super) fn skip(&mut self) -> Result<(), Refused> {
+        let index = self
+            .narrated_here()
+            .filter(|_| self.question_at(self.step()));
+        self.standings[index.ok_or(words::NO_QUESTION)?] = Standing::Skipped;
+        Ok(())
+    }
+
+    /// Whether a click on a pixel of the image answers the question at hand.
+    pub fn pixel_is_asked(&self) -> bool {
+        matches!(
+            self.question(),
+            Some((
+                Question {
+                    answer: Answer::Pixel { .. },
+                    ..
+                },
+                Standing::Open
+            ))
+        )
+    }
+}
+
+/// With a decimal point, or a comma as Indonesian writes it.
+fn read_number(text: &str) -> Option<f64> {
+    let number: f64 = text
+        .trim()
+        .replace(',', ".")
+        .replace('−', "-")
+        .parse()
+        .ok()?;
+    number.is_finite().then_some(number)
+}

@@ -1,0 +1,254 @@
+//! What each command does.
+
+use super::{Command, Direction, Guess, Refused, Session, TEXT_SIZES};
+use crate::app::words;
+use crate::lesson::builtin;
+use crate::panels::words::{Language, Words};
+use crate::picture::{Tag, Theme};
+use crate::record::Outline;
+use crate::replay::{Query, moves, query};
+
+/// Where a step leads to; see [`moves`].
+type Move = fn(&Outline, usize) -> Option<usize>;
+
+impl Session {
+    /// Carries out a command. Errors: why it cannot act here; nothing has changed then.
+    pub fn update(&mut self, command: Command) -> Result<(), Refused> {
+        if let Some(target) = self.target(&command)? {
+            self.play = None;
+            return self.go_to(target);
+        }
+        match command {
+            Command::Search => self.search_wanted = true,
+            Command::Find(text) => return self.find(text, true),
+            Command::FindBack(text) => return self.find(text, false),
+            Command::Play => return self.start_playing(Direction::Forward),
+            Command::PlayBackwards => return self.start_playing(Direction::Backward),
+            Command::Faster => {
+                return self
+                    .change_speed(1)
+                    .then_some(())
+                    .ok_or(words::FASTEST.into());
+            }
+            Command::Slower => {
+                return self
+                    .change_speed(-1)
+                    .then_some(())
+                    .ok_or(words::SLOWEST.into());
+            }
+            Command::LoopFrom => self.around.from = toggled(self.around.from, self.step()),
+            Command::LoopTo => self.around.to = toggled(self.around.to, self.step()),
+            Command::LoopOff => self.around = Default::default(),
+            Command::Breakpoint => self.toggle_breakpoint(),
+            Command::Focus(focus) => return self.look_at(focus),
+            Command::FocusOnPointer => {
+                let focus = self.hovered.and_then(|tag| self.focus_of(tag));
+                return self.look_at(focus.ok_or(words::NOTHING_UNDER_POINTER)?);
+            }
+            Command::FocusOnPolygonAt { x, y } => return self.look_at_polygon(x, y),
+            Command::Click(tag) => return self.click(tag),
+            Command::Hover(tag) => self.hovered = tag,
+            Command::Answer(guess) => return self.answer(&guess),
+            Command::Skip => return self.skip(),
+            Command::Questions => self.look.questions = !self.look.questions,
+            Command::Reset => {
+                self.look_at(self.open.lesson.focus)?;
+                self.start_over();
+            }
+            Command::Open(id) => {
+                let builtin = builtin(&id).ok_or(words::NO_SUCH_LESSON)?;
+                let opened = builtin.read().and_then(|lesson| self.replace(lesson));
+                return opened.map_err(|error| Refused::Error(error.to_string()));
+            }
+            Command::Share => {
+                self.shared = Some(self.command_line().ok_or(words::SHARE_LESSON_ONLY)?);
+            }
+            command => return self.change_look(&command),
+        }
+        Ok(())
+    }
+
+    /// Whether a command could act here; the error says why not.
+    pub fn allows(&self, command: &Command) -> Result<(), Refused> {
+        if let Some(target) = self.target(command)? {
+            let waits = self.question_at(self.step()) && target > self.step();
+            return if waits {
+                Err(words::ANSWER_FIRST.into())
+            } else {
+                Ok(())
+            };
+        }
+        let refusal = match command {
+            Command::Play if self.playing().is_none() => self.cannot_play(Direction::Forward),
+            Command::PlayBackwards if self.playing().is_none() => {
+                self.cannot_play(Direction::Backward)
+            }
+            Command::LoopOff if self.loop_ends() == (None, None) => Some(words::NO_LOOP),
+            Command::Share if !self.follows_lesson() => Some(words::SHARE_LESSON_ONLY),
+            _ => None,
+        };
+        refusal.map_or(Ok(()), |words| Err(words.into()))
+    }
+
+    /// The step that a command goes to; none for a command that is no move.
+    fn target(&self, command: &Command) -> Result<Option<usize>, Refused> {
+        let (here, last) = (self.step(), self.last_step());
+        let go = |go: Move, why: Words| self.walk().target(go).ok_or(why);
+        let narrated = |found: Option<&usize>, why: Words| found.copied().ok_or(why);
+        let target = match *command {
+            Command::Forward(_) | Command::End if here == last => Err(words::AT_THE_END),
+            Command::Back(_) | Command::Start if here == 0 => Err(words::AT_THE_START),
+            Command::Forward(steps) => Ok(here.saturating_add(steps).min(last)),
+            Command::Back(steps) => Ok(here.saturating_sub(steps)),
+            Command::Start => Ok(0),
+            Command::End => Ok(last),
+            Command::NextScope => go(moves::next_scope, words::NO_SCOPE_AHEAD),
+            Command::PreviousScope => go(moves::previous_scope, words::NO_SCOPE_BEFORE),
+            Command::Into => go(moves::into, words::AT_THE_END),
+            Command::Over => go(moves::over, words::AT_THE_END),
+            Command::Out => go(moves::out, words::NOTHING_AROUND),
+            Command::NextNarrated => narrated(
+                self.narrated.iter().find(|&&step| step > here),
+                words::NOTHING_NARRATED_AHEAD,
+            ),
+            Command::PreviousNarrated => narrated(
+                self.narrated.iter().rfind(|&&step| step < here),
+                words::NOTHING_NARRATED_BEFORE,
+            ),
+            Command::Seek(step) => Ok(step.min(last)),
+            _ => return Ok(None),
+        };
+        Ok(Some(target?))
+    }
+
+    /// Goes to a step, or to the first question on the way that waits for its answer.
+    fn go_to(&mut self, target: usize) -> Result<(), Refused> {
+        match self.question_between(self.step(), target) {
+            Some(step) if step == self.step() => return Err(words::ANSWER_FIRST.into()),
+            Some(step) => self.seek(step),
+            None => self.seek(target),
+        }
+        Ok(())
+    }
+
+    pub(super) fn seek(&mut self, step: usize) {
+        self.open.run.walk_mut().seek(step);
+    }
+
+    fn find(&mut self, text: String, forward: bool) -> Result<(), Refused> {
+        let query: Query = text
+            .parse()
+            .map_err(|error| Refused::Error(format!("{error}")))?;
+        let (walk, here) = (self.walk(), self.step());
+        let found = if forward {
+            query::next(walk, &query, here)
+                .or_else(|| query::matches(walk, &query, 0..here + 1).next())
+        } else {
+            query::previous(walk, &query, here)
+                .or_else(|| query::matches(walk, &query, here..walk.len()).next_back())
+        };
+        self.search = text;
+        self.play = None;
+        self.go_to(found.ok_or(words::NOT_FOUND)?)
+    }
+
+    fn cannot_play(&self, direction: Direction) -> Option<Words> {
+        match direction {
+            Direction::Forward if self.question_at(self.step()) => Some(words::ANSWER_FIRST),
+            _ if self.can_play(direction) => None,
+            Direction::Forward => Some(words::AT_THE_END),
+            Direction::Backward => Some(words::AT_THE_START),
+        }
+    }
+
+    fn start_playing(&mut self, direction: Direction) -> Result<(), Refused> {
+        match self.cannot_play(direction) {
+            Some(words) if self.playing() != Some(direction) => Err(words.into()),
+            _ => {
+                self.play(direction);
+                Ok(())
+            }
+        }
+    }
+
+    fn toggle_breakpoint(&mut self) {
+        let step = self.step();
+        let breakpoints = self.breakpoints.entry(self.focus).or_default();
+        match breakpoints.binary_search(&step) {
+            Ok(index) => drop(breakpoints.remove(index)),
+            Err(index) => breakpoints.insert(index, step),
+        }
+    }
+
+    fn click(&mut self, tag: Tag) -> Result<(), Refused> {
+        match tag {
+            Tag::Pixel { x, y } if self.pixel_is_asked() => self.answer(&Guess::Pixel { x, y }),
+            Tag::Step(step) | Tag::Scope(step) => self.update(Command::Seek(step)),
+            Tag::Line(line) => {
+                let listing = self.walk().line(self.step()).listing;
+                let carries_out = |&step: &usize| {
+                    let at = self.walk().line(step);
+                    at.number == line && at.listing == listing
+                };
+                let next = (self.step() + 1..self.walk().len()).find(carries_out);
+                let found = next.or_else(|| (0..self.step()).find(carries_out));
+                self.update(Command::Seek(found.ok_or(words::NOT_FOUND)?))
+            }
+            Tag::Pixel { .. } | Tag::ScanLine(_) | Tag::Polygon(_)
+                if self.focus_of(tag) != Some(self.focus) =>
+            {
+                self.look_at(self.focus_of(tag).ok_or(words::OUTSIDE)?)
+            }
+            _ => {
+                self.lit = Some(tag).filter(|_| self.lit != Some(tag));
+                Ok(())
+            }
+        }
+    }
+
+    fn change_look(&mut self, command: &Command) -> Result<(), Refused> {
+        let look = &mut self.look;
+        match *command {
+            Command::Speak(language) => look.language = language,
+            Command::OtherLanguage => {
+                let others = Language::ALL
+                    .into_iter()
+                    .filter(|&other| other != look.language);
+                look.language = others.last().unwrap_or(look.language);
+            }
+            Command::Theme(theme) => look.theme = theme,
+            Command::NextTheme => {
+                look.theme = match look.theme {
+                    Theme::Light => Theme::Dark,
+                    Theme::Dark => Theme::Projector,
+                    Theme::Projector => Theme::Light,
+                }
+            }
+            Command::Present => {
+                look.presenting = !look.presenting;
+                if look.presenting {
+                    look.before_presenting = look.theme;
+                    look.theme = Theme::Projector;
+                } else {
+                    look.theme = look.before_presenting;
+                }
+            }
+            Command::Keys => look.keys = !look.keys,
+            Command::Inspector => look.inspector = !look.inspector,
+            Command::NormalText => look.text = super::Look::new().text,
+            Command::LargerText if look.text + 1 == TEXT_SIZES.len() => {
+                return Err(words::LARGEST.into());
+            }
+            Command::SmallerText if look.text == 0 => return Err(words::SMALLEST.into()),
+            Command::LargerText => look.text += 1,
+            Command::SmallerText => look.text -= 1,
+            _ => unreachable!("every other command is carried out above"),
+        }
+        Ok(())
+    }
+}
+
+/// The end of a loop, set to this step, or taken away where it is this step already.
+fn toggled(end: Option<usize>, step: usize) -> Option<usize> {
+    if end == Some(step) { None } else { Some(step) }
+}

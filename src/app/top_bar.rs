@@ -1,0 +1,177 @@
+//! The bar on top: which lesson this is, and how things are shown.
+
+use super::session::{Command, Session};
+use super::{style, words};
+use crate::panels::words::{Language, Words};
+use crate::picture::Theme;
+use egui::{Button, Color32, Frame, Margin, RichText, Ui};
+
+const THEMES: [(Theme, Words); 3] = [
+    (Theme::Light, words::THEME_LIGHT),
+    (Theme::Dark, words::THEME_DARK),
+    (Theme::Projector, words::THEME_PROJECTOR),
+];
+
+pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let frame = Frame::new()
+        .fill(style::BAR)
+        .inner_margin(Margin::symmetric(16, 0));
+    let bar = egui::Panel::top("bar")
+        .exact_size(44.0)
+        .frame(frame)
+        .show_separator_line(false);
+    bar.show(ui, |ui| {
+        dress(ui);
+        ui.horizontal_centered(|ui| {
+            ui.label(style::strong("Lightwalk", 17.0).color(Color32::WHITE));
+            ui.add_space(4.0);
+            lessons(session, commands, ui);
+            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                let narrow = ui.available_width() < 420.0;
+                super::window::button(
+                    session,
+                    Button::new("?"),
+                    session.say(words::KEYS),
+                    Command::Keys,
+                    commands,
+                    ui,
+                );
+                settings(session, commands, ui);
+                if !narrow {
+                    let share = session.say(words::SHARE);
+                    super::window::button(
+                        session,
+                        Button::new(share),
+                        share,
+                        Command::Share,
+                        commands,
+                        ui,
+                    );
+                    let present = session.say(words::PRESENT);
+                    let button = Button::new(present).selected(session.look.presenting);
+                    super::window::button(session, button, present, Command::Present, commands, ui);
+                }
+                ui.add_space(8.0);
+                ui.spacing_mut().item_spacing.x = 2.0;
+                for language in Language::ALL.into_iter().rev() {
+                    let chosen = session.look.language == language;
+                    let text = RichText::new(language.code().to_uppercase()).strong();
+                    if chip(text, chosen, ui).clicked() {
+                        commands.push(Command::Speak(language));
+                    }
+                }
+            });
+        });
+    });
+}
+
+/// The colours of the bar, which are the same in every theme.
+fn dress(ui: &mut Ui) {
+    let visuals = ui.visuals_mut();
+    let fills = [
+        (&mut visuals.widgets.inactive, style::BAR_BUTTON),
+        (
+            &mut visuals.widgets.hovered,
+            style::BAR_BUTTON.gamma_multiply(1.4),
+        ),
+        (&mut visuals.widgets.active, style::BAR_CHOSEN),
+        (&mut visuals.widgets.open, style::BAR_BUTTON),
+        (&mut visuals.widgets.noninteractive, style::BAR),
+    ];
+    for (widget, fill) in fills {
+        widget.bg_fill = fill;
+        widget.weak_bg_fill = fill;
+        widget.bg_stroke = egui::Stroke::NONE;
+        widget.fg_stroke.color = style::BAR_TEXT;
+    }
+    visuals.selection.bg_fill = style::BAR_CHOSEN;
+    visuals.selection.stroke = egui::Stroke::new(1.0, Color32::WHITE);
+}
+
+/// A small button that is one choice of several.
+fn chip(text: RichText, chosen: bool, ui: &mut Ui) -> egui::Response {
+    ui.add(Button::new(text).selected(chosen))
+}
+
+fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let title = RichText::new(format!("{} ▾", session.title()))
+        .size(15.0)
+        .color(style::BAR_TEXT);
+    let button = Button::new(title).fill(Color32::TRANSPARENT);
+    let menu = egui::containers::menu::MenuButton::from_button(button);
+    let (response, _) = menu.ui(ui, |ui| {
+        undress(session, ui);
+        ui.set_min_width(260.0);
+        for listed in session.lessons() {
+            let chosen = listed.id == session.lesson().id;
+            let title = &listed.title[session.look.language as usize];
+            if ui.add(Button::new(title).selected(chosen)).clicked() {
+                commands.push(Command::Open(listed.id.to_owned()));
+            }
+        }
+    });
+    response.on_hover_text(session.lesson().summary.in_language(session.look.language));
+}
+
+/// Themes, text size, questions; what a narrow bar has no room for is in here too.
+fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let menu = egui::containers::menu::MenuButton::new("☰");
+    let (response, _) = menu.ui(ui, |ui| {
+        undress(session, ui);
+        ui.set_min_width(200.0);
+        ui.label(style::strong(session.say(words::THEME), 13.0));
+        for (theme, name) in THEMES {
+            if ui
+                .add(Button::new(session.say(name)).selected(session.look.theme == theme))
+                .clicked()
+            {
+                commands.push(Command::Theme(theme));
+            }
+        }
+        ui.separator();
+        ui.label(style::strong(session.say(words::TEXT_SIZE), 13.0));
+        ui.horizontal(|ui| {
+            for (sign, command) in [
+                ("−", Command::SmallerText),
+                ("100 %", Command::NormalText),
+                ("+", Command::LargerText),
+            ] {
+                let name = format!("{} {sign}", session.say(words::TEXT_SIZE));
+                super::window::button(session, Button::new(sign), &name, command, commands, ui);
+            }
+        });
+        ui.separator();
+        let mut asks = session.look.questions;
+        if ui
+            .checkbox(&mut asks, session.say(words::QUESTIONS))
+            .clicked()
+        {
+            commands.push(Command::Questions);
+        }
+        let mut inspects = session.look.inspector;
+        if ui
+            .checkbox(&mut inspects, session.say(words::INSPECTOR))
+            .clicked()
+        {
+            commands.push(Command::Inspector);
+        }
+        ui.separator();
+        for (words, command) in [
+            (words::PRESENT, Command::Present),
+            (words::SHARE, Command::Share),
+        ] {
+            let words = session.say(words);
+            super::window::button(session, Button::new(words), words, command, commands, ui);
+        }
+    });
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::Button, true, session.say(words::MENU))
+    });
+    response.on_hover_text(session.say(words::MENU));
+}
+
+/// Menus look as the rest of the window does.
+fn undress(_: &Session, ui: &mut Ui) {
+    let style = ui.ctx().global_style();
+    ui.set_style(style);
+}

@@ -1,0 +1,204 @@
+//! The row above the time line: buttons to walk and play, where we are, speed, loop, search.
+
+use super::session::{Command, Direction, Session};
+use super::window::{Window, button};
+use super::{style, words};
+use crate::picture::{Ink, number};
+use crate::replay::query;
+use egui::containers::menu::MenuButton;
+use egui::{Button, Key, Rect, RichText, TextEdit, Ui};
+
+const HEIGHT: f32 = 42.0;
+
+/// Shows the row at the top of `rect`; returns where it ends.
+pub fn show(
+    session: &mut Session,
+    window: &mut Window,
+    commands: &mut Vec<Command>,
+    rect: Rect,
+    ui: &mut Ui,
+) -> f32 {
+    let mut row = Rect::from_min_size(rect.min, egui::vec2(rect.width(), HEIGHT))
+        .shrink2(egui::vec2(14.0, 0.0));
+    row.min.y += 4.0;
+    let mut ui = ui.new_child(
+        egui::UiBuilder::new()
+            .max_rect(row)
+            .layout(egui::Layout::left_to_right(egui::Align::Center)),
+    );
+    let ui = &mut ui;
+    ui.set_clip_rect(rect.intersect(ui.clip_rect()));
+    walk_buttons(session, commands, ui);
+    ui.add_space(6.0);
+    let [step, last] = [session.step(), session.last_step()];
+    let place = format!(
+        "{} {step} {} {last}",
+        session.say(words::STEP),
+        session.say(words::OF)
+    );
+    ui.label(style::strong(place, 15.0));
+    ui.add_space(6.0);
+    speed(session, commands, ui);
+    looping(session, commands, ui);
+    run_to(session, commands, ui);
+    search(session, window, commands, ui);
+    notice(session, window, ui);
+    row.max.y
+}
+
+fn walk_buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    ui.spacing_mut().item_spacing.x = 4.0;
+    let playing = session.playing();
+    let play = if playing == Some(Direction::Forward) {
+        "‖"
+    } else {
+        "▶"
+    };
+    let back = if playing == Some(Direction::Backward) {
+        Command::PlayBackwards
+    } else {
+        Command::Back(1)
+    };
+    let buttons = [
+        ("|◀", Command::Start, words::AT_THE_START_NAME),
+        ("◀◀", Command::PreviousScope, words::PREVIOUS_SCOPE),
+        ("◀", back, words::ONE_BACK),
+        (play, Command::Play, words::PLAY),
+        ("▶|", Command::Forward(1), words::ONE_ON),
+        ("▶▶", Command::NextScope, words::NEXT_SCOPE),
+        ("▶‖", Command::NextNarrated, words::NEXT_SAID),
+    ];
+    for (sign, command, name) in buttons {
+        let width = egui::vec2(34.0, 28.0);
+        button(
+            session,
+            Button::new(RichText::new(sign).size(12.0)).min_size(width),
+            session.say(name),
+            command,
+            commands,
+            ui,
+        );
+    }
+    ui.spacing_mut().item_spacing.x = 8.0;
+}
+
+fn speed(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    ui.spacing_mut().item_spacing.x = 2.0;
+    let slower = session.say(words::SLOWER);
+    button(
+        session,
+        Button::new("−").frame(false),
+        slower,
+        Command::Slower,
+        commands,
+        ui,
+    );
+    let speed = format!(
+        "{} {}",
+        number(session.speed()),
+        session.say(words::STEPS_A_SECOND)
+    );
+    ui.label(RichText::new(speed).size(13.0));
+    button(
+        session,
+        Button::new("+").frame(false),
+        session.say(words::FASTER),
+        Command::Faster,
+        commands,
+        ui,
+    );
+    ui.spacing_mut().item_spacing.x = 8.0;
+}
+
+fn looping(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let end = |step: Option<usize>| step.map_or("…".to_owned(), |step| step.to_string());
+    let text = match session.loop_ends() {
+        (None, None) => session.say(words::LOOP_OFF).to_owned(),
+        (from, to) => format!("{} {}–{}", session.say(words::LOOP), end(from), end(to)),
+    };
+    let menu = MenuButton::from_button(Button::new(text).frame(false));
+    menu.ui(ui, |ui| {
+        let choices = [
+            (words::LOOP_FROM_HERE, Command::LoopFrom),
+            (words::LOOP_TO_HERE, Command::LoopTo),
+            (words::LOOP_OFF, Command::LoopOff),
+            (words::BREAKPOINT, Command::Breakpoint),
+        ];
+        for (words, command) in choices {
+            let words = session.say(words);
+            button(session, Button::new(words), words, command, commands, ui);
+        }
+    });
+}
+
+/// A menu of the kinds of steps, with how many there are of each.
+fn run_to(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let words = format!("{} ▾", session.say(words::RUN_TO));
+    let menu = MenuButton::from_button(Button::new(words).frame(false));
+    menu.ui(ui, |ui| {
+        let walk = session.walk();
+        if walk.is_empty() {
+            return;
+        }
+        let here = walk.kind(session.step());
+        let next = session.say(words::NEXT_OF_THIS_KIND);
+        if ui
+            .button(RichText::new(format!("{next}: {here}")).strong())
+            .clicked()
+        {
+            commands.push(Command::Find(here.to_owned()));
+        }
+        ui.separator();
+        egui::ScrollArea::vertical()
+            .max_height(320.0)
+            .show(ui, |ui| {
+                for (kind, count) in query::kinds(walk) {
+                    if ui.button(format!("{kind}  ({count})")).clicked() {
+                        commands.push(Command::Find(kind.to_owned()));
+                        ui.close();
+                    }
+                }
+            });
+    });
+}
+
+fn search(session: &mut Session, window: &mut Window, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let hint = format!("/ {}", session.say(words::SEARCH));
+    let edit = TextEdit::singleline(&mut window.search)
+        .desired_width(150.0)
+        .hint_text(hint);
+    let response = ui.add(edit).on_hover_text(session.say(words::SEARCH_HINT));
+    let (name, text) = (session.say(words::SEARCH), window.search.clone());
+    response.widget_info(|| egui::WidgetInfo {
+        label: Some(name.to_owned()),
+        ..egui::WidgetInfo::text_edit(true, "", &text, "")
+    });
+    if std::mem::take(&mut session.search_wanted) {
+        // The key that asked must not be typed into the field.
+        response.request_focus();
+    }
+    if response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
+        let text = window.search.clone();
+        let back = ui.input(|input| input.modifiers.shift);
+        commands.push(if back {
+            Command::FindBack(text)
+        } else {
+            Command::Find(text)
+        });
+        // Enter again finds the next one.
+        response.request_focus();
+    }
+}
+
+/// Why the last command did nothing, or what it did.
+fn notice(session: &Session, window: &Window, ui: &mut Ui) {
+    let truncated = session
+        .walk()
+        .truncated()
+        .then(|| session.say(words::TRUNCATED));
+    if let Some(text) = window.notice.as_deref().or(truncated) {
+        let ink = style::color(session.look.theme, Ink::Warn);
+        let label = egui::Label::new(RichText::new(text).size(13.0).color(ink)).truncate();
+        ui.add(label).on_hover_text(text);
+    }
+}

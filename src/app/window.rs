@@ -1,0 +1,180 @@
+//! The whole window, in a function of `&mut Ui`: it needs no screen, and tests show it as the screen would.
+
+use super::panel_view::PanelView;
+use super::session::{Command, Session};
+use super::tiles::{Arrangement, GAP, panel_on};
+use super::{key_sheet, keys, narration, style, top_bar, transport, words};
+use crate::panels::Panel;
+use crate::picture::Theme;
+use egui::{Frame, Margin, Ui, ViewportCommand};
+use std::collections::HashMap;
+use std::time::Duration;
+
+/// What the window keeps that the session need not know: textures, tile borders, half-typed texts.
+#[derive(Default)]
+pub struct Window {
+    pub(super) views: HashMap<Panel, PanelView>,
+    arrangement: Arrangement,
+    pub(super) answer: String,
+    pub(super) search: String,
+    /// Why the last command was refused, or what it did, until the next one.
+    pub(super) notice: Option<String>,
+    /// Height of narration and question in the frame before.
+    pub(super) said_height: f32,
+    styled: Option<Theme>,
+    title: String,
+    full_screen: bool,
+    /// When the frame before was shown, in seconds.
+    time: Option<f64>,
+}
+
+/// Shows the window, and carries out what the user does in it.
+pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
+    let ctx = ui.ctx().clone();
+    for command in keys::pressed(session, &ctx) {
+        window.carry_out(session, command);
+    }
+    window.play_on(session, &ctx);
+    window.keep_up(session, &ctx);
+
+    let mut commands = Vec::new();
+    let mut under_pointer = None;
+    let size = ui.available_size();
+    top_bar::show(session, &mut commands, ui);
+    let margin = Margin::same(GAP as i8);
+
+    let height = (0.24 * size.y).clamp(150.0, 210.0);
+    egui::Panel::bottom("time line")
+        .exact_size(height)
+        .frame(Frame::new().inner_margin(Margin { top: 0, ..margin }))
+        .show_separator_line(false)
+        .show(ui, |ui| {
+            ui.painter()
+                .add(style::card(session.look.theme).paint(ui.max_rect()));
+            let mut rect = ui.max_rect();
+            rect.max.y = transport::show(session, window, &mut commands, rect, ui);
+            let rect = egui::Rect::from_min_max(rect.left_bottom(), ui.max_rect().max).shrink(2.0);
+            let view = window.views.entry(Panel::TimeLine).or_default();
+            let shown = panel_on(session, Panel::TimeLine, view, rect, ui);
+            commands.extend(shown.command);
+            under_pointer = shown.under.or(under_pointer);
+        });
+
+    let width = (0.27 * size.x).clamp(250.0, 460.0);
+    egui::Panel::left("narration")
+        .default_size(width)
+        .size_range(230.0..=(0.45 * size.x).max(230.0))
+        .frame(Frame::new().inner_margin(Margin {
+            right: (GAP / 2.0) as i8,
+            ..margin
+        }))
+        .show_separator_line(false)
+        .show(ui, |ui| {
+            let under = narration::show(session, window, &mut commands, ui);
+            under_pointer = under.or(under_pointer);
+        });
+
+    egui::CentralPanel::no_frame()
+        .frame(Frame::new().inner_margin(Margin {
+            left: (GAP / 2.0) as i8,
+            ..margin
+        }))
+        .show(ui, |ui| {
+            window.arrangement.show(
+                session,
+                &mut window.views,
+                &mut commands,
+                &mut under_pointer,
+                ui,
+            );
+        });
+    if session.look.keys {
+        key_sheet::show(session, &mut commands, &ctx);
+    }
+
+    if under_pointer != session.hovered() {
+        commands.push(Command::Hover(under_pointer));
+    }
+    let acted = !commands.is_empty();
+    for command in commands {
+        window.carry_out(session, command);
+    }
+    if acted {
+        ctx.request_repaint();
+    }
+}
+
+impl Window {
+    fn carry_out(&mut self, session: &mut Session, command: Command) {
+        let quiet = matches!(command, Command::Hover(_));
+        let step = (session.recording(), session.step());
+        let result = session.update(command);
+        if !quiet {
+            self.notice = result
+                .err()
+                .map(|refused| refused.in_language(session.look.language).to_owned());
+        }
+        if step != (session.recording(), session.step()) {
+            self.answer.clear();
+        }
+    }
+
+    /// Lets playing go on by the time that has passed.
+    fn play_on(&mut self, session: &mut Session, ctx: &egui::Context) {
+        let now = ctx.input(|input| input.time);
+        let passed = self.time.map_or(0.0, |time| now - time);
+        self.time = session.playing().is_some().then_some(now);
+        session.advance(passed);
+        if session.playing().is_some() {
+            ctx.request_repaint_after(Duration::from_secs_f64(1.0 / session.speed().min(60.0)));
+        }
+    }
+
+    /// Tells egui and the system what has changed in the session.
+    fn keep_up(&mut self, session: &mut Session, ctx: &egui::Context) {
+        let look = session.look;
+        if self.styled != Some(look.theme) {
+            style::apply(ctx, look.theme);
+            self.styled = Some(look.theme);
+        }
+        if ctx.zoom_factor() != look.zoom() {
+            ctx.set_zoom_factor(look.zoom());
+        }
+        if self.full_screen != look.presenting {
+            self.full_screen = look.presenting;
+            ctx.send_viewport_cmd(ViewportCommand::Fullscreen(look.presenting));
+        }
+        let title = session.window_title();
+        if self.title != title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
+        }
+        if let Some(command) = session.shared.take() {
+            self.notice = Some(format!("{} {command}", session.say(words::SHARED)));
+            ctx.copy_text(command);
+        }
+    }
+}
+
+/// A button for a command: off, with the reason, where it cannot act; its hint names its key.
+pub(super) fn button(
+    session: &Session,
+    button: egui::Button,
+    name: &str,
+    command: Command,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
+    let allowed = session.allows(&command);
+    let response = ui.add_enabled(allowed.is_ok(), button);
+    let enabled = allowed.is_ok();
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, enabled, name));
+    let hint =
+        keys::key_of(&command).map_or_else(|| name.to_owned(), |key| format!("{name}  ({key})"));
+    let response = response.on_hover_text(hint);
+    if let Err(refused) = allowed {
+        response.on_disabled_hover_text(refused.in_language(session.look.language));
+    } else if response.clicked() {
+        commands.push(command);
+    }
+}

@@ -1,0 +1,118 @@
+//! The window's words, in both languages.
+
+use crate::panels::words::Words;
+
+macro_rules! words {
+    ($($name:ident: $en:literal, $id:literal;)*) => {
+        $(pub const $name: Words = Words::new($en, $id);)*
+        /// All of them, for the test.
+        #[cfg(test)]
+        const ALL: &[(&str, Words)] = &[$((stringify!($name), $name)),*];
+    };
+}
+
+words! {
+    PRESENT: "Present", "Presentasi";
+    SHARE: "Share step", "Bagikan langkah";
+    SHARED: "Copied: the command that opens this lesson at this step.", "Disalin: perintah yang membuka pelajaran ini pada langkah ini.";
+    THEME: "Theme", "Tema";
+    THEME_LIGHT: "light", "terang";
+    THEME_DARK: "dark", "gelap";
+    THEME_PROJECTOR: "projector", "proyektor";
+    KEYS: "keys", "tombol";
+    KEYS_TITLE: "Keys", "Tombol";
+    CLOSE: "Close", "Tutup";
+    MENU: "More", "Lainnya";
+    QUESTIONS: "Ask me questions", "Ajukan pertanyaan";
+    TEXT_SIZE: "Text size", "Ukuran teks";
+
+    AT_THE_START_NAME: "first step", "langkah pertama";
+    PREVIOUS_SCOPE: "previous scope", "lingkup sebelumnya";
+    ONE_BACK: "one event back", "satu kejadian mundur";
+    PLAY: "play or pause", "putar atau jeda";
+    ONE_ON: "one event on", "satu kejadian maju";
+    NEXT_SCOPE: "next scope", "lingkup berikutnya";
+    SLOWER: "slower", "lebih lambat";
+    FASTER: "faster", "lebih cepat";
+
+    STEP: "step", "langkah";
+    OF: "of", "dari";
+    STEPS_A_SECOND: "steps/s", "langkah/dtk";
+    LOOP: "loop", "ulang";
+    LOOP_OFF: "loop off", "tanpa ulang";
+    LOOP_FROM_HERE: "from this step", "dari langkah ini";
+    LOOP_TO_HERE: "to this step", "sampai langkah ini";
+    RUN_TO: "run to", "lompat ke";
+    NEXT_OF_THIS_KIND: "next of this kind", "berikutnya yang sejenis";
+    SEARCH: "search", "cari";
+    SEARCH_HINT: "EdgeInterpolated y=15", "EdgeInterpolated y=15";
+    BREAKPOINT: "breakpoint", "titik henti";
+    TRUNCATED: "Only the beginning of this run fits in memory; the picture is whole all the same.", "Hanya awal dari proses ini yang muat di memori; gambarnya tetap utuh.";
+
+    SLIDE: "As on the slide", "Seperti pada salindia";
+    LAST_SAID: "Said before, at step", "Sebelumnya, pada langkah";
+    NEXT_SAID: "next explained step", "langkah berikut yang dijelaskan";
+    OTHER_FOCUS: "You look at another part than the lesson does.", "Anda melihat bagian lain daripada pelajaran.";
+    BACK_TO_LESSON: "Back to the lesson", "Kembali ke pelajaran";
+
+    BEFORE_YOU_GO_ON: "Before you go on", "Sebelum melanjutkan";
+    CHECK: "Check", "Periksa";
+    SKIP: "skip", "lewati";
+    YOUR_ANSWER: "Your answer", "Jawaban Anda";
+    CLICK_A_PIXEL: "Click the pixel in the image.", "Klik piksel itu pada gambar.";
+    RIGHT: "Right.", "Benar.";
+    WRONG: "Not quite.", "Belum tepat.";
+    SKIPPED: "Skipped.", "Dilewati.";
+    SHOW_THE_STEP: "show the step", "tunjukkan langkahnya";
+
+    IMAGE: "Image", "Gambar";
+    SCAN_LINE: "Scan line", "Garis scan";
+    ACTIVE_EDGES: "Active edges", "Sisi aktif";
+    VERTEX: "Vertex", "Titik sudut";
+    INSPECTOR: "Inspector", "Inspektur";
+    CODE: "Code", "Kode";
+    FORMULA: "Formula", "Rumus";
+    TIME_LINE: "Time line", "Garis waktu";
+    CLICK_A_ROW: "click a row to light it up", "klik baris untuk menyorotnya";
+
+    LINE: "line", "garis";
+    POLYGON: "polygon", "poligon";
+    PIXEL: "pixel", "piksel";
+    FRAME: "whole picture", "seluruh gambar";
+    FOCUS_ON: "Look at", "Lihat";
+    THE_LESSONS_PART: "the lesson's part", "bagian pelajaran";
+
+    AT_THE_START: "This is the first step.", "Ini langkah pertama.";
+    AT_THE_END: "This is the last step.", "Ini langkah terakhir.";
+    NO_SCOPE_AHEAD: "No further scope opens behind this step.", "Tidak ada lingkup lagi sesudah langkah ini.";
+    NO_SCOPE_BEFORE: "No scope opens before this step.", "Tidak ada lingkup sebelum langkah ini.";
+    NOTHING_AROUND: "This step lies in no scope that could be left.", "Langkah ini tidak berada di dalam lingkup.";
+    NOTHING_NARRATED_AHEAD: "Nothing more is explained behind this step.", "Tidak ada penjelasan lagi sesudah langkah ini.";
+    NOTHING_NARRATED_BEFORE: "Nothing is explained before this step.", "Tidak ada penjelasan sebelum langkah ini.";
+    ANSWER_FIRST: "Answer the question first, or skip it.", "Jawab dahulu pertanyaannya, atau lewati.";
+    NO_QUESTION: "No question waits at this step.", "Tidak ada pertanyaan pada langkah ini.";
+    NOT_A_NUMBER: "That is no number; write for example 0.52.", "Itu bukan angka; tulis misalnya 0.52.";
+    NOT_FOUND: "No step matches.", "Tidak ada langkah yang cocok.";
+    FASTEST: "This is the fastest.", "Ini yang tercepat.";
+    SLOWEST: "This is the slowest.", "Ini yang paling lambat.";
+    NO_LOOP: "No loop is set; [ and ] set one.", "Belum ada ulangan; [ dan ] menentukannya.";
+    NOTHING_UNDER_POINTER: "Point at a pixel, a scan line or a polygon first.", "Arahkan dahulu ke piksel, garis scan, atau poligon.";
+    NOTHING_DRAWN_THERE: "No polygon is seen at that pixel.", "Tidak ada poligon pada piksel itu.";
+    OUTSIDE: "That lies outside the picture.", "Itu di luar gambar.";
+    LARGEST: "The text is as large as it gets.", "Teks sudah terbesar.";
+    SMALLEST: "The text is as small as it gets.", "Teks sudah terkecil.";
+    NO_SUCH_LESSON: "There is no such lesson.", "Tidak ada pelajaran itu.";
+    SHARE_LESSON_ONLY: "Only steps of the lesson itself can be shared; r leads back to it.", "Hanya langkah pelajaran yang dapat dibagikan; r kembali ke pelajaran.";
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_word_is_there_in_both_languages() {
+        for (name, words) in ALL {
+            assert!(!words.en.is_empty() && !words.id.is_empty(), "{name}");
+        }
+    }
+}
