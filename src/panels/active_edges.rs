@@ -184,7 +184,7 @@ fn row<A: Carried>(edge: &EdgeInHand<A>, y: Option<u32>, in_hand: bool, language
     let step = value_of(edge.value_step);
     let numbers = |value| numbers(value, 3);
     Row {
-        number: edge.edge.into(),
+        number: edge.edge as usize,
         turn,
         in_hand,
         color: carried,

@@ -98,9 +98,9 @@ pub struct CornerInHand<A> {
 
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeInHand<A> {
-    pub edge: u16,
-    pub upper: u16,
-    pub lower: u16,
+    pub edge: u32,
+    pub upper: u32,
+    pub lower: u32,
     pub first: u32,
     pub end: u32,
     pub slope: f64,

@@ -1,11 +1,11 @@
 //! Polygon meshes with vertices welded by place, so that neighbouring faces know of each other.
 
 use glam::{DVec2, DVec3};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// Faces of three corners or more over shared vertices.
 ///
-/// Invariant: no two vertices have the same place, and the corners of one face are distinct and at least three.
+/// Invariant: no two vertices have the same place; a face has three corners or more, neighbouring ones at different places.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub struct Mesh {
     positions: Vec<DVec3>,
@@ -23,7 +23,8 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Welds vertices at exactly one place. Faces that have fewer than three distinct places left are dropped.
+    /// Welds vertices at exactly one place. Corners of a face that repeat the one before are dropped, and so are faces
+    /// with fewer than three corners left.
     ///
     /// `faces` index `positions`; `uvs`, where not empty, has one entry a corner in the order of `faces`.
     pub fn new(
@@ -48,20 +49,22 @@ impl Mesh {
         let mut corner = 0;
         for face in faces {
             let start = mesh.corners.len();
-            let mut taken = Taken::default();
             for &index in face.as_ref() {
                 let vertex = welded[index as usize];
-                if taken.insert(&mesh.corners[start..], vertex) {
+                if mesh.corners[start..].last() != Some(&vertex) {
                     mesh.corners.push(vertex);
                     mesh.uvs.extend(uvs.get(corner));
                 }
                 corner += 1;
             }
-            if mesh.corners.len() - start < 3 {
-                mesh.corners.truncate(start);
-                mesh.uvs.truncate(if uvs.is_empty() { 0 } else { start });
-            } else {
-                mesh.starts.push(mesh.corners.len() as u32);
+            let closed = mesh.corners.len() - start > 1
+                && mesh.corners[start..].last() == Some(&mesh.corners[start]);
+            let end = mesh.corners.len() - usize::from(closed);
+            let end = if end - start < 3 { start } else { end };
+            mesh.corners.truncate(end);
+            mesh.uvs.truncate(end);
+            if end > start {
+                mesh.starts.push(end as u32);
             }
         }
         mesh.normals = (0..mesh.face_count())
@@ -118,41 +121,37 @@ impl Mesh {
             .sum()
     }
 
+    /// A face that passes a vertex twice, as one with a hole cut into it does, stands there once.
     fn index_faces_around(&mut self) {
+        const NONE: u32 = u32::MAX;
         let mut starts = vec![0_u32; self.positions.len() + 1];
-        for &vertex in &self.corners {
-            starts[vertex as usize + 1] += 1;
-        }
-        for vertex in 1..starts.len() {
-            starts[vertex] += starts[vertex - 1];
-        }
-        let mut next = starts.clone();
-        let mut around = vec![0; self.corners.len()];
-        for face in 0..self.face_count() {
-            for &vertex in self.face(face) {
-                around[next[vertex as usize] as usize] = face as u32;
-                next[vertex as usize] += 1;
+        let mut last = vec![NONE; self.positions.len()];
+        let mut around = Vec::new();
+        for counting in [true, false] {
+            last.fill(NONE);
+            let mut next = starts.clone();
+            for face in 0..self.face_count() as u32 {
+                for &vertex in self.face(face as usize) {
+                    let vertex = vertex as usize;
+                    if std::mem::replace(&mut last[vertex], face) == face {
+                        continue;
+                    }
+                    if counting {
+                        starts[vertex + 1] += 1;
+                    } else {
+                        around[next[vertex] as usize] = face;
+                        next[vertex] += 1;
+                    }
+                }
+            }
+            if counting {
+                for vertex in 1..starts.len() {
+                    starts[vertex] += starts[vertex - 1];
+                }
+                around = vec![NONE; starts[self.positions.len()] as usize];
             }
         }
         (self.around_starts, self.around) = (starts, around);
-    }
-}
-
-/// The corners that a face has so far: looked through while they are few, so that most faces need no memory, and hashed after.
-#[derive(Default)]
-struct Taken(HashSet<u32>);
-
-impl Taken {
-    /// Whether `vertex` is none of `corners`, to which it is then added.
-    fn insert(&mut self, corners: &[u32], vertex: u32) -> bool {
-        const FEW: usize = 16;
-        if corners.len() < FEW {
-            return !corners.contains(&vertex);
-        }
-        if self.0.is_empty() {
-            self.0.extend(corners);
-        }
-        self.0.insert(vertex)
     }
 }
 
@@ -184,17 +183,26 @@ mod tests {
     }
 
     #[test]
-    fn corners_of_a_large_face_repeat_as_little_as_those_of_a_small_one() {
-        let parabola: Vec<DVec3> = (0..200_000)
-            .map(|i| DVec3::new(f64::from(i), f64::from(i).powi(2), 0.0))
-            .collect();
-        let face: Vec<u32> = (0..200_000).chain([0, 17, 199_999]).collect();
-        let mesh = Mesh::new(&parabola, [face], &[]);
-        assert_eq!(mesh.face(0).len(), 200_000);
+    fn a_face_may_come_back_to_a_vertex() {
+        // A square with a triangular hole, joined to the rim by a bridge from corner 0 to corner 4
+        let positions = [
+            [0.0, 0.0],
+            [9.0, 0.0],
+            [9.0, 9.0],
+            [0.0, 9.0],
+            [2.0, 2.0],
+            [2.0, 5.0],
+            [5.0, 2.0],
+        ]
+        .map(|[x, y]| DVec3::new(x, y, 0.0));
+        let mesh = Mesh::new(&positions, [[0, 1, 2, 3, 0, 4, 5, 6, 4]], &[]);
+        assert_eq!(mesh.face(0), [0, 1, 2, 3, 0, 4, 5, 6, 4]);
+        assert_eq!(mesh.faces_around(0), [0]);
+        assert_eq!(mesh.faces_around(4), [0]);
     }
 
     #[test]
-    fn repeated_corners_are_dropped_with_their_texture_coordinates() {
+    fn corners_repeated_in_a_row_are_dropped_with_their_texture_coordinates() {
         let positions = [
             [0.0, 0.0, 0.0],
             [1.0, 0.0, 0.0],

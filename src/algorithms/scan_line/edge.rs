@@ -9,7 +9,7 @@ use crate::numeric::{Ramp, interpolate};
 #[derive(Clone, Copy, Debug)]
 pub struct Edge<A> {
     /// Position in its polygon: from corner `number` to the next.
-    pub number: u16,
+    pub number: u32,
     pub upper: End<A>,
     pub lower: End<A>,
     /// The first row of the frame whose centre it reaches, and the row behind the last.
@@ -27,7 +27,7 @@ pub struct Edge<A> {
 /// An end of an edge, on the screen.
 #[derive(Clone, Copy, Debug)]
 pub struct End<A> {
-    pub corner: u16,
+    pub corner: u32,
     pub x: f64,
     pub y: f64,
     pub value: A,
@@ -44,7 +44,7 @@ impl<A: Carried> Edge<A> {
         let end = |corner: usize| {
             let ScreenCorner { x, y, value, .. } = corners[corner];
             End {
-                corner: corner as u16,
+                corner: corner as u32,
                 x,
                 y,
                 value,
@@ -65,7 +65,7 @@ impl<A: Carried> Edge<A> {
         let y_4 = f64::from(first) + 0.5;
         let slope = (lower.x - upper.x) / (lower.y - upper.y);
         let mut edge = Edge {
-            number: from as u16,
+            number: from as u32,
             upper,
             lower,
             first,

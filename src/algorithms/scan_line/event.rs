@@ -37,11 +37,11 @@ pub enum Part {
 pub enum Event<A> {
     /// Opens the building of the edge table.
     EdgeTable {
-        corners: u16,
+        corners: u32,
     },
     /// On the screen, in pixels; z is the depth.
     CornerPlaced {
-        corner: u16,
+        corner: u32,
         x: f64,
         y: f64,
         z: f64,
@@ -49,9 +49,9 @@ pub enum Event<A> {
     },
     /// Rows `first..end`; `slope` is dx/dy, `step` what one scan line adds to the carried value.
     EdgeEntered {
-        edge: u16,
-        upper: u16,
-        lower: u16,
+        edge: u32,
+        upper: u32,
+        lower: u32,
         first: u32,
         end: u32,
         slope: f64,
@@ -59,12 +59,12 @@ pub enum Event<A> {
     },
     /// The edge passes the centre of no row.
     EdgeSkipped {
-        from: u16,
-        to: u16,
+        from: u32,
+        to: u32,
     },
     /// Closes `EdgeTable`.
     EdgeTableBuilt {
-        edges: u16,
+        edges: u32,
     },
     /// Opens a scan line; `y_4` is the height of its pixels' centres.
     ScanLine {
@@ -73,9 +73,9 @@ pub enum Event<A> {
     },
     /// Opens an active edge on the current scan line.
     Edge {
-        edge: u16,
-        upper: u16,
-        lower: u16,
+        edge: u32,
+        upper: u32,
+        lower: u32,
         y_1: f64,
         y_2: f64,
         x_4: f64,

@@ -139,7 +139,7 @@ impl<A: Carried> ScanLine<A> {
         let count = self.corners.len();
         recorder.enter(|| {
             Event::EdgeTable {
-                corners: count as u16,
+                corners: count as u32,
             }
             .into()
         });
@@ -152,7 +152,7 @@ impl<A: Carried> ScanLine<A> {
             } = *corner;
             recorder.step(|| {
                 Event::CornerPlaced {
-                    corner: number as u16,
+                    corner: number as u32,
                     x,
                     y,
                     z: 1.0 / inverse_depth,
@@ -171,8 +171,8 @@ impl<A: Carried> ScanLine<A> {
                 }
                 None => recorder.step(|| {
                     Event::EdgeSkipped {
-                        from: from as u16,
-                        to: to as u16,
+                        from: from as u32,
+                        to: to as u32,
                     }
                     .into()
                 }),
@@ -181,7 +181,7 @@ impl<A: Carried> ScanLine<A> {
         self.edge_table.sort_by_key(|edge| edge.first);
         recorder.leave(|| {
             Event::EdgeTableBuilt {
-                edges: self.edge_table.len() as u16,
+                edges: self.edge_table.len() as u32,
             }
             .into()
         });

@@ -68,8 +68,8 @@ impl Interpolation {
             });
         }
         let edge = state.edges.get(state.edge?)?;
-        let upper = state.corners.get(usize::from(edge.upper))?;
-        let lower = state.corners.get(usize::from(edge.lower))?;
+        let upper = state.corners.get(edge.upper as usize)?;
+        let lower = state.corners.get(edge.lower as usize)?;
         let told = edge.cut.as_ref().and_then(|cut| cut.values).and_then(both);
         Some(Interpolation {
             ends: [

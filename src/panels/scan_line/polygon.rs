@@ -130,7 +130,7 @@ impl<A: Carried> Drawing<'_, A> {
         for (number, &from) in places.iter().enumerate() {
             let to = places[(number + 1) % places.len()];
             self.labels.spare(from, to);
-            let entered = |edge: &EdgeInHand<A>| usize::from(edge.edge) == number;
+            let entered = |edge: &EdgeInHand<A>| edge.edge as usize == number;
             let in_hand = self.state.edge.and_then(|edge| self.state.edges.get(edge));
             let stroke = if in_hand.is_some_and(entered) {
                 Ink::Linked.stroke(4.0)
@@ -197,7 +197,7 @@ impl<A: Carried> Drawing<'_, A> {
     /// y_1 and y_2, the heights between which the edge in hand runs.
     fn draw_ticks(&mut self, picture: &mut Picture, edge: &EdgeInHand<A>) {
         for (name, corner) in [("y_1", edge.upper), ("y_2", edge.lower)] {
-            let Some(corner) = self.corners.get(usize::from(corner)) else {
+            let Some(corner) = self.corners.get(corner as usize) else {
                 continue;
             };
             let place = self.fit.place(corner.place);
@@ -354,7 +354,7 @@ impl<A: Carried> Drawing<'_, A> {
     fn label_corners(&mut self, picture: &mut Picture) {
         let Some(names) = A::NAMES else { return };
         let edge = self.state.edge.and_then(|edge| self.state.edges.get(edge));
-        let is = |end: Option<u16>, number: usize| end.map(usize::from) == Some(number);
+        let is = |end: Option<u32>, number: usize| end.map(|end| end as usize) == Some(number);
         let middle = self.middle();
         let corners = std::mem::take(&mut self.corners);
         for (number, corner) in corners.iter().enumerate() {
