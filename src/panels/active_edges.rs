@@ -1,21 +1,22 @@
 //! The edge table of the polygon in hand: which edges are active on the scan line, where it cuts them, what they carry there.
 
+mod columns;
+
 use super::Show;
 use super::message::message;
 use super::values::{told_in_words, value_of};
 use super::words::{Language, Words};
 use crate::algorithms::scan_line::Carried;
-use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, fixed, measure};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, fixed};
 use crate::record::Value;
 use crate::replay::shading::{EdgeInHand, State};
 use crate::replay::{Run, Walk};
+use columns::{Column, columns, place};
 use glam::Vec2;
 
 const SIZE: f32 = 12.5;
 const ROW: f32 = 24.0;
 const MARGIN: f32 = 8.0;
-/// Between two columns.
-const GAP: f32 = 14.0;
 /// Side of the square that shows a colour.
 const SWATCH: f32 = 11.0;
 
@@ -52,37 +53,6 @@ enum Turn {
     Done,
 }
 
-/// A column, from the most to the least important.
-#[derive(Clone, Copy, PartialEq, Debug)]
-enum Column {
-    Edge,
-    X,
-    Value,
-    To,
-    From,
-    Step,
-    Slope,
-}
-
-/// In which order they stand.
-const ORDER: [Column; 7] = [
-    Column::Edge,
-    Column::From,
-    Column::To,
-    Column::X,
-    Column::Value,
-    Column::Step,
-    Column::Slope,
-];
-/// In which order they go where the panel is narrow.
-const DROPPED: [Column; 5] = [
-    Column::Slope,
-    Column::Step,
-    Column::From,
-    Column::To,
-    Column::Value,
-];
-
 /// A row of the table, written out.
 struct Row {
     number: usize,
@@ -90,7 +60,7 @@ struct Row {
     in_hand: bool,
     /// What is carried where the scan line cuts the edge.
     color: Option<Value>,
-    /// In the order of [`ORDER`].
+    /// In the order of [`columns::ORDER`].
     cells: [String; 7],
 }
 
@@ -227,51 +197,6 @@ fn titles<A: Carried>(language: Language) -> [String; 7] {
         step,
         "Δx/Δy".to_string(),
     ]
-}
-
-/// The columns for which there is room, each with its right edge and its width.
-fn columns(titles: &[String; 7], rows: &[Row], room: f32) -> Vec<(Column, f32, f32)> {
-    let width = |column: Column| {
-        let at = place(column);
-        let title = measure(&titles[at], Style::Label, 12.0);
-        let cells = rows
-            .iter()
-            .map(|row| measure(&row.cells[at], Style::MonoBold, SIZE));
-        let swatch = if column == Column::Value {
-            SWATCH + 6.0
-        } else {
-            0.0
-        };
-        cells.fold(title, f32::max) + swatch
-    };
-    let mut columns = ORDER.to_vec();
-    columns.retain(|&column| !titles[place(column)].is_empty());
-    let total = |columns: &[Column]| {
-        columns.iter().map(|&column| width(column)).sum::<f32>()
-            + GAP * (columns.len() as f32 - 1.0)
-    };
-    for dropped in DROPPED {
-        if total(&columns) <= room {
-            break;
-        }
-        columns.retain(|&column| column != dropped);
-    }
-    // What is left over widens the gaps, up to what is still read as one row.
-    let spare = (room - total(&columns)) / columns.len() as f32;
-    let gap = GAP + spare.clamp(0.0, 48.0);
-    let mut right = MARGIN - gap;
-    columns
-        .into_iter()
-        .map(|column| {
-            let width = width(column);
-            right += gap + width;
-            (column, right, width)
-        })
-        .collect()
-}
-
-fn place(column: Column) -> usize {
-    ORDER.iter().position(|&known| known == column).unwrap_or(0)
 }
 
 /// Which rows are shown: all, or as many as fit around the active ones, with a line left for what is left out.

@@ -2,6 +2,7 @@
 //! span; and under it the interpolation of the step as bars.
 
 mod bars;
+mod corners;
 mod line;
 mod polygon;
 

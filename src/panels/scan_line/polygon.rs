@@ -3,6 +3,7 @@
 use super::super::fit::Fit;
 use super::super::labels::Labels;
 use super::super::values::{on_swatch, short, swatch, value_of};
+use super::corners::{Corner, corners};
 use crate::algorithms::scan_line::Carried;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
 use crate::record::Value;
@@ -14,16 +15,6 @@ const CORNER: f32 = 8.5;
 const POINT: f32 = 6.0;
 /// Points a pixel from which on the centres of the pixels are shown.
 const CENTRES: f64 = 6.0;
-
-/// A corner of the polygon on the screen.
-struct Corner {
-    place: DVec2,
-    tag: Tag,
-    /// What is carried there, once it is known.
-    value: Option<Value>,
-    /// Whether it is what the step is about.
-    in_hand: bool,
-}
 
 struct Drawing<'a, A> {
     state: &'a State<A>,
@@ -56,44 +47,6 @@ pub(super) fn draw<A: Carried>(picture: &mut Picture, state: &State<A>, area: Re
         labels: Labels::new(area.grown(-2.0)),
     };
     picture.clipped(area, |picture| drawing.draw(picture));
-}
-
-/// As they were told; before that, as the stage has them.
-fn corners<A: Carried>(state: &State<A>) -> Vec<Corner> {
-    if !state.edges.is_empty() {
-        let told = state.corners.iter().enumerate();
-        return told
-            .map(|(number, corner)| Corner {
-                place: DVec2::new(corner.x, corner.y),
-                tag: Tag::Corner(number),
-                value: value_of(corner.value),
-                in_hand: false,
-            })
-            .collect();
-    }
-    let number = state.polygon.map(|polygon| polygon.polygon as usize);
-    let Some(polygon) = number.and_then(|number| state.stage.polygon(number)) else {
-        return Vec::new();
-    };
-    let in_hand = state.vertex.as_ref();
-    polygon
-        .corners()
-        .filter(|(_, place)| place.camera.z >= state.stage.view.near)
-        .enumerate()
-        .map(|(number, (vertex, place))| {
-            let lit = state.lit.iter().find(|(known, _)| *known == vertex);
-            let told = state.corners.get(number);
-            Corner {
-                place: place.screen,
-                tag: Tag::Vertex(vertex),
-                value: told
-                    .and_then(|corner| value_of(corner.value))
-                    .or(lit.map(|(_, intensity)| (*intensity).into())),
-                in_hand: in_hand.is_some_and(|known| known.vertex == vertex)
-                    || told.is_some() && number + 1 == state.corners.len(),
-            }
-        })
-        .collect()
 }
 
 impl<A: Carried> Drawing<'_, A> {

@@ -1,0 +1,56 @@
+//! The corners of the polygon in hand, with what is known of them.
+
+use super::super::values::value_of;
+use crate::algorithms::scan_line::Carried;
+use crate::picture::Tag;
+use crate::record::Value;
+use crate::replay::shading::State;
+use glam::DVec2;
+
+/// A corner of the polygon on the screen.
+pub(super) struct Corner {
+    pub place: DVec2,
+    pub tag: Tag,
+    /// What is carried there, once it is known.
+    pub value: Option<Value>,
+    /// Whether it is what the step is about.
+    pub in_hand: bool,
+}
+
+/// The corners of the polygon in hand, as they were told; before that, as the stage has them.
+pub(super) fn corners<A: Carried>(state: &State<A>) -> Vec<Corner> {
+    if !state.edges.is_empty() {
+        let told = state.corners.iter().enumerate();
+        return told
+            .map(|(number, corner)| Corner {
+                place: DVec2::new(corner.x, corner.y),
+                tag: Tag::Corner(number),
+                value: value_of(corner.value),
+                in_hand: false,
+            })
+            .collect();
+    }
+    let number = state.polygon.map(|polygon| polygon.polygon as usize);
+    let Some(polygon) = number.and_then(|number| state.stage.polygon(number)) else {
+        return Vec::new();
+    };
+    let in_hand = state.vertex.as_ref();
+    polygon
+        .corners()
+        .filter(|(_, place)| place.camera.z >= state.stage.view.near)
+        .enumerate()
+        .map(|(number, (vertex, place))| {
+            let lit = state.lit.iter().find(|(known, _)| *known == vertex);
+            let told = state.corners.get(number);
+            Corner {
+                place: place.screen,
+                tag: Tag::Vertex(vertex),
+                value: told
+                    .and_then(|corner| value_of(corner.value))
+                    .or(lit.map(|(_, intensity)| (*intensity).into())),
+                in_hand: in_hand.is_some_and(|known| known.vertex == vertex)
+                    || told.is_some() && number + 1 == state.corners.len(),
+            }
+        })
+        .collect()
+}
