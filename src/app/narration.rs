@@ -12,6 +12,8 @@ use egui::{Frame, Margin, Rect, RichText, ScrollArea, Ui};
 const CODE: f32 = 190.0;
 const FORMULA: f32 = 132.0;
 const RULE: f32 = 1.0;
+/// Between the card's frame and what is in it.
+const MARGIN: f32 = 4.0;
 
 /// Shows the column; returns what lies under the pointer.
 pub fn show(
@@ -21,10 +23,10 @@ pub fn show(
     ui: &mut Ui,
 ) -> Option<Tag> {
     let card = ui.max_rect();
-    ui.painter()
-        .add(style::card(session.look.theme).paint(card));
+    ui.set_min_size(card.size());
+    style::card(session.look.theme, card, ui);
     let mut under = None;
-    let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(card.shrink(2.0)));
+    let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(card.shrink(MARGIN)));
     ScrollArea::vertical()
         .auto_shrink(false)
         .show(&mut ui, |ui| {
@@ -44,7 +46,8 @@ pub fn show(
                 ui.ctx()
                     .request_discard("the words of this step take another height");
             }
-            let left = (card.height() - 4.0 - window.said_height - 2.0 * RULE).max(CODE + FORMULA);
+            let left = (card.height() - 2.0 * MARGIN - window.said_height - 2.0 * RULE)
+                .max(CODE + FORMULA);
             let code = (0.64 * left).clamp(CODE, left - FORMULA);
             for (panel, height) in [(Panel::Code, code), (Panel::Formula, left - code)] {
                 rule(session, ui);

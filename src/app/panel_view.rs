@@ -224,10 +224,6 @@ pub fn caption(session: &Session, panel: Panel) -> String {
         },
     };
     match panel {
-        Panel::Image => {
-            let [width, height] = session.lesson().size;
-            format!("{width} × {height} · {}", focus_words(session))
-        }
         Panel::ScanLine => whole("y").map(|y| format!("y = {y}")).unwrap_or_default(),
         Panel::ActiveEdges => session.say(words::CLICK_A_ROW).to_owned(),
         Panel::Vertex => whole("vertex")

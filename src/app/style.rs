@@ -53,12 +53,12 @@ pub fn color(theme: Theme, ink: Ink) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// The frame of a card.
-pub fn card(theme: Theme) -> egui::Frame {
-    egui::Frame::new()
-        .fill(color(theme, Ink::Surface))
-        .stroke(Stroke::new(1.0, color(theme, Ink::Rule)))
-        .corner_radius(6)
+/// Paints a card that fills `rect`, its frame inside.
+pub fn card(theme: Theme, rect: egui::Rect, ui: &egui::Ui) {
+    let rule = Stroke::new(1.0, color(theme, Ink::Rule));
+    let surface = color(theme, Ink::Surface);
+    let inside = egui::StrokeKind::Inside;
+    ui.painter().rect(rect, 6.0, surface, rule, inside);
 }
 
 /// Puts fonts and inks of a theme in place.

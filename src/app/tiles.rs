@@ -14,7 +14,7 @@ const TITLE: f32 = 34.0;
 /// Between cards, and around them.
 pub const GAP: f32 = 10.0;
 /// Between a card's frame and its picture.
-const MARGIN: f32 = 2.0;
+const MARGIN: f32 = 4.0;
 
 /// The arrangement, which a user may have changed.
 pub struct Arrangement {
@@ -92,7 +92,7 @@ impl Behavior<Panel> for Cards<'_> {
     fn pane_ui(&mut self, ui: &mut Ui, _: TileId, panel: &mut Panel) -> UiResponse {
         let theme = self.session.look.theme;
         let rect = ui.max_rect();
-        ui.painter().add(style::card(theme).paint(rect));
+        style::card(theme, rect, ui);
         let title = Rect::from_min_size(rect.min, egui::vec2(rect.width(), TITLE))
             .shrink2(egui::vec2(12.0, 4.0));
         card_title(self.session, *panel, title, ui);
