@@ -5,8 +5,9 @@ use super::tiles::panel_on;
 use super::window::Window;
 use super::{panel_view, question_card, style, words};
 use crate::panels::Panel;
-use crate::picture::{Ink, Tag};
-use egui::{Frame, Margin, Rect, RichText, ScrollArea, Ui};
+use crate::picture::{Ink, Script, Tag, math};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Align, FontId, Frame, Margin, Rect, RichText, ScrollArea, Ui};
 
 /// The least heights at which pseudocode and formula can be read, and what is between them.
 const CODE: f32 = 190.0;
@@ -92,17 +93,13 @@ fn say(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut
     if !session.walk().is_empty() {
         ui.label(style::strong(session.walk().kind(session.step()), 14.0));
     }
-    ui.label(
-        RichText::new(in_words(session, window))
-            .size(15.0)
-            .line_height(Some(22.0)),
-    );
+    ui.label(prose(session, in_words(session, window), 15.0, Ink::Text));
     if let Some(said) = session.said_last() {
-        let link = format!("{} {}", session.say(words::LAST_SAID), said.step);
+        let link = format!("{} {}", session.say(words::LAST_SAID), said.step + 1);
         if ui.link(RichText::new(link).size(12.0)).clicked() {
             commands.push(Command::Seek(said.step));
         }
-        ui.label(RichText::new(said.say(language)).size(13.0).color(muted));
+        ui.label(prose(session, said.say(language), 13.0, Ink::Muted));
     }
 }
 
@@ -119,6 +116,27 @@ fn in_words<'a>(session: &Session, window: &'a Window) -> &'a str {
         .unwrap_or_default()
 }
 
+/// A text whose symbols (`I_4`, `x_P`) are set as the panels set them.
+pub fn prose(session: &Session, text: &str, size: f32, ink: Ink) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    for run in math(text) {
+        let (size_of_run, valign) = match run.script {
+            Script::Base => (size, Align::Center),
+            Script::Sub => (0.72 * size, Align::BOTTOM),
+            Script::Super => (0.72 * size, Align::TOP),
+        };
+        let format = TextFormat {
+            font_id: FontId::proportional(size_of_run),
+            color: style::color(session.look.theme, ink),
+            line_height: Some(1.45 * size),
+            valign,
+            ..TextFormat::default()
+        };
+        job.append(&run.text, 0.0, format);
+    }
+    job
+}
+
 fn slide_note(session: &Session, text: &str, ui: &mut Ui) {
     let theme = session.look.theme;
     let frame = Frame::new()
@@ -129,6 +147,6 @@ fn slide_note(session: &Session, text: &str, ui: &mut Ui) {
         ui.set_width(ui.available_width());
         ui.spacing_mut().item_spacing.y = 3.0;
         ui.label(style::strong(session.say(words::SLIDE), 13.0));
-        ui.label(RichText::new(text).size(13.0));
+        ui.label(prose(session, text, 13.0, Ink::Text));
     });
 }

@@ -88,7 +88,12 @@ impl PanelView {
             self.upload(highlighted, panel, session, ui);
         }
 
-        let response = ui.interact(rect, ui.scope_id().with(panel.name()), Sense::click());
+        let sense = if panel == Panel::TimeLine {
+            Sense::click_and_drag()
+        } else {
+            Sense::click()
+        };
+        let response = ui.interact(rect, ui.scope_id().with(panel.name()), sense);
         let name = session.say(title(panel));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name));
         ui.ctx()
@@ -229,7 +234,6 @@ pub fn caption(session: &Session, panel: Panel) -> String {
         Panel::Vertex => whole("vertex")
             .map(|vertex| vertex.to_string())
             .unwrap_or_default(),
-        Panel::Inspector if !walk.is_empty() => walk.kind(session.step()).to_owned(),
         _ => String::new(),
     }
 }

@@ -3,7 +3,7 @@
 use super::panel_view::{self, PanelView};
 use super::session::{Command, Session};
 use super::style;
-use crate::panels::Panel;
+use crate::panels::{Panel, step_at};
 use crate::picture::{Ink, Tag};
 use egui::{Rect, Ui, WidgetText};
 use egui_tiles::{Behavior, Container, Linear, LinearDir, TileId, Tiles, Tree, UiResponse};
@@ -165,6 +165,15 @@ pub fn panel_on(
             Tag::Pixel { y, .. } if held.shift => Command::Click(Tag::ScanLine(y as i32)),
             tag => Command::Click(tag),
         });
+    }
+    if panel == Panel::TimeLine && (response.dragged() || response.clicked() && command.is_none()) {
+        // The track spans the whole run: dragging along it walks through all of it.
+        let at = response
+            .interact_pointer_pos()
+            .map_or(0.0, |at| at.x - response.rect.min.x);
+        let size = glam::Vec2::new(response.rect.width(), response.rect.height());
+        let step = step_at(&session.show(), size, at);
+        command = (step != session.step()).then_some(Command::Seek(step));
     }
     if panel == Panel::Image {
         // The menu is about the place where it was opened, not where the pointer went since.

@@ -18,6 +18,8 @@ mod values;
 mod vertex;
 pub mod words;
 
+pub use time_line::step_at;
+
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::picture::Picture;
