@@ -362,29 +362,3 @@ fn the_window_can_be_painted_at_every_size() {
         }
     }
 }
-
-#[test]
-fn a_redraw_with_a_seek_is_quick() {
-    let mut screen = screen("gouraud-teapot", [1280, 800], 1.0, [Command::Questions]);
-    let last = screen.session().last_step();
-    let mut slowest = std::time::Duration::ZERO;
-    let mut all = std::time::Duration::ZERO;
-    for i in 0..60 {
-        screen
-            .harness
-            .state_mut()
-            .0
-            .update(Command::Seek((i * 7919) % last))
-            .expect("a seek");
-        let start = std::time::Instant::now();
-        screen.harness.step();
-        let output = screen.harness.output();
-        let _ = screen
-            .harness
-            .ctx
-            .tessellate(output.shapes.clone(), output.pixels_per_point);
-        slowest = slowest.max(start.elapsed());
-        all += start.elapsed();
-    }
-    println!("redraw with seek: mean {:?}, slowest {slowest:?}", all / 60);
-}
