@@ -94,6 +94,13 @@ fn say(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut
         ui.label(style::strong(session.walk().kind(session.step()), 14.0));
     }
     ui.label(prose(session, in_words(session, window), 15.0, Ink::Text));
+    if session.follows_lesson() && session.said_last().is_none() {
+        let summary = session.lesson().summary.in_language(language);
+        ui.label(prose(session, summary, 14.0, Ink::Muted));
+        if ui.link(session.say(words::NEXT_SAID)).clicked() {
+            commands.push(Command::NextNarrated);
+        }
+    }
     if let Some(said) = session.said_last() {
         let link = format!("{} {}", session.say(words::LAST_SAID), said.step + 1);
         if ui.link(RichText::new(link).size(12.0)).clicked() {

@@ -61,6 +61,15 @@ pub fn card(theme: Theme, rect: egui::Rect, ui: &egui::Ui) {
     ui.painter().rect(rect, 6.0, surface, rule, inside);
 }
 
+/// The frame of a sheet that lies over the window.
+pub fn card_frame(theme: Theme) -> egui::Frame {
+    egui::Frame::new()
+        .fill(color(theme, Ink::Surface))
+        .stroke(Stroke::new(1.0, color(theme, Ink::Rule)))
+        .corner_radius(6)
+        .inner_margin(18)
+}
+
 /// Puts fonts and inks of a theme in place.
 pub fn apply(ctx: &egui::Context, theme: Theme) {
     ctx.set_theme(if theme == Theme::Dark {
