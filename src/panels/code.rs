@@ -142,37 +142,58 @@ impl Row {
     }
 }
 
-/// The largest text at which all lines fit; else the smallest, with long lines continued.
+/// The largest text at which all lines fit. Where that is too small, of the calling listings only the lines that call;
+/// where that does not do, long lines are continued on the next; where even then not all fit, the smallest text.
 fn lay_out(blocks: &[Line], size: Vec2) -> (f32, Vec<Row>) {
     let fits = |text_size: f32, rows: &[Row]| {
         rows.len() as f32 * LINE_HEIGHT * text_size <= size.y - 2.0 * MARGIN
     };
     let sizes = |largest: f32| {
-        let steps = (2.0 * (largest - SMALLEST)) as usize;
-        (0..=steps).map(move |i| largest - 0.5 * i as f32)
+        let steps = (largest - SMALLEST) as usize;
+        (0..=steps).map(move |i| largest - i as f32)
     };
     let width = |text_size: f32| size.x - 2.0 * MARGIN - GUTTER * text_size;
-    let whole = sizes(LARGEST).find_map(|text_size| {
-        let rows = rows(blocks, text_size, f32::INFINITY);
-        let narrow = rows.iter().all(|row| {
-            let indent = row.indent as f32 * measure(" ", Style::Mono, text_size);
-            indent + set_width(&row.text, text_size) <= width(text_size)
-        });
-        (narrow && fits(text_size, &rows)).then_some((text_size, rows))
-    });
-    let continued = || {
+    let unbroken = |callers: Callers, smallest: f32| {
+        sizes(LARGEST)
+            .take_while(move |&text_size| text_size >= smallest)
+            .find_map(|text_size| {
+                let rows = rows(blocks, callers, text_size, f32::INFINITY);
+                let narrow = rows.iter().all(|row| {
+                    let indent = row.indent as f32 * measure(" ", Style::Mono, text_size);
+                    indent + set_width(&row.text, text_size) <= width(text_size)
+                });
+                (narrow && fits(text_size, &rows)).then_some((text_size, rows))
+            })
+    };
+    let continued = |callers: Callers| {
         sizes(CONTINUED)
-            .map(|text_size| (text_size, rows(blocks, text_size, width(text_size))))
+            .map(|text_size| {
+                (
+                    text_size,
+                    rows(blocks, callers, text_size, width(text_size)),
+                )
+            })
             .find(|(text_size, rows)| fits(*text_size, rows))
     };
-    whole
-        .filter(|(text_size, _)| *text_size >= 12.0)
-        .or_else(continued)
-        .unwrap_or_else(|| (SMALLEST, rows(blocks, SMALLEST, width(SMALLEST))))
+    unbroken(Callers::Whole, 12.0)
+        .or_else(|| continued(Callers::Whole))
+        .or_else(|| unbroken(Callers::CallingLine, 12.0))
+        .or_else(|| continued(Callers::CallingLine))
+        .unwrap_or_else(|| {
+            let rows = rows(blocks, Callers::CallingLine, SMALLEST, width(SMALLEST));
+            (SMALLEST, rows)
+        })
+}
+
+/// How much of a calling listing is shown.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum Callers {
+    Whole,
+    CallingLine,
 }
 
 /// The rows of all blocks, lines wider than `width` continued.
-fn rows(blocks: &[Line], size: f32, width: f32) -> Vec<Row> {
+fn rows(blocks: &[Line], callers: Callers, size: f32, width: f32) -> Vec<Row> {
     let space = measure(" ", Style::Mono, size);
     let mut rows = Vec::new();
     for (i, block) in blocks.iter().enumerate() {
@@ -188,6 +209,9 @@ fn rows(blocks: &[Line], size: f32, width: f32) -> Vec<Row> {
             });
         }
         for (number, line) in block.listing.lines.iter().enumerate() {
+            if !current && callers == Callers::CallingLine && number != block.number {
+                continue;
+            }
             let text = line.trim_start();
             let indent = line.len() - text.len();
             let mark = match (number == block.number, current) {

@@ -13,6 +13,8 @@ use glam::Vec2;
 const MARGIN: f32 = 10.0;
 const GAP: f32 = 14.0;
 const LINE_HEIGHT: f32 = 1.6;
+/// Room for a swatch, in sizes of the text.
+const SWATCH: f32 = 1.4;
 const LARGEST: f32 = 14.0;
 const SMALLEST: f32 = 11.0;
 
@@ -74,11 +76,11 @@ fn title(picture: &mut Picture, show: &Show, size: Vec2) {
     let long = format!(
         "{} {} · {} {}",
         words(STEP),
-        step + 1,
+        step,
         words(DEPTH),
         walk.outline().depth(step)
     );
-    let short = format!("{} {}", words(STEP), step + 1);
+    let short = format!("{} {}", words(STEP), step);
     let kind = Style::Bold.size(14.0).ink(Ink::This);
     let room = line.width - kind.width(walk.kind(step)) - GAP;
     let text = if place.width(&long) <= room {
@@ -130,47 +132,40 @@ struct Sheet {
 }
 
 impl Sheet {
-    /// The largest text, most decimals and longest origins that let all rows fit; where none does, the smallest.
+    /// The largest text at which all rows fit, shorter forms only where the smallest text does not help; where no form
+    /// lets all rows fit, the first of the smallest text that is not too wide.
     fn of(told: &[Told], show: &Show, size: Vec2) -> Self {
+        /// Decimals, and whether an origin names its kind.
         const FORMS: [(usize, bool); 5] =
             [(4, true), (3, true), (3, false), (2, false), (1, false)];
         let steps = (2.0 * (LARGEST - SMALLEST)) as usize;
-        let sizes = || (0..=steps).map(|i| LARGEST - 0.5 * i as f32);
-        let sheets =
-            || sizes().flat_map(|text| FORMS.map(|(decimals, kind)| (text, decimals, kind)));
-        let make = |(text, decimals, kind)| Sheet::with(told, show, size, text, decimals, kind);
-        // Short origins and few decimals only where nothing smaller helps.
-        let whole = FORMS.iter().find_map(|&(decimals, kind)| {
-            sizes()
-                .map(|text| make((text, decimals, kind)))
-                .find(|sheet| sheet.columns > 0 && sheet.rows.len() <= sheet.capacity(size))
-        });
-        whole
-            .or_else(|| {
-                sheets()
-                    .filter(|&(text, ..)| text == SMALLEST)
-                    .map(make)
-                    .find(|sheet| sheet.columns > 0)
-            })
-            .unwrap_or_else(|| {
-                let mut sheet = make((SMALLEST, 1, false));
-                sheet.columns = 1;
-                // Long names are shortened; a longer value takes the place of its origin.
-                let room = size.x - 2.0 * MARGIN - sheet.from - 2.0 * GAP;
-                sheet.value = sheet.value.min(room - sheet.name.min(60.0));
-                sheet.name = room - sheet.value;
-                sheet
-            })
+        let mut narrow = None;
+        for (decimals, with_kind) in FORMS {
+            let mut sheet = Sheet::with(told, show, decimals, with_kind);
+            for i in 0..=steps {
+                sheet.set_size(LARGEST - 0.5 * i as f32, size);
+                if sheet.columns > 0 && sheet.rows.len() <= sheet.capacity(size) {
+                    return sheet;
+                }
+            }
+            if sheet.columns > 0 {
+                narrow.get_or_insert(sheet);
+            }
+        }
+        narrow.unwrap_or_else(|| {
+            let mut sheet = Sheet::with(told, show, 1, false);
+            sheet.set_size(SMALLEST, size);
+            sheet.columns = 1;
+            // Long names are shortened; a longer value takes the place of its origin.
+            let room = size.x - 2.0 * MARGIN - sheet.from - 2.0 * GAP;
+            sheet.value = sheet.value.min(room - sheet.name.min(60.0));
+            sheet.name = room - sheet.value;
+            sheet
+        })
     }
 
-    fn with(
-        told: &[Told],
-        show: &Show,
-        size: Vec2,
-        text: f32,
-        decimals: usize,
-        with_kind: bool,
-    ) -> Self {
+    /// The widths are in sizes of the text until it has one.
+    fn with(told: &[Told], show: &Show, decimals: usize, with_kind: bool) -> Self {
         let walk = show.run.walk();
         let words = |words: Words| words.in_language(show.language);
         let rows: Vec<Row> = told
@@ -181,32 +176,41 @@ impl Sheet {
                 value: shown(told.field.value, decimals, show.language),
                 from: match (told.step == walk.position(), with_kind) {
                     (true, _) => words(THIS_STEP).to_string(),
-                    (false, true) => format!("{} {}", walk.kind(told.step), told.step + 1),
-                    (false, false) => format!("{} {}", words(STEP), told.step + 1),
+                    (false, true) => format!("{} {}", walk.kind(told.step), told.step),
+                    (false, false) => format!("{} {}", words(STEP), told.step),
                 },
             })
             .collect();
         let widest = |width: &dyn Fn(&Row) -> f32| rows.iter().map(width).fold(0.0, f32::max);
-        let name = widest(&|row| measure(&row.name, Style::Label, text));
+        let name = widest(&|row| measure(&row.name, Style::Label, 1.0));
         let value = widest(&|row| {
-            let swatch = if swatch(row).is_some() {
-                1.4 * text
-            } else {
-                0.0
-            };
-            swatch + measure(&row.value, Style::Mono, text)
+            let swatch = if swatch(row).is_some() { SWATCH } else { 0.0 };
+            swatch + measure(&row.value, Style::Mono, 1.0)
         });
-        let from = widest(&|row| measure(&row.from, Style::Body, text));
-        let column = name + value + from + 2.0 * GAP;
-        let columns = ((size.x - 2.0 * MARGIN + 2.0 * GAP) / (column + 2.0 * GAP)) as usize;
+        let from = widest(&|row| measure(&row.from, Style::Body, 1.0));
         Sheet {
             rows,
-            size: text,
+            size: 1.0,
             name,
             value,
             from,
-            columns,
+            columns: 0,
         }
+    }
+
+    /// Scales the columns to a size of text, and says how many stand beside each other in a panel of `size`.
+    fn set_size(&mut self, text: f32, size: Vec2) {
+        let factor = text / self.size;
+        for width in [
+            &mut self.size,
+            &mut self.name,
+            &mut self.value,
+            &mut self.from,
+        ] {
+            *width *= factor;
+        }
+        let column = self.name + self.value + self.from + 2.0 * GAP;
+        self.columns = ((size.x - 2.0 * MARGIN + 2.0 * GAP) / (column + 2.0 * GAP)) as usize;
     }
 
     /// How many rows fit.
@@ -241,7 +245,7 @@ impl Sheet {
             let side = (0.85 * self.size).round();
             let swatch = Rect::new(x, place.center().y - 0.5 * side, side, side);
             picture.rect(swatch, color.fill().outlined(Ink::Rule.stroke(1.0)));
-            x += 1.4 * self.size;
+            x += SWATCH * self.size;
         }
         let style = if own { Style::MonoBold } else { Style::Mono };
         let ink = if own { Ink::This } else { Ink::Text };
@@ -275,7 +279,7 @@ impl Sheet {
         let head = format!(
             "{} {}, {}",
             STEP.in_language(show.language),
-            step + 1,
+            step,
             walk.kind(step)
         );
         if own.is_empty() {

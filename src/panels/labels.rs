@@ -79,7 +79,7 @@ impl Labels {
                     continue;
                 }
                 let crossed = self.lines.iter().filter(|line| crosses(**line, place));
-                let mut cost = 0.1 * gap + 2.0 * crossed.count() as f32 - direction.dot(toward);
+                let mut cost = 0.06 * gap + 4.0 * crossed.count() as f32 - direction.dot(toward);
                 if ring >= LED {
                     let line = leader(at, radius, place);
                     let struck = self.taken.iter().filter(|taken| crosses(line, **taken));

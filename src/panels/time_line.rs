@@ -7,7 +7,7 @@
 use super::Show;
 use super::message::{NO_STEPS, message};
 use super::words::{Language, Words};
-use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, Tag, elide};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::record::{Outline, Value};
 use crate::replay::Walk;
 use glam::Vec2;
@@ -22,7 +22,7 @@ const MOST_ROWS: usize = 5;
 /// Bars are at least this wide, and so are the places of the marks.
 const NARROWEST: f64 = 3.0;
 /// The bars of a run are all drawn on one scale where a step has this width.
-const WHOLE_RUN: f64 = 1.0;
+const WHOLE_RUN: f64 = 2.0;
 const TEXT: f32 = 12.0;
 
 const SAYS: Words = Words::new("Time line at step", "Garis waktu pada langkah");
@@ -241,67 +241,99 @@ impl Row {
 
     fn draw(&self, picture: &mut Picture, walk: &dyn Walk, language: Language) {
         let mut kinds: Vec<&str> = Vec::new();
+        let mut before = "";
         for bar in &self.bars {
             let current = self.is_current(bar);
             let rect = self.bar(bar);
             let scope = bar.steps.start;
-            let kind = walk.kind(scope);
-            if !bar.several && !kinds.contains(&kind) {
-                kinds.push(kind);
-            }
             let ink = if current { Ink::LinkedTint } else { Ink::Faint };
             let tag = if bar.several { Tag::Step } else { Tag::Scope };
             picture.tagged(tag(scope), |picture| {
                 let radius = if rect.width > 8.0 { 3.0 } else { 0.0 };
                 picture.rounded_rect(rect, radius, ink);
-                if !bar.several {
-                    label(picture, rect, walk, scope, current, language);
-                }
+            });
+            if bar.several {
+                continue;
+            }
+            let kind = walk.kind(scope);
+            if !kinds.contains(&kind) {
+                kinds.push(kind);
+            }
+            // The first of its kind says what the numbers count.
+            let long = current || kind != before;
+            before = kind;
+            let cursor = current.then(|| self.span.middle(walk.position()));
+            picture.tagged(tag(scope), |picture| {
+                label(picture, rect, walk, scope, (cursor, long), language);
             });
         }
-        // The kind in hand comes first.
+        self.draw_name(picture, walk, kinds, language);
+    }
+
+    /// The kinds of scope in the row, the one in hand first, as many as fit.
+    fn draw_name(
+        &self,
+        picture: &mut Picture,
+        walk: &dyn Walk,
+        mut kinds: Vec<&str>,
+        language: Language,
+    ) {
         if let Some(current) = self.current.map(|scope| walk.kind(scope)) {
             kinds.sort_by_key(|&kind| kind != current);
         }
-        let names: Vec<String> = kinds
-            .into_iter()
-            .map(|kind| in_text(kind, language))
-            .collect();
+        let style = Style::Body.size(TEXT).ink(Ink::Muted);
         let place = Rect {
             x: MARGIN,
             width: self.place.x - MARGIN - 8.0,
             ..self.place
         };
-        let name = elide(&names.join(", "), Style::Body, TEXT, place.width);
-        picture.text_in(place, name, Style::Body.size(TEXT).ink(Ink::Muted));
+        let names: Vec<String> = kinds
+            .into_iter()
+            .map(|kind| in_text(kind, language))
+            .collect();
+        let name = (1..=names.len())
+            .rev()
+            .map(|count| names[..count].join(", "))
+            .find(|name| style.width(name) <= place.width)
+            .or_else(|| Some(elide(names.first()?, Style::Body, TEXT, place.width)));
+        if let Some(name) = name {
+            picture.text_in(place, name, style);
+        }
     }
 }
 
-/// The longest of a scope's names that fits into its bar.
+/// What a bar is called, if it fits: its number, where it is `long` after its kind. Beside the cursor, where there is room.
 fn label(
     picture: &mut Picture,
     rect: Rect,
     walk: &dyn Walk,
     scope: usize,
-    current: bool,
+    (cursor, long): (Option<f32>, bool),
     language: Language,
 ) {
-    let style = if current {
+    let style = if cursor.is_some() {
         Style::Bold.size(TEXT)
     } else {
         Style::Body.size(TEXT).ink(Ink::Muted)
     };
     let kind = in_text(walk.kind(scope), language);
     let names = match number_of(walk, scope) {
-        Some(number) => [format!("{kind} {number}"), number.to_string()],
-        None => [kind, String::new()],
+        Some(number) if long => vec![format!("{kind} {number}"), number.to_string()],
+        Some(number) => vec![number.to_string()],
+        None => vec![kind],
     };
     let fitting = names
         .into_iter()
         .find(|name| style.width(name) + 6.0 <= rect.width);
-    if let Some(name) = fitting
-        && !name.is_empty()
-    {
+    if let Some(name) = fitting {
+        let half = 0.5 * style.width(&name) + 4.0;
+        let covered = |x: f32| cursor.is_some_and(|cursor| (cursor - x).abs() < half);
+        let cursor = cursor.unwrap_or_default();
+        let place = [rect.center().x, cursor + half, cursor - half]
+            .into_iter()
+            .find(|&x| !covered(x) && x - half >= rect.x && x + half <= rect.right())
+            .unwrap_or(rect.center().x);
+        let rect = rect.shifted(Vec2::new(place - rect.center().x, 0.0));
         picture.text_in(rect, name, style.middle());
     }
 }
@@ -390,10 +422,6 @@ fn apart(steps: &[usize], span: &Span, distance: f64) -> Vec<usize> {
 
 /// Through the track and all rows, on the scale of each.
 fn cursor(picture: &mut Picture, whole: &Span, rows: &[Row], position: usize, y: f32) {
-    let stroke = Stroke {
-        dash: Dash::Solid,
-        ..Ink::This.stroke(2.0)
-    };
     let x = whole.middle(position);
     let mut points = vec![Vec2::new(x, y)];
     for row in rows {
@@ -404,7 +432,7 @@ fn cursor(picture: &mut Picture, whole: &Span, rows: &[Row], position: usize, y:
         }
     }
     picture.tagged(Tag::Step(position), |picture| {
-        picture.polyline(points, stroke);
+        picture.polyline(points, Ink::This.stroke(2.0));
         let top = y - 0.5 * TRACK - 1.0;
         let head = [(x - 7.0, top), (x + 7.0, top), (x, y + 1.0)];
         picture.polygon(head, Ink::This);
@@ -428,7 +456,7 @@ fn in_words(show: &Show, rows: &[Row]) -> String {
     let head = format!(
         "{} {} {} {}",
         SAYS.in_language(show.language),
-        walk.position() + 1,
+        walk.position(),
         OF.in_language(show.language),
         walk.len()
     );
@@ -444,6 +472,7 @@ mod tests {
     use super::super::crowd::{self, SIZES, assert_legible};
     use super::super::sample::Sample;
     use super::*;
+    use crate::record::{Recorder, Recording, RecordingLimit};
     use crate::render::Method;
 
     #[test]
@@ -507,6 +536,26 @@ mod tests {
         assert_eq!(step_at(&sample.show(), size, -50.0), 0);
         assert_eq!(step_at(&sample.show(), size, 5000.0), last);
         assert_eq!(step_at(&crowd::nothing().show(), size, 300.0), 0);
+    }
+
+    #[test]
+    fn a_million_scopes_are_few_bars_that_together_hold_all_of_them() {
+        let mut recording = Recording::new(RecordingLimit::default());
+        for _ in 0..1_000_000 {
+            recording.enter(|| ());
+            recording.step(|| ());
+            recording.leave(|| ());
+        }
+        let outline = Outline::of(&recording);
+        let span = Span::new(0..outline.len(), Rect::new(0.0, 0.0, 1200.0, 20.0));
+        let bars = bars(&outline, &span, 0);
+        assert!(bars.len() <= 400, "{}", bars.len());
+        assert_eq!(bars[0].steps.start, 0);
+        assert_eq!(bars[bars.len() - 1].steps.end, outline.len());
+        assert!(
+            bars.windows(2)
+                .all(|pair| pair[0].steps.end == pair[1].steps.start)
+        );
     }
 
     #[test]

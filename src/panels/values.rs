@@ -117,6 +117,9 @@ pub(super) fn told_in_words(show: &Show) -> String {
         .iter()
         .map(|field| format!("{} = {}", field.name, short(field.value, 6)))
         .collect();
+    if values.is_empty() {
+        return format!("{}.", step_in_words(show));
+    }
     format!("{}: {}.", step_in_words(show), values.join(", "))
 }
 

@@ -1,7 +1,149 @@
+//! The point that is being lit: the faces around it with their normals, their mean N_v, the vectors of the illumination model,
+//! and the terms that add up to its intensity.
+//!
+//! Seen from the camera's direction turned by 35° about its up axis and by 25° about its right axis, in parallel projection:
+//! so a normal that points at the viewer is an arrow, and not a dot.
+
+mod arrows;
+mod terms;
+
 use super::Show;
-use crate::picture::Picture;
+use super::message::message;
+use super::values::told_in_words;
+use super::words::Words;
+use crate::picture::{Picture, Rect};
+use crate::replay::Run;
+use crate::replay::shading::State;
 use glam::Vec2;
 
-pub fn draw(_: &Show, size: Vec2) -> Picture {
-    Picture::new(size.x, size.y)
+const NOTHING: Words = Words::new(
+    "While a point is being lit, this panel shows its normal, the vectors to light and eye, and the terms of its intensity. Go out (↑) and on (→) to the next polygon.",
+    "Saat sebuah titik diberi pencahayaan, panel ini menampilkan normal, vektor ke sumber cahaya dan mata, serta suku intensitasnya. Keluar (↑) lalu lanjut (→) ke poligon berikutnya.",
+);
+const WIREFRAME: Words = Words::new(
+    "A wireframe lights nothing: it draws edges only. Open a flat or Gouraud lesson to see how a point is lit.",
+    "Rangka kawat tidak diberi pencahayaan: hanya sisi yang digambar. Buka pelajaran datar atau Gouraud.",
+);
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    let mut picture = match show.run {
+        Run::Gouraud(replay) => of_state(show, replay.state(), size),
+        Run::Flat(replay) => of_state(show, replay.state(), size),
+        Run::Wireframe(_) => message(WIREFRAME, show.language, size),
+    };
+    picture.alt = format!("{} {}", told_in_words(show), picture.alt);
+    picture
+}
+
+fn of_state<A>(show: &Show, state: &State<A>, size: Vec2) -> Picture {
+    if state.vertex.is_none() && state.point.is_none() {
+        return message(NOTHING, show.language, size);
+    }
+    let walk = show.run.walk();
+    let kind = walk.kind(walk.position());
+    let mut picture = Picture::new(size.x, size.y);
+    let (left, right) = halves(size);
+    arrows::draw(&mut picture, state, kind, left);
+    terms::draw(&mut picture, state, show.language, right);
+    picture
+}
+
+/// Where the vectors are drawn, and where the values stand: beside them, or under them in a narrow, high panel.
+fn halves(size: Vec2) -> (Rect, Rect) {
+    let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-4.0);
+    if size.x < 340.0 && size.y > 320.0 {
+        let values = 150.0;
+        let top = Rect::new(whole.x, whole.y, whole.width, whole.height - values);
+        let below = Rect::new(whole.x, top.bottom(), whole.width, values);
+        return (top, below);
+    }
+    let values = (0.42 * size.x).clamp(152.0, 260.0);
+    let left = Rect::new(whole.x, whole.y, whole.width - values, whole.height);
+    let right = Rect::new(left.right(), whole.y, values, whole.height);
+    (left, right)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::crowd::{SIZES, crowd, nothing, texts};
+    use super::super::sample::Sample;
+    use super::super::values::short;
+    use super::super::words::Language;
+    use super::*;
+    use crate::picture::Tag;
+    use crate::render::Method;
+
+    #[test]
+    fn nothing_overlaps_or_is_cut_at_any_step_and_size() {
+        for mut sample in [
+            Sample::pyramid(Method::Gouraud),
+            crowd(Method::Gouraud),
+            crowd(Method::Flat),
+            crowd(Method::Wireframe),
+            nothing(),
+        ] {
+            // Every step of the first vertices, then some of the rest.
+            for step in (0..90).chain((90..sample.run.walk().len()).step_by(1009)) {
+                sample.run.walk_mut().seek(step);
+                for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
+                    let show = Show {
+                        language,
+                        ..sample.show()
+                    };
+                    let picture = draw(&show, size);
+                    let texts = texts(&picture);
+                    for (i, (text, place)) in texts.iter().enumerate() {
+                        assert!(
+                            picture.bounds().encloses(place),
+                            "step {step}, {size}: “{text}” is cut"
+                        );
+                        for (other, other_place) in &texts[..i] {
+                            let common = place.intersection(other_place);
+                            assert!(
+                                common.width < 0.5 || common.height < 0.5,
+                                "step {step}, {size}: “{text}” covers “{other}”"
+                            );
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn values_are_those_of_the_events() {
+        let mut sample = Sample::pyramid(Method::Gouraud);
+        for (kind, name) in [
+            ("ToLight", "N_dot_L"),
+            ("Mirrored", "R_dot_V"),
+            ("Ambient", "I_a"),
+            ("Diffuse", "I_d"),
+            ("Specular", "I_s"),
+            ("Illuminated", "I"),
+        ] {
+            sample.go_to(kind, 1);
+            let walk = sample.run.walk();
+            let told = walk.own_fields(walk.position()).get(name).unwrap();
+            let picture = draw(&sample.show(), Vec2::new(560.0, 360.0));
+            let shown = short(told, 3);
+            let found = texts(&picture).iter().any(|(text, _)| *text == shown);
+            assert!(found, "{name} = {shown}");
+            assert!(picture.tagged_bounds(Tag::Field(name)).is_some());
+            assert!(picture.alt.contains(kind));
+        }
+    }
+
+    #[test]
+    fn each_face_added_has_its_arrow() {
+        let mut sample = Sample::pyramid(Method::Gouraud);
+        for faces in 1..=4 {
+            sample.go_to("FaceNormalAdded", faces - 1);
+            let picture = draw(&sample.show(), Vec2::new(560.0, 360.0));
+            let arrows = (1..=4).filter(|k| {
+                let name = format!("N_{k}");
+                texts(&picture).iter().any(|(text, _)| *text == name)
+            });
+            assert_eq!(arrows.count(), faces);
+        }
+    }
 }

@@ -138,6 +138,18 @@ f 2 1 -2 -1
     }
 
     #[test]
+    fn corners_without_texture_coordinates_take_the_origin() {
+        let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+        let obj = read(&format!(
+            "{corners}f 1 2 3\nvt 5 6\nf 1 2/1 3\nf 1/1 2 3/1\n"
+        ))
+        .unwrap();
+        let (none, given) = (DVec2::ZERO, DVec2::new(5.0, 6.0));
+        let expected = [none, none, none, none, given, none, given, none, given];
+        assert_eq!(obj.uvs, expected);
+    }
+
+    #[test]
     fn the_teapot_has_992_triangles_over_welded_vertices() {
         let teapot = include_bytes!("../../lessons/meshes/teapot.obj");
         let obj = Obj::read(teapot, 992).unwrap();

@@ -2,10 +2,11 @@
 
 use super::validate::LARGEST;
 use std::fmt::Write;
+use std::str::SplitAsciiWhitespace;
 
 /// The lines of an OBJ file that matter, each known to be right, its indices counted from the start.
 pub(super) struct Plain {
-    /// `v x y z`, `vt u v` and `f v/vt v/vt …`; the first `vt` is (0, 0), for corners without one.
+    /// `v x y z`, `v x y z w`, `vt u v`, and `f v …` or `f v/vt …`; the first `vt` is (0, 0), for corners without one.
     pub text: String,
     pub has_uvs: bool,
     pub triangles: u64,
@@ -79,9 +80,10 @@ impl Plain {
             Some("v") => self.take_position(words),
             Some("vt") => {
                 // A third coordinate, for solid textures, has no use here.
-                let [u, v] = numbers(&mut words, "`vt` takes two numbers")?;
+                let as_written = words.clone();
+                numbers::<2>(&mut words, "`vt` takes two numbers")?;
                 self.referred[1].count += 1;
-                self.line(format_args!("vt {u} {v}"));
+                self.line("vt", as_written.take(2));
                 Ok(())
             }
             Some("vn") => {
@@ -93,23 +95,20 @@ impl Plain {
         }
     }
 
-    fn take_position<'a>(
-        &mut self,
-        mut words: impl Iterator<Item = &'a str>,
-    ) -> Result<(), String> {
+    fn take_position(&mut self, mut words: SplitAsciiWhitespace) -> Result<(), String> {
         let allowed = "`v` takes x y z, then nothing, a weight, or a colour r g b";
-        let mut position = numbers::<3>(&mut words, allowed)?;
-        let rest: Vec<&str> = words.take(4).collect();
-        match rest.len() {
-            0 | 3 => (),
+        let as_written = words.clone();
+        let position = numbers::<3>(&mut words, allowed)?;
+        let kept = match words.clone().take(4).count() {
+            0 | 3 => 3,
             1 => {
-                let [weight] = numbers(&mut rest.into_iter(), allowed)?;
-                position = position.map(|x| x / weight);
-                if !position.iter().all(|x| x.abs() <= LARGEST) {
+                let [weight] = numbers(&mut words, allowed)?;
+                if !position.iter().all(|x| (x / weight).abs() <= LARGEST) {
                     return Err(format!(
                         "found the weight {weight:?}, which takes the point too far away"
                     ));
                 }
+                4
             }
             n => {
                 return Err(format!(
@@ -118,16 +117,15 @@ impl Plain {
                     if n == 4 { " or more" } else { "" }
                 ));
             }
-        }
+        };
         self.referred[0].count += 1;
-        let [x, y, z] = position;
-        self.line(format_args!("v {x} {y} {z}"));
+        self.line("v", as_written.take(kept));
         Ok(())
     }
 
-    fn take_face<'a>(
+    fn take_face(
         &mut self,
-        words: impl Iterator<Item = &'a str>,
+        words: SplitAsciiWhitespace,
         line: usize,
         max_triangles: u64,
     ) -> Result<(), String> {
@@ -157,9 +155,12 @@ impl Plain {
             };
             self.has_uvs |= uv.is_some();
             if kept {
-                // The first `vt` is the one of corners that have none.
-                let uv = uv.map_or(1, |uv| uv + 1);
-                write!(self.text, " {position}/{uv}").expect("a string takes any text");
+                write!(self.text, " {position}").expect("a string takes any text");
+                // The first `vt` is the one of corners that have none; `tobj` begins with it, and need not be told before others come.
+                if self.has_uvs || self.referred[1].count > 0 {
+                    let uv = uv.map_or(1, |uv| uv + 1);
+                    write!(self.text, "/{uv}").expect("a string takes any text");
+                }
             }
         }
         if kept {
@@ -174,8 +175,13 @@ impl Plain {
         Ok(())
     }
 
-    fn line(&mut self, line: std::fmt::Arguments) {
-        writeln!(self.text, "{line}").expect("a string takes any text");
+    fn line<'a>(&mut self, kind: &str, words: impl Iterator<Item = &'a str>) {
+        self.text.push_str(kind);
+        for word in words {
+            self.text.push(' ');
+            self.text.push_str(word);
+        }
+        self.text.push('\n');
     }
 }
 

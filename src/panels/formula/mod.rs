@@ -49,9 +49,9 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     };
     let room = size.y - 2.0 * MARGIN;
     let fitting = DETAILS.iter().find_map(|detail| {
-        let steps = (2.0 * (detail.largest - detail.smallest)) as usize;
+        let steps = (detail.largest - detail.smallest) as usize;
         (0..=steps)
-            .map(|i| sheet(detail, detail.largest - 0.5 * i as f32))
+            .map(|i| sheet(detail, detail.largest - i as f32))
             .find(|sheet| sheet.fits && sheet.height <= room)
     });
     let sheet = fitting.unwrap_or_else(|| sheet(&DETAILS[DETAILS.len() - 1], 11.0));
@@ -166,31 +166,39 @@ fn in_words(says: &str, formulas: &[Parsed], known: &Known, language: Language) 
 struct Detail {
     largest: f32,
     smallest: f32,
+    /// Fractions with a bar, rather than a slash.
     stacked: bool,
     sentences: bool,
-    numbers: bool,
     symbols: bool,
+    /// Of how many channels the numbers are shown, where they differ.
+    channels: usize,
 }
 
-const fn detail(largest: f32, smallest: f32, shown: [bool; 4]) -> Detail {
-    let [stacked, sentences, numbers, symbols] = shown;
+const fn detail(
+    (largest, smallest): (f32, f32),
+    [stacked, sentences, symbols]: [bool; 3],
+    channels: usize,
+) -> Detail {
     Detail {
         largest,
         smallest,
         stacked,
         sentences,
-        numbers,
         symbols,
+        channels,
     }
 }
 
-const DETAILS: [Detail; 6] = [
-    detail(17.0, 12.0, [true, true, true, true]),
-    detail(13.0, 11.0, [false, true, true, true]),
-    detail(13.0, 11.0, [true, false, true, true]),
-    detail(12.0, 11.0, [false, false, true, true]),
-    detail(13.0, 11.0, [true, false, false, true]),
-    detail(12.0, 11.0, [false, false, false, false]),
+const DETAILS: [Detail; 9] = [
+    detail((17.0, 12.0), [true, true, true], 3),
+    detail((14.0, 12.0), [true, false, true], 3),
+    detail((13.0, 11.0), [false, true, true], 3),
+    detail((13.0, 11.0), [false, false, true], 3),
+    detail((13.0, 11.0), [true, true, true], 1),
+    detail((13.0, 11.0), [true, false, true], 1),
+    detail((13.0, 11.0), [false, false, true], 1),
+    detail((13.0, 11.0), [true, false, true], 0),
+    detail((12.0, 11.0), [false, false, false], 0),
 ];
 
 /// The lines of the panel at one size of text.
@@ -307,33 +315,36 @@ fn formula_lines(
     let mut right = vec![equals()];
     right.extend(set(&formula.right, Voice::Symbols));
     symbols.extend(spaced(right, text));
+    let channels = match (has_numbers, coloured) {
+        (false, _) => 0,
+        (true, true) => detail.channels,
+        (true, false) => detail.channels.min(1),
+    };
+    // Without numbers the result ends the row of the symbols.
+    if let (0, Some(whole)) = (channels, &whole) {
+        symbols.extend(spaced(result(whole.clone()), text));
+    }
     sheet.push(symbols, width, indent, 0.5 * text);
 
-    if has_numbers && detail.numbers {
-        let channels = if coloured { 3 } else { 1 };
-        for (channel, name) in CHANNELS.iter().enumerate().take(channels) {
-            let mut row = Vec::new();
-            if coloured {
-                let name = name.in_language(language).to_string();
-                row.push(Atom::text(
-                    name,
-                    Style::Body.size(text.min(12.0)).ink(Ink::Muted),
-                ));
-            }
-            let mut numbers = vec![equals()];
-            numbers.extend(set(&formula.right, Voice::Numbers(channel)));
-            row.extend(spaced(numbers, if coloured { text } else { 0.0 }));
-            if let (true, Some(value)) = (coloured, value) {
-                let end = result(set::number_text(value, channel, language));
-                row.extend(spaced(end, text));
-            }
-            sheet.push(row, width, indent, 0.25 * text);
-        }
+    for (channel, name) in CHANNELS.iter().enumerate().take(channels) {
+        let mut row = Vec::new();
         if coloured {
-            return;
+            let name = name.in_language(language).to_string();
+            let style = Style::Body.size(text.min(12.0)).ink(Ink::Muted);
+            row.push(Atom::text(name, style));
         }
+        let mut numbers = vec![equals()];
+        numbers.extend(set(&formula.right, Voice::Numbers(channel)));
+        row.extend(spaced(numbers, if coloured { text } else { 0.0 }));
+        if let (true, Some(value)) = (coloured, value) {
+            let end = result(set::number_text(value, channel, language));
+            row.extend(spaced(end, text));
+        }
+        sheet.push(row, width, indent, 0.25 * text);
     }
-    if let Some(whole) = whole {
+    // Of a colour every channel has its result, unless not all are shown.
+    let all_told = channels == 0 || coloured && channels == CHANNELS.len();
+    if let (false, Some(whole)) = (all_told, whole) {
         sheet.push(result(whole), width, indent, 0.25 * text);
     }
 }

@@ -273,8 +273,10 @@ pub fn flow(atoms: Vec<Atom>, width: f32, indent: f32) -> (Vec<Line>, bool) {
                 line.append(unit, 0.0);
             }
             _ => {
-                let mut line = Atom::default();
-                line.width = if lines.is_empty() { 0.0 } else { indent };
+                let mut line = Atom {
+                    width: if lines.is_empty() { 0.0 } else { indent },
+                    ..Atom::default()
+                };
                 line.append(unit, 0.0);
                 lines.push(line);
             }

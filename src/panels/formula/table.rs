@@ -444,7 +444,10 @@ pub const TABLE: &[Entry] = &[
         "PixelPlotted",
         "Pixel ({x}, {y}) is plotted: the one in which the exact point lies.",
         "Piksel ({x}, {y}) digambar: piksel yang memuat titik tepatnya.",
-        &[is("{x} = ⌊{x_exact}⌋"), is("{y} = ⌊{y_exact}⌋")],
+        &[
+            is("{x} = min(⌊{x_exact}⌋, {width} − 1)"),
+            is("{y} = min(⌊{y_exact}⌋, {height} − 1)"),
+        ],
     ),
     entry(
         "EdgeDone",

@@ -1,0 +1,294 @@
+//! The faces around the point, and the unit vectors that start there.
+
+use super::super::fit::Fit;
+use super::super::labels::Labels;
+use super::super::values::swatch;
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
+use crate::record::Value;
+use crate::replay::shading::{LightInHand, PointInHand, State, VertexInHand};
+use crate::scene::View;
+use glam::{DVec2, DVec3, Vec2};
+
+/// How far the eye is turned from the camera's direction, in degrees.
+const ABOUT_UP: f64 = 35.0;
+const ABOUT_RIGHT: f64 = 25.0;
+/// Radius of the point.
+const POINT: f32 = 6.0;
+/// How much longer than the face normals the vectors at the point are.
+const LONGER: f64 = 1.1;
+
+/// A parallel projection.
+struct Turned {
+    right: DVec3,
+    up: DVec3,
+}
+
+impl Turned {
+    fn new(view: &View) -> Self {
+        let (sin, cos) = ABOUT_UP.to_radians().sin_cos();
+        let right = cos * view.right + sin * view.forward;
+        let forward = cos * view.forward - sin * view.right;
+        let (sin, cos) = ABOUT_RIGHT.to_radians().sin_cos();
+        Turned {
+            right,
+            up: cos * view.up + sin * forward,
+        }
+    }
+
+    /// y down, as in a panel.
+    fn project(&self, v: DVec3) -> DVec2 {
+        DVec2::new(v.dot(self.right), -v.dot(self.up))
+    }
+}
+
+/// A face with its corners in the world.
+struct Face {
+    /// Within the object, and over all objects.
+    face: u32,
+    number: usize,
+    corners: Vec<DVec3>,
+}
+
+struct Drawing {
+    turned: Turned,
+    fit: Fit,
+    labels: Labels,
+    /// Points to a unit vector.
+    unit: f32,
+}
+
+pub(super) fn draw<A>(picture: &mut Picture, state: &State<A>, kind: &str, area: Rect) {
+    let Some(at) = position(state) else { return };
+    let faces = faces(state);
+    let turned = Turned::new(&state.stage.view);
+    let corners = faces.iter().flat_map(|face| &face.corners);
+    let places: Vec<DVec2> = corners
+        .chain([&at])
+        .map(|&corner| turned.project(corner))
+        .collect();
+    let low = places.iter().copied().fold(places[0], DVec2::min);
+    let high = places.iter().copied().fold(places[0], DVec2::max);
+    let unit = (0.24 * area.width.min(area.height)).min(110.0);
+    let extent = (high - low).max_element().max(f64::MIN_POSITIVE);
+    // The scene's unit of length may be anything: the projection is brought to size 1 first.
+    let fit = Fit::new(
+        low / extent,
+        high / extent,
+        area.grown(-(LONGER as f32 * unit)),
+    );
+    let mut drawing = Drawing {
+        turned: Turned {
+            right: turned.right / extent,
+            up: turned.up / extent,
+        },
+        fit,
+        labels: Labels::new(area),
+        unit,
+    };
+    picture.clipped(area, |picture| {
+        let lit = state.point.is_some();
+        drawing.draw_faces(picture, &faces, state.vertex.as_ref(), lit);
+        let point = state.vertex.as_ref().and_then(|vertex| vertex.intensity);
+        let point = point.or(state.point.as_ref().and_then(|point| point.intensity));
+        let place = drawing.place(at);
+        drawing
+            .labels
+            .keep_free(Rect::between(place, place).grown(POINT));
+        match (&state.point, &state.vertex) {
+            (Some(point), _) => drawing.draw_vectors(picture, at, point, kind),
+            (None, Some(vertex)) => drawing.draw_normals(picture, at, &faces, vertex, kind),
+            (None, None) => {}
+        }
+        let disc = swatch(point.map(Value::from))
+            .fill()
+            .outlined(Ink::Text.stroke(2.0));
+        match &state.vertex {
+            Some(vertex) => picture.tagged(Tag::Vertex(vertex.vertex), |picture| {
+                picture.circle(place, POINT, disc);
+            }),
+            None => picture.circle(place, POINT, disc),
+        };
+    });
+}
+
+fn position<A>(state: &State<A>) -> Option<DVec3> {
+    let vertex = state.vertex.as_ref().map(|vertex| vertex.position);
+    vertex.or(state.point.as_ref().map(|point| point.position))
+}
+
+/// The faces around the vertex in hand, or the polygon in hand alone.
+fn faces<A>(state: &State<A>) -> Vec<Face> {
+    let number = state.polygon.map(|polygon| polygon.polygon as usize);
+    let Some(polygon) = number.and_then(|number| state.stage.polygon(number)) else {
+        return Vec::new();
+    };
+    let around = match &state.vertex {
+        Some(vertex) => polygon.mesh.faces_around(vertex.vertex).to_vec(),
+        None => vec![polygon.face as u32],
+    };
+    around
+        .into_iter()
+        .map(|face| Face {
+            face,
+            number: polygon.number - polygon.face + face as usize,
+            corners: polygon
+                .mesh
+                .face(face as usize)
+                .iter()
+                .map(|&vertex| polygon.mesh.position(vertex))
+                .collect(),
+        })
+        .collect()
+}
+
+impl Drawing {
+    fn place(&self, point: DVec3) -> Vec2 {
+        self.fit.place(self.turned.project(point))
+    }
+
+    /// Faces whose normals were added are tinted; fainter once the point is being lit.
+    fn draw_faces(
+        &self,
+        picture: &mut Picture,
+        faces: &[Face],
+        vertex: Option<&VertexInHand>,
+        lit: bool,
+    ) {
+        for face in faces {
+            let added = vertex.and_then(|vertex| order(vertex, face));
+            let outline = Ink::Muted.stroke(1.25);
+            let opacity = if lit { 0.12 } else { 0.35 };
+            let paint = match added {
+                Some(k) => Ink::Series(k as u8)
+                    .fill()
+                    .opacity(opacity)
+                    .outlined(outline),
+                None => Ink::Faint.fill().opacity(0.4).outlined(outline),
+            };
+            picture.tagged(Tag::Polygon(face.number), |picture| {
+                picture.polygon(face.corners.iter().map(|&corner| self.place(corner)), paint);
+            });
+        }
+    }
+
+    /// N_k from the middle of each face, their sum so far, and N_v. The sum is drawn at the scale of the mean: as long as N_v
+    /// where all the normals agree.
+    fn draw_normals(
+        &mut self,
+        picture: &mut Picture,
+        at: DVec3,
+        faces: &[Face],
+        vertex: &VertexInHand,
+        kind: &str,
+    ) {
+        let last = vertex.faces.len();
+        for face in faces {
+            let Some(k) = order(vertex, face) else {
+                continue;
+            };
+            let (_, normal, step) = vertex.faces[k];
+            let middle = face.corners.iter().sum::<DVec3>() / face.corners.len() as f64;
+            let newest = k + 1 == last && kind == "FaceNormalAdded";
+            let ink = if newest {
+                Ink::This
+            } else {
+                Ink::Series(k as u8)
+            };
+            let name = format!("N_{}", k + 1);
+            picture.tagged(Tag::Step(step), |picture| {
+                self.arrow(picture, middle, normal, ink.stroke(2.0), &name, newest);
+            });
+        }
+        let here = kind == "VertexNormal" || kind == "NormalVanished";
+        if let Some(normal) = vertex.normal {
+            let ink = if here { Ink::This } else { Ink::Text };
+            picture.tagged(Tag::Field("N_v"), |picture| {
+                self.arrow(picture, at, normal * LONGER, ink.stroke(4.0), "N_v", here);
+            });
+        } else if last > 0 {
+            let mean = vertex.sum / faces.len().max(1) as f64;
+            let stroke = Ink::Text.stroke(2.5).dashed();
+            picture.tagged(Tag::Field("sum_N"), |picture| {
+                self.arrow(picture, at, mean * LONGER, stroke, "ΣN_k", false);
+            });
+        }
+    }
+
+    /// N, V, and of the light in hand L and H or R.
+    fn draw_vectors(&mut self, picture: &mut Picture, at: DVec3, point: &PointInHand, kind: &str) {
+        let light = point.lights.last();
+        let of_light = |vector: fn(&LightInHand) -> Option<(DVec3, f64)>| {
+            light.and_then(vector).map(|(vector, _)| vector)
+        };
+        let vectors = [
+            ("N", Some(point.normal), "Illumination", Ink::Text, 3.5),
+            ("V", point.to_eye, "Viewer", Ink::Series(0), 2.5),
+            (
+                "L",
+                of_light(|light| light.to_light),
+                "ToLight",
+                Ink::Series(1),
+                2.5,
+            ),
+            (
+                "H",
+                of_light(|light| light.halfway),
+                "Halfway",
+                Ink::Series(2),
+                2.5,
+            ),
+            (
+                "R",
+                of_light(|light| light.mirrored),
+                "Mirrored",
+                Ink::Series(3),
+                2.5,
+            ),
+        ];
+        for (name, vector, told_by, ink, width) in vectors {
+            let Some(vector) = vector else { continue };
+            let here = kind == told_by;
+            let ink = if here { Ink::This } else { ink };
+            picture.tagged(Tag::Field(name), |picture| {
+                self.arrow(picture, at, vector * LONGER, ink.stroke(width), name, here);
+            });
+        }
+    }
+
+    fn arrow(
+        &mut self,
+        picture: &mut Picture,
+        from: DVec3,
+        vector: DVec3,
+        stroke: Stroke,
+        name: &str,
+        here: bool,
+    ) {
+        let from = self.place(from);
+        // Of a unit vector's own length, whatever the size of the faces.
+        let scale = f64::from(self.unit) / self.fit.scale * self.length();
+        let along = self.turned.project(vector) * scale * self.fit.scale;
+        let to = from + along.as_vec2();
+        picture.arrow(from, to, stroke);
+        self.labels.spare(from, to);
+        let set = if here {
+            Style::LabelBold.size(14.0).ink(Ink::This)
+        } else {
+            Style::LabelBold.size(14.0)
+        };
+        self.labels.put(picture, (to, 3.0), to - from, name, set);
+    }
+
+    /// What the projection makes of a unit of length.
+    fn length(&self) -> f64 {
+        self.turned.right.length().recip()
+    }
+}
+
+/// When the normal of a face was added, counted from 0.
+fn order(vertex: &VertexInHand, face: &Face) -> Option<usize> {
+    vertex
+        .faces
+        .iter()
+        .position(|(added, ..)| *added == face.face)
+}

@@ -1,0 +1,218 @@
+//! The values of the point in hand, and its intensity as a sum of terms.
+
+use super::super::values::short;
+use super::super::words::{Language, Words};
+use crate::color::Rgb;
+use crate::picture::{Ink, Picture, Rect, Style, Tag, measure, symbol};
+use crate::record::Value;
+use crate::replay::shading::{PointInHand, State};
+
+const SIZE: f32 = 12.0;
+const ROW: f32 = 17.0;
+const BAR: f32 = 13.0;
+/// Of the column of names.
+const NAMES: f32 = 34.0;
+/// Ambient, diffuse and specular: the ink of the bar, its letter, and the ink of the letter on it.
+const TERMS: [Term; 3] = [
+    Term(Ink::Series(0), "a", Ink::Rgb(Rgb::WHITE)),
+    Term(Ink::Series(1), "d", Ink::Rgb(Rgb::BLACK)),
+    Term(Ink::Series(2), "s", Ink::Rgb(Rgb::BLACK)),
+];
+const CHANNELS: [&str; 3] = ["r", "g", "b"];
+/// The least decimals that still say something.
+const FEWEST: usize = 2;
+
+const LIGHT: Words = Words::new("light", "cahaya");
+
+#[derive(Clone, Copy)]
+struct Term(Ink, &'static str, Ink);
+
+/// A named value, with the ink that stands for it in the bars.
+struct Row {
+    name: &'static str,
+    shown: String,
+    value: Value,
+    ink: Option<Ink>,
+}
+
+impl Row {
+    fn new(name: &'static str, value: impl Into<Value>) -> Self {
+        Row {
+            name,
+            shown: symbol(name),
+            value: value.into(),
+            ink: None,
+        }
+    }
+
+    fn ink(self, ink: Ink) -> Self {
+        Row {
+            ink: Some(ink),
+            ..self
+        }
+    }
+}
+
+pub(super) fn draw<A>(picture: &mut Picture, state: &State<A>, language: Language, area: Rect) {
+    let (rows, parts) = match &state.point {
+        Some(point) => (rows_of_point(point, language), parts(point)),
+        None => (rows_of_normals(state), Vec::new()),
+    };
+    let bars = channels(&parts);
+    let bars_height = bars.len() as f32 * (BAR + 3.0);
+    let room = area.height - bars_height - 8.0;
+    let fitting = (room / ROW).floor().max(0.0) as usize;
+    // Where not all rows fit, the last ones matter most: they are the newest.
+    let skipped = rows.len().saturating_sub(fitting);
+    let rows = &rows[skipped..];
+    let top = area.y + 0.5 * (room - rows.len() as f32 * ROW).max(0.0);
+    for (i, row) in rows.iter().enumerate() {
+        let place = Rect::new(area.x + 4.0, top + i as f32 * ROW, area.width - 8.0, ROW);
+        draw_row(picture, row, place);
+    }
+    let top = top + rows.len() as f32 * ROW + 6.0;
+    let whole = parts
+        .iter()
+        .map(|(term, _)| *term)
+        .sum::<Rgb>()
+        .max_channel()
+        .max(1.0);
+    for (i, channel) in bars.into_iter().enumerate() {
+        let y = top + i as f32 * (BAR + 3.0);
+        let bar = Rect::new(area.x + 4.0, y, area.width - 8.0, BAR);
+        draw_bar(picture, bar, &parts, channel, whole);
+    }
+}
+
+fn draw_row(picture: &mut Picture, row: &Row, place: Rect) {
+    let name = Style::Label.size(SIZE).ink(Ink::Muted);
+    picture.tagged(Tag::Field(row.name), |picture| {
+        if let Some(ink) = row.ink {
+            let side = 9.0;
+            let y = place.center().y - 0.5 * side;
+            let paint = ink.fill().outlined(Ink::Muted.stroke(1.0));
+            picture.rect(Rect::new(place.x, y, side, side), paint);
+        }
+        let words = Rect::new(place.x + 14.0, place.y, NAMES, place.height);
+        picture.text_in(words, row.shown.clone(), name);
+        let start = words.x + NAMES.max(name.width(&row.shown) + 6.0);
+        let room = place.right() - start;
+        // The most decimals that fit, in the widest face that does.
+        let faces = [(Style::Mono, SIZE), (Style::Body, 11.0)];
+        let fitting = (FEWEST..=3)
+            .rev()
+            .flat_map(|digits| {
+                faces.map(|(style, size)| (short(row.value, digits), style.size(size)))
+            })
+            .find(|(text, set)| measure(text, set.style, set.size) <= room);
+        if let Some((text, set)) = fitting {
+            picture.text_in(Rect::new(start, place.y, room, place.height), text, set);
+        }
+    });
+}
+
+/// What is known of the point, the light in hand at the end.
+fn rows_of_point(point: &PointInHand, language: Language) -> Vec<Row> {
+    let mut rows = Vec::new();
+    rows.extend(
+        point
+            .ambient
+            .map(|term| Row::new("I_a", term).ink(TERMS[0].0)),
+    );
+    if let Some(light) = point.lights.last() {
+        let mut number = Row::new("light", light.light);
+        number.shown = LIGHT.in_language(language).to_string();
+        rows.push(number);
+        rows.push(Row::new("f_att", light.attenuation));
+        rows.extend(
+            light
+                .to_light
+                .map(|(_, cosine)| Row::new("N_dot_L", cosine)),
+        );
+        rows.extend(
+            light
+                .diffuse
+                .map(|term| Row::new("I_d", term).ink(TERMS[1].0)),
+        );
+        rows.extend(light.halfway.map(|(_, cosine)| Row::new("N_dot_H", cosine)));
+        rows.extend(
+            light
+                .mirrored
+                .map(|(_, cosine)| Row::new("R_dot_V", cosine)),
+        );
+        rows.extend(
+            light
+                .specular
+                .map(|term| Row::new("I_s", term).ink(TERMS[2].0)),
+        );
+    }
+    rows.extend(point.intensity.map(|intensity| Row::new("I", intensity)));
+    rows
+}
+
+/// The normal added last, the sum so far, and their mean.
+fn rows_of_normals<A>(state: &State<A>) -> Vec<Row> {
+    let Some(vertex) = &state.vertex else {
+        return Vec::new();
+    };
+    let mut rows = vec![Row::new("P_v", vertex.position)];
+    if let Some(&(_, normal, _)) = vertex.faces.last() {
+        let mut sum = Row::new("sum_N", vertex.sum);
+        sum.shown = "ΣN_k".to_string();
+        rows.extend([Row::new("N_k", normal), sum]);
+    }
+    rows.extend(vertex.normal.map(|normal| Row::new("N_v", normal)));
+    rows
+}
+
+/// The terms told so far, light by light, with their inks.
+fn parts(point: &PointInHand) -> Vec<(Rgb, Term)> {
+    let mut parts: Vec<(Rgb, Term)> = point
+        .ambient
+        .map(|term| (term, TERMS[0]))
+        .into_iter()
+        .collect();
+    for light in &point.lights {
+        parts.extend(light.diffuse.map(|term| (term, TERMS[1])));
+        parts.extend(light.specular.map(|term| (term, TERMS[2])));
+    }
+    parts
+}
+
+/// A bar for all channels where every term is grey, else one for each.
+fn channels(parts: &[(Rgb, Term)]) -> Vec<usize> {
+    if parts.is_empty() {
+        Vec::new()
+    } else if parts.iter().all(|(term, _)| term.is_grey()) {
+        vec![0]
+    } else {
+        vec![0, 1, 2]
+    }
+}
+
+/// The terms of a channel end to end; the bar is `whole` long.
+fn draw_bar(picture: &mut Picture, bar: Rect, parts: &[(Rgb, Term)], channel: usize, whole: f64) {
+    let letter = Style::Body.size(11.0).middle();
+    let bar = if parts.iter().all(|(term, _)| term.is_grey()) {
+        bar
+    } else {
+        let name = Rect::new(bar.x, bar.y, 12.0, bar.height);
+        picture.text_in(name, CHANNELS[channel], letter.ink(Ink::Muted));
+        Rect::new(name.right(), bar.y, bar.width - name.width, bar.height)
+    };
+    picture.rect(bar, Ink::Faint);
+    let place = |intensity: f64| bar.x + (intensity / whole).clamp(0.0, 1.0) as f32 * bar.width;
+    let mut sum = 0.0;
+    for &(term, Term(ink, name, on_ink)) in parts {
+        let start = place(sum);
+        sum += term.channels()[channel];
+        let part = Rect::between((start, bar.y), (place(sum), bar.bottom()));
+        if part.width > 0.5 {
+            picture.rect(part, ink.fill().outlined(Ink::Surface.stroke(0.5)));
+        }
+        if part.width >= 12.0 {
+            picture.text_in(part, name, letter.ink(on_ink));
+        }
+    }
+    picture.rect(bar, Ink::Rule.stroke(1.0));
+}
