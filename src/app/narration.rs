@@ -115,12 +115,10 @@ fn in_words<'a>(session: &Session, window: &'a Window) -> &'a str {
     let panels = [Panel::Formula, Panel::Code]
         .into_iter()
         .chain(session.panels());
-    let alts = panels
+    let mut alts = panels
         .filter_map(|panel| window.views.get(&panel))
         .map(|view| view.alt());
-    alts.filter(|alt| !alt.is_empty())
-        .next()
-        .unwrap_or_default()
+    alts.find(|alt| !alt.is_empty()).unwrap_or_default()
 }
 
 /// A text whose symbols (`I_4`, `x_P`) are set as the panels set them.

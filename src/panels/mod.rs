@@ -27,8 +27,6 @@ use crate::replay::Run;
 use glam::Vec2;
 use words::Language;
 
-pub use time_line::step_at;
-
 /// A panel, by what it shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Panel {
