@@ -6,39 +6,43 @@ use super::{style, words};
 use egui::{Grid, Id, Modal, ScrollArea};
 
 pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context) {
-    let modal = Modal::new(Id::unique("key sheet")).show(ctx, |ui| {
-        let room = ctx.content_rect().size();
-        ui.set_max_width((room.x - 80.0).min(700.0));
-        ui.horizontal(|ui| {
-            ui.label(style::strong(session.say(words::KEYS_TITLE), 17.0));
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                if ui.button(session.say(words::CLOSE)).clicked() {
-                    commands.push(Command::Keys);
-                }
+    let frame = style::card_frame(session.look.theme);
+    let modal = Modal::new(Id::unique("key sheet"))
+        .frame(frame)
+        .show(ctx, |ui| {
+            let room = ctx.content_rect().size();
+            ui.set_max_width((room.x - 80.0).min(700.0));
+            ui.horizontal(|ui| {
+                ui.label(style::strong(session.say(words::KEYS_TITLE), 17.0));
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    if ui.button(session.say(words::CLOSE)).clicked() {
+                        commands.push(Command::Keys);
+                    }
+                });
             });
-        });
-        ui.separator();
-        ScrollArea::vertical()
-            .max_height(room.y - 160.0)
-            .show(ui, |ui| {
-                Grid::new("keys")
-                    .num_columns(4)
-                    .spacing([18.0, 5.0])
-                    .show(ui, |ui| {
-                        let half = BINDINGS.len().div_ceil(2);
-                        for row in 0..half {
-                            for binding in [BINDINGS.get(row), BINDINGS.get(half + row)]
-                                .into_iter()
-                                .flatten()
-                            {
-                                ui.label(style::strong(binding.shown, 13.0));
-                                ui.label(session.say(binding.words));
+            ui.separator();
+            ScrollArea::vertical()
+                .max_height(room.y - 130.0)
+                .show(ui, |ui| {
+                    ui.spacing_mut().interact_size.y = 17.0;
+                    Grid::new("keys")
+                        .num_columns(4)
+                        .spacing([18.0, 5.0])
+                        .show(ui, |ui| {
+                            let half = BINDINGS.len().div_ceil(2);
+                            for row in 0..half {
+                                for binding in [BINDINGS.get(row), BINDINGS.get(half + row)]
+                                    .into_iter()
+                                    .flatten()
+                                {
+                                    ui.label(style::strong(binding.shown, 13.0));
+                                    ui.label(session.say(binding.words));
+                                }
+                                ui.end_row();
                             }
-                            ui.end_row();
-                        }
-                    });
-            });
-    });
+                        });
+                });
+        });
     if modal.should_close() {
         commands.push(Command::Keys);
     }

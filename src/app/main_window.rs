@@ -52,7 +52,7 @@ fn show(session: Session) -> Result<(), String> {
             .with_app_id("lightwalk")
             .with_icon(egui::IconData::default())
             .with_inner_size([1280.0, 800.0])
-            .with_min_inner_size([720.0, 480.0]),
+            .with_min_inner_size([900.0, 600.0]),
         ..Default::default()
     };
     // Where a library is missing, winit panics before there is a window: that is a message, not a crash.

@@ -5,13 +5,16 @@ use super::tiles::panel_on;
 use super::window::Window;
 use super::{panel_view, question_card, style, words};
 use crate::panels::Panel;
-use crate::picture::{Ink, Tag};
-use egui::{Frame, Margin, Rect, RichText, ScrollArea, Ui};
+use crate::picture::{Ink, Script, Tag, math};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Align, FontId, Frame, Margin, Rect, RichText, ScrollArea, Ui};
 
 /// The least heights at which pseudocode and formula can be read, and what is between them.
 const CODE: f32 = 190.0;
 const FORMULA: f32 = 132.0;
 const RULE: f32 = 1.0;
+/// Between the card's frame and what is in it.
+const MARGIN: f32 = 4.0;
 
 /// Shows the column; returns what lies under the pointer.
 pub fn show(
@@ -21,10 +24,10 @@ pub fn show(
     ui: &mut Ui,
 ) -> Option<Tag> {
     let card = ui.max_rect();
-    ui.painter()
-        .add(style::card(session.look.theme).paint(card));
+    ui.set_min_size(card.size());
+    style::card(session.look.theme, card, ui);
     let mut under = None;
-    let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(card.shrink(2.0)));
+    let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(card.shrink(MARGIN)));
     ScrollArea::vertical()
         .auto_shrink(false)
         .show(&mut ui, |ui| {
@@ -44,7 +47,8 @@ pub fn show(
                 ui.ctx()
                     .request_discard("the words of this step take another height");
             }
-            let left = (card.height() - 4.0 - window.said_height - 2.0 * RULE).max(CODE + FORMULA);
+            let left = (card.height() - 2.0 * MARGIN - window.said_height - 2.0 * RULE)
+                .max(CODE + FORMULA);
             let code = (0.64 * left).clamp(CODE, left - FORMULA);
             for (panel, height) in [(Panel::Code, code), (Panel::Formula, left - code)] {
                 rule(session, ui);
@@ -89,17 +93,20 @@ fn say(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut
     if !session.walk().is_empty() {
         ui.label(style::strong(session.walk().kind(session.step()), 14.0));
     }
-    ui.label(
-        RichText::new(in_words(session, window))
-            .size(15.0)
-            .line_height(Some(22.0)),
-    );
+    ui.label(prose(session, in_words(session, window), 15.0, Ink::Text));
+    if session.follows_lesson() && session.said_last().is_none() {
+        let summary = session.lesson().summary.in_language(language);
+        ui.label(prose(session, summary, 14.0, Ink::Muted));
+        if ui.link(session.say(words::NEXT_SAID)).clicked() {
+            commands.push(Command::NextNarrated);
+        }
+    }
     if let Some(said) = session.said_last() {
-        let link = format!("{} {}", session.say(words::LAST_SAID), said.step);
+        let link = format!("{} {}", session.say(words::LAST_SAID), said.step + 1);
         if ui.link(RichText::new(link).size(12.0)).clicked() {
             commands.push(Command::Seek(said.step));
         }
-        ui.label(RichText::new(said.say(language)).size(13.0).color(muted));
+        ui.label(prose(session, said.say(language), 13.0, Ink::Muted));
     }
 }
 
@@ -108,12 +115,31 @@ fn in_words<'a>(session: &Session, window: &'a Window) -> &'a str {
     let panels = [Panel::Formula, Panel::Code]
         .into_iter()
         .chain(session.panels());
-    let alts = panels
+    let mut alts = panels
         .filter_map(|panel| window.views.get(&panel))
         .map(|view| view.alt());
-    alts.filter(|alt| !alt.is_empty())
-        .next()
-        .unwrap_or_default()
+    alts.find(|alt| !alt.is_empty()).unwrap_or_default()
+}
+
+/// A text whose symbols (`I_4`, `x_P`) are set as the panels set them.
+pub fn prose(session: &Session, text: &str, size: f32, ink: Ink) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    for run in math(text) {
+        let (size_of_run, valign) = match run.script {
+            Script::Base => (size, Align::Center),
+            Script::Sub => (0.72 * size, Align::BOTTOM),
+            Script::Super => (0.72 * size, Align::TOP),
+        };
+        let format = TextFormat {
+            font_id: FontId::proportional(size_of_run),
+            color: style::color(session.look.theme, ink),
+            line_height: Some(1.45 * size),
+            valign,
+            ..TextFormat::default()
+        };
+        job.append(&run.text, 0.0, format);
+    }
+    job
 }
 
 fn slide_note(session: &Session, text: &str, ui: &mut Ui) {
@@ -126,6 +152,6 @@ fn slide_note(session: &Session, text: &str, ui: &mut Ui) {
         ui.set_width(ui.available_width());
         ui.spacing_mut().item_spacing.y = 3.0;
         ui.label(style::strong(session.say(words::SLIDE), 13.0));
-        ui.label(RichText::new(text).size(13.0));
+        ui.label(prose(session, text, 13.0, Ink::Text));
     });
 }

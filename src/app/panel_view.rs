@@ -52,7 +52,10 @@ impl PanelView {
         rect: Rect,
         ui: &mut Ui,
     ) -> (Response, Option<Tag>) {
-        let scale = ui.pixels_per_point();
+        // Where a card cannot hold a texture of that size, the picture is a little coarser.
+        let largest =
+            ui.input(|input| input.max_texture_side) as f32 / rect.width().max(rect.height());
+        let scale = ui.pixels_per_point().min(largest);
         // Whole pixels: each of the texture's covers one of the screen's.
         let corner = (rect.min.to_vec2() * scale).round() / scale;
         let size = (rect.size() * scale).floor().max(egui::Vec2::splat(1.0));
@@ -83,12 +86,17 @@ impl PanelView {
             );
             self.pixels = rasterize(&self.picture, key.theme, scale).ok();
             self.key = Some(key);
-            self.upload(highlighted, panel, session, ui);
+            self.upload(highlighted, panel, session.look.theme, scale, ui);
         } else if self.highlighted != highlighted {
-            self.upload(highlighted, panel, session, ui);
+            self.upload(highlighted, panel, session.look.theme, scale, ui);
         }
 
-        let response = ui.interact(rect, ui.scope_id().with(panel.name()), Sense::click());
+        let sense = if panel == Panel::TimeLine {
+            Sense::click_and_drag()
+        } else {
+            Sense::click()
+        };
+        let response = ui.interact(rect, ui.scope_id().with(panel.name()), sense);
         let name = session.say(title(panel));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name));
         ui.ctx()
@@ -113,7 +121,7 @@ impl PanelView {
         (response, under)
     }
 
-    fn upload(&mut self, highlighted: Vec<Tag>, panel: Panel, session: &Session, ui: &Ui) {
+    fn upload(&mut self, highlighted: Vec<Tag>, panel: Panel, theme: Theme, scale: f32, ui: &Ui) {
         let Some(pixels) = &self.pixels else { return };
         let size = [pixels.width() as usize, pixels.height() as usize];
         let items: Vec<_> = highlighted
@@ -124,7 +132,7 @@ impl PanelView {
             ColorImage::from_rgba_premultiplied(size, pixels.data())
         } else {
             let mut lit = pixels.clone();
-            draw_over(&mut lit, &items, session.look.theme, ui.pixels_per_point());
+            draw_over(&mut lit, &items, theme, scale);
             ColorImage::from_rgba_premultiplied(size, lit.data())
         };
         self.highlighted = highlighted;
@@ -224,16 +232,11 @@ pub fn caption(session: &Session, panel: Panel) -> String {
         },
     };
     match panel {
-        Panel::Image => {
-            let [width, height] = session.lesson().size;
-            format!("{width} × {height} · {}", focus_words(session))
-        }
         Panel::ScanLine => whole("y").map(|y| format!("y = {y}")).unwrap_or_default(),
         Panel::ActiveEdges => session.say(words::CLICK_A_ROW).to_owned(),
         Panel::Vertex => whole("vertex")
             .map(|vertex| vertex.to_string())
             .unwrap_or_default(),
-        Panel::Inspector if !walk.is_empty() => walk.kind(session.step()).to_owned(),
         _ => String::new(),
     }
 }

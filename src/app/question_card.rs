@@ -1,5 +1,6 @@
 //! The card that asks before the answer is seen.
 
+use super::narration::prose;
 use super::session::{Command, Guess, Session, Standing};
 use super::window::Window;
 use super::{style, words};
@@ -23,8 +24,20 @@ pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>,
         .inner_margin(Margin::symmetric(12, 10));
     frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
-        ui.label(style::strong(session.say(words::BEFORE_YOU_GO_ON), 14.0));
-        ui.label(question.ask(session.look.language));
+        ui.horizontal(|ui| {
+            ui.label(style::strong(session.say(words::BEFORE_YOU_GO_ON), 14.0));
+            if standing == Standing::Open {
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    skip(session, commands, ui);
+                });
+            }
+        });
+        ui.label(prose(
+            session,
+            question.ask(session.look.language),
+            14.0,
+            Ink::Text,
+        ));
         if standing == Standing::Open {
             ask(session, &question.answer, window, commands, ui);
         } else {
@@ -61,21 +74,21 @@ fn ask(
                 {
                     commands.push(Command::Answer(Guess::Number(window.answer.clone())));
                 }
-                skip(session, commands, ui);
             });
         }
         Answer::Choice { options, .. } => {
             for (index, option) in options.iter().enumerate() {
                 let text = &option[session.look.language as usize];
-                if ui.add(Button::new(text).wrap()).clicked() {
+                if ui
+                    .add(Button::new(prose(session, text, 13.0, Ink::Text)).wrap())
+                    .clicked()
+                {
                     commands.push(Command::Answer(Guess::Choice(index)));
                 }
             }
-            skip(session, commands, ui);
         }
         Answer::Pixel { .. } => {
             ui.label(RichText::new(session.say(words::CLICK_A_PIXEL)).strong());
-            skip(session, commands, ui);
         }
     }
 }
@@ -122,12 +135,17 @@ fn verdict(
     };
     let ink = style::color(session.look.theme, ink);
     ui.label(style::strong(format!("{sign}{} {answer}", session.say(words)), 14.0).color(ink));
-    ui.label(question.why(session.look.language));
+    ui.label(prose(
+        session,
+        question.why(session.look.language),
+        14.0,
+        Ink::Text,
+    ));
     if ui
         .link(format!(
             "{} {} →",
             session.say(words::SHOW_THE_STEP),
-            question.step
+            question.step + 1
         ))
         .clicked()
     {

@@ -53,12 +53,21 @@ pub fn color(theme: Theme, ink: Ink) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// The frame of a card.
-pub fn card(theme: Theme) -> egui::Frame {
+/// Paints a card that fills `rect`, its frame inside.
+pub fn card(theme: Theme, rect: egui::Rect, ui: &egui::Ui) {
+    let rule = Stroke::new(1.0, color(theme, Ink::Rule));
+    let surface = color(theme, Ink::Surface);
+    let inside = egui::StrokeKind::Inside;
+    ui.painter().rect(rect, 6.0, surface, rule, inside);
+}
+
+/// The frame of a sheet that lies over the window.
+pub fn card_frame(theme: Theme) -> egui::Frame {
     egui::Frame::new()
         .fill(color(theme, Ink::Surface))
         .stroke(Stroke::new(1.0, color(theme, Ink::Rule)))
         .corner_radius(6)
+        .inner_margin(18)
 }
 
 /// Puts fonts and inks of a theme in place.

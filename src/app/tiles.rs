@@ -3,7 +3,7 @@
 use super::panel_view::{self, PanelView};
 use super::session::{Command, Session};
 use super::style;
-use crate::panels::Panel;
+use crate::panels::{Panel, step_at};
 use crate::picture::{Ink, Tag};
 use egui::{Rect, Ui, WidgetText};
 use egui_tiles::{Behavior, Container, Linear, LinearDir, TileId, Tiles, Tree, UiResponse};
@@ -14,7 +14,7 @@ const TITLE: f32 = 34.0;
 /// Between cards, and around them.
 pub const GAP: f32 = 10.0;
 /// Between a card's frame and its picture.
-const MARGIN: f32 = 2.0;
+const MARGIN: f32 = 4.0;
 
 /// The arrangement, which a user may have changed.
 pub struct Arrangement {
@@ -92,7 +92,7 @@ impl Behavior<Panel> for Cards<'_> {
     fn pane_ui(&mut self, ui: &mut Ui, _: TileId, panel: &mut Panel) -> UiResponse {
         let theme = self.session.look.theme;
         let rect = ui.max_rect();
-        ui.painter().add(style::card(theme).paint(rect));
+        style::card(theme, rect, ui);
         let title = Rect::from_min_size(rect.min, egui::vec2(rect.width(), TITLE))
             .shrink2(egui::vec2(12.0, 4.0));
         card_title(self.session, *panel, title, ui);
@@ -165,6 +165,15 @@ pub fn panel_on(
             Tag::Pixel { y, .. } if held.shift => Command::Click(Tag::ScanLine(y as i32)),
             tag => Command::Click(tag),
         });
+    }
+    if panel == Panel::TimeLine && (response.dragged() || response.clicked() && command.is_none()) {
+        // The track spans the whole run: dragging along it walks through all of it.
+        let at = response
+            .interact_pointer_pos()
+            .map_or(0.0, |at| at.x - response.rect.min.x);
+        let size = glam::Vec2::new(response.rect.width(), response.rect.height());
+        let step = step_at(&session.show(), size, at);
+        command = (step != session.step()).then_some(Command::Seek(step));
     }
     if panel == Panel::Image {
         // The menu is about the place where it was opened, not where the pointer went since.

@@ -100,7 +100,7 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let button = Button::new(title).fill(Color32::TRANSPARENT);
     let menu = egui::containers::menu::MenuButton::from_button(button);
     let (response, _) = menu.ui(ui, |ui| {
-        undress(session, ui);
+        undress(ui);
         ui.set_min_width(260.0);
         for listed in session.lessons() {
             let chosen = listed.id == session.lesson().id;
@@ -117,7 +117,7 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let menu = egui::containers::menu::MenuButton::new("☰");
     let (response, _) = menu.ui(ui, |ui| {
-        undress(session, ui);
+        undress(ui);
         ui.set_min_width(200.0);
         ui.label(style::strong(session.say(words::THEME), 13.0));
         for (theme, name) in THEMES {
@@ -171,7 +171,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 }
 
 /// Menus look as the rest of the window does.
-fn undress(_: &Session, ui: &mut Ui) {
+fn undress(ui: &mut Ui) {
     let style = ui.ctx().global_style();
     ui.set_style(style);
 }

@@ -49,11 +49,11 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
         .frame(Frame::new().inner_margin(Margin { top: 0, ..margin }))
         .show_separator_line(false)
         .show(ui, |ui| {
-            ui.painter()
-                .add(style::card(session.look.theme).paint(ui.max_rect()));
+            ui.set_min_size(ui.available_size());
+            style::card(session.look.theme, ui.max_rect(), ui);
             let mut rect = ui.max_rect();
             rect.max.y = transport::show(session, window, &mut commands, rect, ui);
-            let rect = egui::Rect::from_min_max(rect.left_bottom(), ui.max_rect().max).shrink(2.0);
+            let rect = egui::Rect::from_min_max(rect.left_bottom(), ui.max_rect().max).shrink(4.0);
             let view = window.views.entry(Panel::TimeLine).or_default();
             let shown = panel_on(session, Panel::TimeLine, view, rect, ui);
             commands.extend(shown.command);

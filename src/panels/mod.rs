@@ -18,14 +18,14 @@ mod values;
 mod vertex;
 pub mod words;
 
+pub use time_line::step_at;
+
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::picture::Picture;
 use crate::replay::Run;
 use glam::Vec2;
 use words::Language;
-
-pub use time_line::step_at;
 
 /// A panel, by what it shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
