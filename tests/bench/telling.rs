@@ -111,7 +111,9 @@ fn main() {
         "recorded frame against unrecorded frame",
         compare(
             60,
-            || drop(black_box(record())),
+            || {
+                black_box(record());
+            },
             || drop(black_box(told(&stage))),
         ),
     );
