@@ -102,7 +102,7 @@ fn say(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut
         }
     }
     if let Some(said) = session.said_last() {
-        let link = format!("{} {}", session.say(words::LAST_SAID), said.step + 1);
+        let link = format!("{} {}", session.say(words::LAST_SAID), said.step);
         if ui.link(RichText::new(link).size(12.0)).clicked() {
             commands.push(Command::Seek(said.step));
         }

@@ -145,7 +145,7 @@ fn verdict(
         .link(format!(
             "{} {} →",
             session.say(words::SHOW_THE_STEP),
-            question.step + 1
+            question.step
         ))
         .clicked()
     {

@@ -30,7 +30,7 @@ pub fn show(
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
     walk_buttons(session, commands, ui);
     ui.add_space(6.0);
-    let (step, last) = (session.step() + 1, session.walk().len());
+    let (step, last) = (session.step(), session.last_step());
     let place = format!(
         "{} {step} {} {last}",
         session.say(words::STEP),
@@ -111,7 +111,7 @@ fn speed(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 }
 
 fn looping(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
-    let end = |step: Option<usize>| step.map_or("…".to_owned(), |step| (step + 1).to_string());
+    let end = |step: Option<usize>| step.map_or("…".to_owned(), |step| step.to_string());
     let text = match session.loop_ends() {
         (None, None) => session.say(words::LOOP_OFF).to_owned(),
         (from, to) => format!("{} {}–{}", session.say(words::LOOP), end(from), end(to)),

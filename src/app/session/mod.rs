@@ -251,9 +251,9 @@ impl Session {
         )
     }
 
-    /// As it stands on the frame of the window, for people and for scripts. For people, steps are counted from 1.
+    /// As it stands on the frame of the window, for people and for scripts. Steps are counted from 0.
     pub fn window_title(&self) -> String {
-        let (step, last) = (self.step() + 1, self.walk().len());
+        let (step, last) = (self.step(), self.last_step());
         let title = self.lesson().title.in_language(self.look.language);
         let (word, of) = (self.say(super::words::STEP), self.say(super::words::OF));
         format!("Lightwalk – {title} – {word} {step} {of} {last}")

@@ -211,10 +211,10 @@ impl Session {
         match *command {
             Command::Speak(language) => look.language = language,
             Command::OtherLanguage => {
-                let others = Language::ALL
-                    .into_iter()
-                    .filter(|&other| other != look.language);
-                look.language = others.last().unwrap_or(look.language);
+                look.language = match look.language {
+                    Language::English => Language::Indonesian,
+                    Language::Indonesian => Language::English,
+                }
             }
             Command::Theme(theme) => look.theme = theme,
             Command::NextTheme => {
