@@ -1,0 +1,144 @@
+//! Golden pictures: every lesson × panel × narrated step. `UPDATE_GOLDEN=1 cargo test --test golden` renews them; look at old
+//! and new before you keep them.
+
+use lightwalk::color::png_rgba8;
+use lightwalk::lesson::builtins;
+use lightwalk::panels::words::Language;
+use lightwalk::panels::{Panel, Show, draw};
+use lightwalk::picture::{Theme, rasterize, to_png};
+use lightwalk::render::render;
+use std::fs;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+/// Pixels of a PNG, RGBA.
+fn decode(png: &[u8]) -> (u32, u32, Vec<u8>) {
+    let mut reader = png::Decoder::new(std::io::Cursor::new(png))
+        .read_info()
+        .unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut pixels).unwrap();
+    if info.color_type == png::ColorType::Rgb {
+        pixels = pixels
+            .chunks(3)
+            .flat_map(|rgb| [rgb[0], rgb[1], rgb[2], 255])
+            .collect();
+    }
+    (info.width, info.height, pixels)
+}
+
+/// The same pixels in fewer bytes, for the repository: no alpha, and the slowest compression.
+fn small(png: &[u8]) -> Vec<u8> {
+    let (width, height, pixels) = decode(png);
+    let rgb: Vec<u8> = pixels
+        .chunks(4)
+        .flat_map(|pixel| pixel[..3].to_vec())
+        .collect();
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::High);
+    encoder
+        .write_header()
+        .unwrap()
+        .write_image_data(&rgb)
+        .unwrap();
+    file
+}
+
+/// How a picture differs from the golden one, if it does. The new one and the difference are kept where builds go.
+fn difference(name: &str, new: &[u8]) -> Option<String> {
+    let golden = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/golden")
+        .join(name);
+    if std::env::var_os("UPDATE_GOLDEN").is_some() {
+        fs::create_dir_all(golden.parent().unwrap()).unwrap();
+        fs::write(&golden, small(new)).unwrap();
+        return None;
+    }
+    let Ok(old) = fs::read(&golden) else {
+        return Some(format!("{name}: there is no golden picture"));
+    };
+    let (width, height, old) = decode(&old);
+    let (new_width, new_height, pixels) = decode(new);
+    let kept = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let keep = |path: PathBuf, bytes: &[u8]| {
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, bytes).unwrap();
+    };
+    if (width, height) != (new_width, new_height) {
+        keep(kept, new);
+        return Some(format!(
+            "{name}: {new_width}×{new_height} instead of {width}×{height}"
+        ));
+    }
+    let changed: Vec<bool> = old
+        .chunks(4)
+        .zip(pixels.chunks(4))
+        .map(|(old, new)| old != new)
+        .collect();
+    let count = changed.iter().filter(|&&changed| changed).count();
+    if count == 0 {
+        return None;
+    }
+    let marks: Vec<u8> = changed
+        .iter()
+        .flat_map(|&changed| if changed { [255, 0, 0, 255] } else { [255; 4] })
+        .collect();
+    keep(
+        kept.with_extension("difference.png"),
+        &png_rgba8(width, height, &marks),
+    );
+    keep(kept.clone(), new);
+    Some(format!(
+        "{name}: {count} pixels differ; see {}",
+        kept.display()
+    ))
+}
+
+#[test]
+fn every_panel_of_every_narrated_step_looks_as_before() {
+    let mut differences = Vec::new();
+    for builtin in builtins() {
+        let mut open = builtin.read().unwrap().open().unwrap();
+        let finished = render(
+            &open.stage,
+            open.lesson.method,
+            NonZeroUsize::MIN,
+            &|_, _| {},
+        );
+        let narrated: Vec<usize> = open.narrated.iter().map(|narrated| narrated.step).collect();
+        let mut panels = open.lesson.panels.clone();
+        panels.extend([Panel::Code, Panel::Formula, Panel::TimeLine]);
+        for (index, &step) in narrated.iter().enumerate() {
+            open.run.walk_mut().seek(step);
+            let show = Show {
+                run: &open.run,
+                finished: &finished,
+                focus: open.lesson.focus,
+                // Both languages have their turn.
+                language: Language::ALL[index % 2],
+                narrated: &narrated,
+                breakpoints: &[],
+            };
+            for &panel in &panels {
+                let size = if panel == Panel::TimeLine {
+                    (800.0, 130.0)
+                } else {
+                    (380.0, 280.0)
+                };
+                let picture = draw(panel, &show, size.into());
+                assert!(
+                    !picture.alt.is_empty(),
+                    "{}: {} has no alternative text",
+                    builtin.id,
+                    panel.name()
+                );
+                let pixmap = rasterize(&picture, Theme::Light, 1.0).unwrap();
+                let name = format!("{}/{index:02}-{}.png", builtin.id, panel.name());
+                differences.extend(difference(&name, &to_png(&pixmap)));
+            }
+        }
+    }
+    assert!(differences.is_empty(), "{}", differences.join("\n"));
+}
