@@ -1,8 +1,8 @@
 //! The point that is being lit: the faces around it with their normals, their mean N_v, the vectors of the illumination model,
 //! and the terms that add up to its intensity.
 //!
-//! Seen from the camera's direction turned by 35° about its up axis and by 25° about its right axis, in parallel projection:
-//! so a normal that points at the viewer is an arrow, and not a dot.
+//! Seen from the side, 30° above the surface, in parallel projection: normals point up, and what leans toward the eye leans to
+//! the right.
 
 mod arrows;
 mod terms;

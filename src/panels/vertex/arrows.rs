@@ -6,12 +6,10 @@ use super::super::values::swatch;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::record::Value;
 use crate::replay::shading::{LightInHand, PointInHand, State, VertexInHand};
-use crate::scene::View;
 use glam::{DVec2, DVec3, Vec2};
 
-/// How far the eye is turned from the camera's direction, in degrees.
-const ABOUT_UP: f64 = 35.0;
-const ABOUT_RIGHT: f64 = 25.0;
+/// How high above the surface it is looked at from, in degrees.
+const ELEVATION: f64 = 30.0;
 /// Radius of the point.
 const POINT: f32 = 6.0;
 /// How much longer than the face normals the vectors at the point are.
@@ -24,14 +22,16 @@ struct Turned {
 }
 
 impl Turned {
-    fn new(view: &View) -> Self {
-        let (sin, cos) = ABOUT_UP.to_radians().sin_cos();
-        let right = cos * view.right + sin * view.forward;
-        let forward = cos * view.forward - sin * view.right;
-        let (sin, cos) = ABOUT_RIGHT.to_radians().sin_cos();
+    /// Looks at a surface from its side: its `normal` points up, and a vector `to_eye` leans to the right by its full angle.
+    fn beside(normal: DVec3, to_eye: DVec3) -> Self {
+        let side = to_eye.cross(normal).try_normalize();
+        let side = side.unwrap_or_else(|| normal.any_orthonormal_vector());
+        let (sin, cos) = ELEVATION.to_radians().sin_cos();
+        let toward_viewer = cos * side + sin * normal;
+        let up = cos * normal - sin * side;
         Turned {
-            right,
-            up: cos * view.up + sin * forward,
+            right: up.cross(toward_viewer),
+            up,
         }
     }
 
@@ -47,6 +47,7 @@ struct Face {
     face: u32,
     number: usize,
     corners: Vec<DVec3>,
+    normal: DVec3,
 }
 
 struct Drawing {
@@ -60,7 +61,16 @@ struct Drawing {
 pub(super) fn draw<A>(picture: &mut Picture, state: &State<A>, kind: &str, area: Rect) {
     let Some(at) = position(state) else { return };
     let faces = faces(state);
-    let turned = Turned::new(&state.stage.view);
+    let normal = faces.iter().map(|face| face.normal).sum::<DVec3>();
+    let to_eye = state.stage.view.eye - at;
+    let normal = normal.try_normalize().unwrap_or(state.stage.view.up);
+    // The panel shows the side that the eye sees.
+    let normal = if normal.dot(to_eye) < 0.0 {
+        -normal
+    } else {
+        normal
+    };
+    let turned = Turned::beside(normal, to_eye);
     let corners = faces.iter().flat_map(|face| &face.corners);
     let places: Vec<DVec2> = corners
         .chain([&at])
@@ -68,14 +78,18 @@ pub(super) fn draw<A>(picture: &mut Picture, state: &State<A>, kind: &str, area:
         .collect();
     let low = places.iter().copied().fold(places[0], DVec2::min);
     let high = places.iter().copied().fold(places[0], DVec2::max);
-    let unit = (0.24 * area.width.min(area.height)).min(110.0);
+    let unit = (0.42 * area.width.min(area.height)).min(150.0);
     let extent = (high - low).max_element().max(f64::MIN_POSITIVE);
     // The scene's unit of length may be anything: the projection is brought to size 1 first.
-    let fit = Fit::new(
-        low / extent,
-        high / extent,
-        area.grown(-(LONGER as f32 * unit)),
+    let above = LONGER as f32 * unit;
+    let margin = 0.08 * area.width;
+    let ground = Rect::new(
+        area.x + margin,
+        area.y + above,
+        area.width - 2.0 * margin,
+        area.height - above - margin,
     );
+    let fit = Fit::new(low / extent, high / extent, ground);
     let mut drawing = Drawing {
         turned: Turned {
             right: turned.right / extent,
@@ -131,6 +145,7 @@ fn faces<A>(state: &State<A>) -> Vec<Face> {
         .map(|face| Face {
             face,
             number: polygon.number - polygon.face + face as usize,
+            normal: polygon.mesh.normal(face as usize),
             corners: polygon
                 .mesh
                 .face(face as usize)
