@@ -1,6 +1,6 @@
 //! Reading scenes and lessons from files, and writing files that appear whole or not at all.
 
-use super::Failure;
+use super::{Failure, progress};
 use crate::lesson::{Lesson, builtin};
 use crate::scene::{self, Limits, Scene, document};
 use serde::Deserialize;
@@ -45,7 +45,7 @@ pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
         // Broken JSON: its problem is told in the words of what it most likely is.
         Err(_) => bytes.windows(7).any(|window| window == b"\"steps\""),
     };
-    match is_lesson {
+    progress::named(&format!("reading {}", path.display()), || match is_lesson {
         true => match Lesson::read(&bytes, limits, &mut read_file) {
             Ok(lesson) => Ok(Document::Lesson(lesson.into())),
             Err(error) => Err(wrong(&error)),
@@ -54,7 +54,7 @@ pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
             Ok(scene) => Ok(Document::Scene(scene.into())),
             Err(error) => Err(wrong(&error)),
         },
-    }
+    })
 }
 
 /// Reads a scene file.

@@ -1,8 +1,27 @@
-//! A line on standard error for work that takes longer than a second.
+//! A word on standard error about work that takes longer than a second.
 
 use std::io::{IsTerminal, Write};
-use std::sync::Mutex;
+use std::sync::{Mutex, mpsc};
 use web_time::{Duration, Instant};
+
+/// How long a user waits without a word.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Does work of unknown length, and says what it is once it has taken longer than a second.
+pub fn named<T>(what: &str, work: impl FnOnce() -> T) -> T {
+    std::thread::scope(|scope| {
+        let (done, wait) = mpsc::channel::<()>();
+        scope.spawn(move || {
+            // The sender is dropped when the work is done.
+            if wait.recv_timeout(PATIENCE) == Err(mpsc::RecvTimeoutError::Timeout) {
+                eprintln!("lightwalk: {what} …");
+            }
+        });
+        let result = work();
+        drop(done);
+        result
+    })
+}
 
 /// Silent for a second, then one line that is written over four times a second; without a terminal, a line every ten.
 pub struct Progress {
@@ -33,9 +52,7 @@ impl Progress {
         let Ok(mut shown) = self.shown.lock() else {
             return;
         };
-        let due = shown.map_or(now - self.start >= Duration::from_secs(1), |last| {
-            now - last >= pause
-        });
+        let due = shown.map_or(now - self.start >= PATIENCE, |last| now - last >= pause);
         if due {
             *shown = Some(now);
             let percent = 100 * done / all.max(1);

@@ -19,9 +19,9 @@ pub struct Arguments {
     method: String,
     #[arg(long, value_parser = parse_size, value_name = "WxH", default_value = "640x480")]
     size: [u32; 2],
-    /// As many as cores unless given
-    #[arg(long, value_name = "N")]
-    threads: Option<NonZeroUsize>,
+    /// As many as cores unless given, at most 1024
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
     /// Scales a PNG by 2^EV
     #[arg(
         long,
@@ -81,9 +81,10 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         );
     }
     let staged = start.elapsed();
-    let threads = arguments
-        .threads
-        .unwrap_or_else(|| std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN));
+    let threads = match arguments.threads {
+        Some(threads) => NonZeroUsize::new(threads.into()).unwrap_or(NonZeroUsize::MIN),
+        None => std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN),
+    };
     let progress = Progress::new("rendering");
     let frame = render(&stage, method, threads, &|done, all| {
         progress.show(done, all)

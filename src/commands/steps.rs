@@ -1,6 +1,7 @@
 //! `lightwalk steps`: every step of a run, a JSON object a line.
 
 use super::files::{self, Document};
+use super::progress::{self, Progress};
 use super::render::{method, method_names, view};
 use super::{Failure, LimitArguments, parse_size};
 use crate::algorithms::focus::Focus;
@@ -150,16 +151,17 @@ fn record_scene(
             within(y as usize, height as usize, "--pixel", "rows")?;
         }
     }
-    Ok(Run::record(
-        Arc::new(stage),
-        method,
-        focus,
-        RecordingLimit::default(),
-    ))
+    Ok(progress::named("recording", || {
+        Run::record(Arc::new(stage), method, focus, RecordingLimit::default())
+    }))
 }
 
 fn write_steps(walk: &dyn Walk, out: &mut dyn Write) -> std::io::Result<()> {
+    let progress = Progress::new("writing steps");
     for step in 0..walk.len() {
+        if step % 4096 == 0 {
+            progress.show(step, walk.len());
+        }
         serde_json::to_writer(&mut *out, &Line { walk, step })?;
         writeln!(out)?;
     }
