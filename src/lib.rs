@@ -1,4 +1,47 @@
 //! Lightwalk: walk through classic rendering, step by step, forward and back.
+//!
+//! Each algorithm is written once, in the textbook's words, generic over a [`record::Recorder`]. Unrecorded, the calls compile
+//! away; recorded, the same code tells every step. What is shown is what ran. A *focus* (a pixel, a scan line, a polygon, the
+//! frame) says what is recorded. The state at a step is the fold of the events up to it, so going back is seeking. A panel
+//! turns that state into a display list, which is the same on the screen, in files and in tests.
+//!
+//! # Map
+//!
+//! Each floor may use only what stands above it; `tests/floors.rs` fails on an import down the list.
+//!
+//! | floor | what lives there |
+//! | --- | --- |
+//! | [`color`], [`numeric`] | linear RGB and the one place of clamping and sRGB; interpolation, direct and incremental |
+//! | [`record`] | what an algorithm tells its steps to, and the tree of scopes over them |
+//! | [`scene`] | scene files and their checks, camera, lights, materials, meshes, division into polygons |
+//! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud |
+//! | [`render`] | a whole frame, unrecorded, on all cores |
+//! | [`replay`] | timelines with checkpoints, walking, searching; the state of each algorithm at a step |
+//! | [`picture`] | display lists with tags, text, themes, and their rasteriser; uses [`color`] alone |
+//! | [`panels`] | one file a panel: what it draws of a run at its step |
+//! | [`lesson`] | lesson files, tied to the steps of their run |
+//! | `app` | the window (feature `gui`) |
+//! | [`commands`] | the command line, one file a command |
+//!
+//! Only `app` knows the window, and only `app` and [`commands`] touch files.
+//!
+//! # Cost of telling
+//!
+//! Read on a virtual machine with 2 cores of an x86-64 server (AMD EPYC), rustc 1.95, November 2026. Absolute
+//! times on such a machine vary by a factor of two from run to run; ratios are of runs taken in turn.
+//!
+//! | what | goal | measured |
+//! | --- | --- | --- |
+//! | Gouraud frame of the teapot, 640×480: unrecorded body against the same body without recorder calls, time | 1.00 | 1.04 (quartiles 0.98 to 1.09: within noise) |
+//! | the same, instructions (callgrind) | 1.00 | 1.03: an edge carries its ends, which only an event tells |
+//! | recording an event of 32 / 64 bytes, reused memory | 2 ns | 3.6 / 7.5 ns |
+//! | recording an event of 32 / 64 bytes, fresh memory | – | 4.4 / 19 ns |
+//! | recorded frame against unrecorded frame: 1.05 million events of 64 bytes in 10.8 ms against 2.9 ms | 1.3 | 3.8 |
+//! | a new focus (pixel, scan line, polygon), recorded and folded | 50 ms | 0.6 to 0.9 ms |
+//! | seek among 10 million events, 640×480 canvas | 99 % under 1 ms | median 0.10 ms, 99th percentile 0.21 ms, 100 % under 1 ms |
+//!
+//! `cargo bench --no-default-features --bench telling` and `--bench recording` print them. The recorded frame misses its goal: a
+//! pixel takes 7 ns to draw and tells four events of 8 ns each; that is why a focus is recorded, and a whole frame on demand.
 
 pub mod algorithms;
 #[cfg(feature = "gui")]

@@ -80,11 +80,7 @@ fn say(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut
         }
     }
     if let Some(said) = session.said_here() {
-        ui.label(
-            RichText::new(said.say(language))
-                .size(15.0)
-                .line_height(Some(22.0)),
-        );
+        ui.label(prose(session, said.say(language), 15.0, Ink::Text));
         if let Some(slide) = said.slide(language) {
             slide_note(session, slide, ui);
         }
