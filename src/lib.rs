@@ -47,6 +47,7 @@ pub mod algorithms;
 #[cfg(feature = "gui")]
 pub mod app;
 pub mod color;
+#[cfg(not(target_arch = "wasm32"))]
 pub mod commands;
 pub mod lesson;
 pub mod numeric;
