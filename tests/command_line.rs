@@ -109,6 +109,7 @@ const BROKEN_LESSONS: &[(&str, &str, &[&str])] = &[
     ("[64, 48]", "[64000000, 48]", &["size: found 64000000×48"]),
     ("[64, 48]", "[64]", &["size", "line 3"]),
     ("{ \"polygon\": 0 }", "{ \"polygon\": 99999 }", &["focus.polygon: found polygon 99999"]),
+    ("{ \"polygon\": 0 }", "{ \"scan_line\": 48 }", &["focus: found ScanLine(48); the picture has 64 columns and 48 rows"]),
     ("{ \"polygon\": 0 }", "{ \"circle\": 0 }", &["focus", "unknown variant `circle`"]),
     ("\"scan-line\"", "\"scanline\"", &["panels[1]: found \"scanline\"; allowed are image"]),
     ("[\"image\", \"scan-line\"]", "[]", &["panels: found an empty list"]),

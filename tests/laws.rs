@@ -9,7 +9,7 @@ use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::gouraud::gouraud;
 use lightwalk::algorithms::stage::Stage;
 use lightwalk::algorithms::wireframe::wireframe;
-use lightwalk::record::{Recording, RecordingLimit};
+use lightwalk::record::{Recording, RecordingLimit, Unrecorded};
 use lightwalk::render::{Method, render};
 use lightwalk::replay::{Canvas, Run, Walk};
 use std::num::NonZeroUsize;
@@ -152,13 +152,10 @@ fn the_polygons_drawn_one_by_one_make_the_frame() {
     for method in [Method::Flat, Method::Gouraud] {
         let mut frame = Frame::new(64, 0..48, stage.scene.background);
         for number in 0..stage.tessellation.polygon_count() {
-            let mut recording = Recording::new(RecordingLimit::default());
+            let focus = Focus::Polygon(number);
             match method {
-                Method::Flat => flat(&stage, Focus::Polygon(number), &mut frame, &mut recording),
-                _ => {
-                    let mut recording = Recording::new(RecordingLimit::default());
-                    gouraud(&stage, Focus::Polygon(number), &mut frame, &mut recording);
-                }
+                Method::Flat => flat(&stage, focus, &mut frame, &mut Unrecorded),
+                _ => gouraud(&stage, focus, &mut frame, &mut Unrecorded),
             }
         }
         assert!(frame == unrecorded(&stage, method), "{}", method.name());
@@ -201,6 +198,28 @@ fn the_replayed_picture_is_the_rendered_one() {
                 .all(|&color| color == stage.scene.background)
         );
     }
+}
+
+#[test]
+fn how_far_away_the_target_is_changes_nothing() {
+    let near = unrecorded(&stage(TEAPOT, 64, 48), Method::Gouraud);
+    // The same direction of view: eye (14, 20, 44), target a hundred million times as far behind (0, −0.6, 0)
+    let far = TEAPOT.replace(
+        "\"target\": [0, -0.6, 0]",
+        "\"target\": [-1399999986, -2059999980, -4399999956]",
+    );
+    assert_ne!(far, TEAPOT);
+    let far = unrecorded(&stage(&far, 64, 48), Method::Gouraud);
+    let differing = near
+        .color
+        .iter()
+        .zip(&far.color)
+        .filter(|(a, b)| (a.r - b.r).abs() > 1e-6)
+        .count();
+    assert!(
+        differing <= 3,
+        "{differing} pixels differ; a few may, where an edge meets a pixel's centre"
+    );
 }
 
 #[test]

@@ -101,7 +101,7 @@ pub fn illuminate_by<E: From<Event>>(
     let n_dot_l = normal.dot(to_light);
     recorder.enter(|| {
         Event::Light {
-            light: number as u16,
+            light: number as u32,
             color,
             distance,
             attenuation,
@@ -127,7 +127,8 @@ pub fn illuminate_by<E: From<Event>>(
     let cosine = match point.material.highlight {
         Highlight::Phong => {
             let mirrored = 2.0 * n_dot_l * normal - to_light;
-            let r_dot_v = mirrored.dot(to_eye);
+            // A rounding error above 1 would be a power above 1.
+            let r_dot_v = mirrored.dot(to_eye).min(1.0);
             recorder.step(|| {
                 Event::Mirrored {
                     mirrored,
@@ -140,7 +141,7 @@ pub fn illuminate_by<E: From<Event>>(
         }
         Highlight::Blinn => {
             let halfway = (to_light + to_eye).normalize_or_zero();
-            let n_dot_h = normal.dot(halfway);
+            let n_dot_h = normal.dot(halfway).min(1.0);
             recorder.step(|| {
                 Event::Halfway {
                     halfway,
@@ -233,7 +234,7 @@ pub enum Event {
     },
     /// Opens the part of one light.
     Light {
-        light: u16,
+        light: u32,
         color: Rgb,
         distance: f64,
         attenuation: f64,

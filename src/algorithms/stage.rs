@@ -26,6 +26,16 @@ pub struct StageVertex {
     pub screen: DVec2,
 }
 
+impl StageVertex {
+    fn new(position: DVec3, view: &View) -> Self {
+        let camera = view.to_camera(position);
+        StageVertex {
+            camera,
+            screen: view.to_screen(camera),
+        }
+    }
+}
+
 /// One polygon of the stage.
 #[derive(Clone, Copy, Debug)]
 pub struct Polygon<'a> {
@@ -40,24 +50,30 @@ pub struct Polygon<'a> {
 }
 
 impl Stage {
-    /// `view` must be of the scene's own camera.
-    pub fn new(scene: Scene, view: View) -> Self {
+    /// `view` must be of the scene's own camera. Its near plane is set to a millionth of the distance to the nearest vertex:
+    /// so what is seen depends on no unit of length, nor on how far away the camera's target was put.
+    pub fn new(scene: Scene, mut view: View) -> Self {
         let tessellation = Tessellation::of(&scene);
-        let vertices = tessellation
+        let vertices: Vec<Vec<StageVertex>> = tessellation
             .meshes
             .iter()
             .map(|mesh| {
-                (0..mesh.vertex_count() as u32)
-                    .map(|vertex| {
-                        let camera = view.to_camera(mesh.position(vertex));
-                        StageVertex {
-                            camera,
-                            screen: view.to_screen(camera),
-                        }
-                    })
+                let positions = (0..mesh.vertex_count() as u32).map(|vertex| mesh.position(vertex));
+                positions
+                    .map(|position| StageVertex::new(position, &view))
                     .collect()
             })
             .collect();
+        let distances = vertices
+            .iter()
+            .flatten()
+            .map(|vertex| vertex.camera.length());
+        let nearest = distances
+            .filter(|&distance| distance > 0.0)
+            .fold(f64::INFINITY, f64::min);
+        if nearest.is_finite() {
+            view.near = 1e-6 * nearest;
+        }
         Stage {
             scene,
             tessellation,

@@ -35,12 +35,11 @@ pub fn vertex_normal<E: From<Event>>(
         });
         normal
     } else {
-        let normals = mesh
+        let mut normals = mesh
             .faces_around(vertex)
             .iter()
             .map(|&face| mesh.normal(face as usize));
         let normal = normals
-            .into_iter()
             .find(|&normal| normal != DVec3::ZERO)
             .unwrap_or(DVec3::Z);
         recorder.step(|| {

@@ -36,12 +36,16 @@ pub fn wireframe<R: Recorder<Event>>(
     let region = focus.region(frame);
     let ink = ink(stage.scene.background);
     let mut drawn = HashSet::new();
+    let mut object = None;
 
     recorder.enter(|| stage.entered().into());
     for polygon in stage.polygons(focus, &region) {
         recorder.enter(|| polygon.entered().into());
+        if object.replace(polygon.object) != Some(polygon.object) {
+            drawn.clear();
+        }
         for (from, to) in edges(&polygon) {
-            if !drawn.insert((polygon.object, from.min(to), from.max(to))) {
+            if !drawn.insert((from.min(to), from.max(to))) {
                 continue;
             }
             recorder.enter(|| Event::Edge { from, to });

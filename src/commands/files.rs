@@ -1,12 +1,14 @@
 //! Reading scenes and lessons from files, and writing files that appear whole or not at all.
 
-use super::{Failure, progress};
+use super::{Failure, interrupt, progress, tell};
+use crate::algorithms::stage::Stage;
 use crate::lesson::{Lesson, builtin};
-use crate::scene::{self, Limits, Scene, document};
+use crate::render::Method;
+use crate::scene::{self, Limits, Scene, Tessellation, View, document};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
 use std::fs;
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// The largest mesh file that is read, in bytes: five million triangles take about 400 MB.
@@ -57,7 +59,7 @@ pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
     })
 }
 
-/// Reads a scene file.
+/// Reads a scene file, or the scene of a lesson file.
 pub fn scene(path: &Path, limits: &Limits) -> Result<Scene, Failure> {
     match document(path, limits)? {
         Document::Scene(scene) => Ok(*scene),
@@ -65,8 +67,47 @@ pub fn scene(path: &Path, limits: &Limits) -> Result<Scene, Failure> {
     }
 }
 
+/// The most polygons that a scene may become for the scan-line methods: ten million take about 4 GB.
+const MAX_POLYGONS: u64 = 10_000_000;
+
+/// A scene in front of its own camera, in a picture of `width`×`height`. Says which objects are left out.
+pub fn stage(
+    scene: Scene,
+    [width, height]: [u32; 2],
+    method: Method,
+    name: &dyn std::fmt::Display,
+) -> Result<Stage, Failure> {
+    let Some(camera) = scene.camera else {
+        return Err(wrong(
+            name,
+            &"camera: the key is missing; a picture needs a camera",
+        ));
+    };
+    let polygons = Tessellation::count(&scene);
+    if polygons > MAX_POLYGONS {
+        return Err(wrong(
+            name,
+            &format!(
+                "objects: they divide into {polygons} polygons; at most {MAX_POLYGONS} are drawn"
+            ),
+        ));
+    }
+    let view = View::new(&camera, width, height);
+    let stage = progress::named("dividing the scene into polygons", || {
+        Stage::new(scene, view)
+    });
+    for &object in &stage.tessellation.left_out {
+        let object = &stage.scene.objects[object].name;
+        tell(format_args!(
+            "lightwalk: {} leaves out the infinite plane \"{object}\"",
+            method.name()
+        ));
+    }
+    Ok(stage)
+}
+
 /// A problem with every line under the file's name.
-pub fn wrong(file: &impl std::fmt::Display, error: &impl std::fmt::Display) -> Failure {
+pub fn wrong(file: &dyn std::fmt::Display, error: &dyn std::fmt::Display) -> Failure {
     let lines: Vec<String> = error
         .to_string()
         .lines()
@@ -110,7 +151,13 @@ fn read(path: &Path, limit: u64) -> Result<Vec<u8>, String> {
             metadata.len()
         ));
     }
-    fs::read(path).map_err(|error| reason(&error))
+    // The file may have grown since.
+    let mut bytes = Vec::new();
+    let file = fs::File::open(path).map_err(|error| reason(&error))?;
+    file.take(limit)
+        .read_to_end(&mut bytes)
+        .map_err(|error| reason(&error))?;
+    Ok(bytes)
 }
 
 fn reason(error: &std::io::Error) -> String {
@@ -154,11 +201,20 @@ pub fn write_whole(
         .prefix(".lightwalk-")
         .tempfile_in(folder_of(path))
         .map_err(failed)?;
-    let mut writer = BufWriter::new(file);
-    write(&mut writer).map_err(failed)?;
-    let file = writer
-        .into_inner()
-        .map_err(|error| failed(error.into_error()))?;
-    file.persist(path).map_err(|error| failed(error.error))?;
-    Ok(())
+    let unfinished = file.path().to_owned();
+    interrupt::guard(
+        &unfinished,
+        || {
+            let mut writer = BufWriter::new(file);
+            write(&mut writer).map_err(failed)?;
+            writer
+                .into_inner()
+                .map_err(|error| failed(error.into_error()))
+        },
+        |file| {
+            file.persist(path)
+                .map(drop)
+                .map_err(|error| failed(error.error))
+        },
+    )
 }

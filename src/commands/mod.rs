@@ -1,10 +1,11 @@
 //! The command line, one file a command. Results go to standard output or the named file, everything else to standard error.
 //!
-//! Exit status: 0 done; 1 the work failed; 2 a file or an argument is wrong.
+//! Exit status: 0 done; 1 the work failed; 2 a file or an argument is wrong; 130 interrupted.
 
 mod check;
 mod files;
 mod frames;
+mod interrupt;
 mod list;
 mod open;
 mod progress;
@@ -13,6 +14,7 @@ mod steps;
 
 use clap::{Args, Parser, Subcommand};
 use std::ffi::OsString;
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Walk through classic rendering, step by step, forward and back.
@@ -92,6 +94,11 @@ impl From<std::io::Error> for Failure {
     }
 }
 
+/// A line on standard error. Where nobody can read it, the work goes on.
+fn tell(line: std::fmt::Arguments) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
+
 /// Carries out a command line, the program's name first.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let command = match CommandLine::try_parse_from(arguments) {
@@ -102,6 +109,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
             return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
         }
     };
+    if !matches!(command, Command::Open(_)) {
+        interrupt::watch();
+    }
     let done = match command {
         Command::Open(arguments) => open::run(arguments),
         Command::List(arguments) => list::run(arguments),
@@ -115,7 +125,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Err(failure) => {
             let message = failure.to_string();
             if !message.is_empty() {
-                eprintln!("lightwalk: {message}");
+                tell(format_args!("lightwalk: {message}"));
             }
             ExitCode::from(failure.status())
         }

@@ -18,7 +18,14 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let lesson = match arguments.lesson {
         None => None,
         Some(name) => match files::lesson_or_scene(&name, &Limits::default())? {
-            Document::Lesson(lesson) => Some(*lesson),
+            Document::Lesson(lesson) => {
+                // A lesson that does not resolve is a wrong file, whether or not there is a display.
+                lesson
+                    .clone()
+                    .open()
+                    .map_err(|error| files::wrong(&name, &error))?;
+                Some(*lesson)
+            }
             Document::Scene(_) => {
                 return Err(Failure::Wrong(format!(
                     "{name}: is a scene; the window opens lessons"

@@ -14,7 +14,7 @@ pub fn named<T>(what: &str, work: impl FnOnce() -> T) -> T {
         scope.spawn(move || {
             // The sender is dropped when the work is done.
             if wait.recv_timeout(PATIENCE) == Err(mpsc::RecvTimeoutError::Timeout) {
-                eprintln!("lightwalk: {what} …");
+                super::tell(format_args!("lightwalk: {what} …"));
             }
         });
         let result = work();
@@ -57,9 +57,10 @@ impl Progress {
             *shown = Some(now);
             let percent = 100 * done / all.max(1);
             let (start, end) = if terminal { ("\r", "") } else { ("", "\n") };
-            eprint!("{start}{}: {percent} %{end}", self.what);
             // A terminal that is gone needs no progress.
-            let _ = std::io::stderr().flush();
+            let mut terminal = std::io::stderr();
+            let _ = write!(terminal, "{start}{}: {percent} %{end}", self.what);
+            let _ = terminal.flush();
         }
     }
 }
@@ -68,7 +69,7 @@ impl Drop for Progress {
     /// Ends the line that was written over.
     fn drop(&mut self) {
         if std::io::stderr().is_terminal() && matches!(self.shown.lock().as_deref(), Ok(Some(_))) {
-            eprintln!();
+            super::tell(format_args!(""));
         }
     }
 }

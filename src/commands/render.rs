@@ -2,10 +2,8 @@
 
 use super::progress::Progress;
 use super::{Failure, LimitArguments, files, parse_size};
-use crate::algorithms::stage::Stage;
 use crate::color::{Rgb, pfm, png_rgb8};
 use crate::render::{Method, render};
-use crate::scene::{Scene, View};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use web_time::Instant;
@@ -19,8 +17,8 @@ pub struct Arguments {
     method: String,
     #[arg(long, value_parser = parse_size, value_name = "WxH", default_value = "640x480")]
     size: [u32; 2],
-    /// As many as cores unless given, at most 1024
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    /// As many as cores unless given, at most 256
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     threads: Option<u16>,
     /// Scales a PNG by 2^EV
     #[arg(
@@ -69,17 +67,8 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 
     let start = Instant::now();
     let scene = files::scene(&arguments.scene, &arguments.limits.into())?;
-    let view = view(&scene, *width, *height)
-        .map_err(|message| files::wrong(&arguments.scene.display(), &message))?;
     let read = start.elapsed();
-    let stage = Stage::new(scene, view);
-    for &object in &stage.tessellation.left_out {
-        eprintln!(
-            "lightwalk: {} leaves out the infinite plane \"{}\"",
-            method.name(),
-            stage.scene.objects[object].name
-        );
-    }
+    let stage = files::stage(scene, arguments.size, method, &arguments.scene.display())?;
     let staged = start.elapsed();
     let threads = match arguments.threads {
         Some(threads) => NonZeroUsize::new(threads.into()).unwrap_or(NonZeroUsize::MIN),
@@ -148,12 +137,4 @@ fn format(out: &Path) -> Result<Format, Failure> {
             out.display()
         ))),
     }
-}
-
-/// The view of the scene's own camera.
-pub fn view(scene: &Scene, width: u32, height: u32) -> Result<View, String> {
-    let camera = scene
-        .camera
-        .ok_or("camera: the key is missing; a picture needs a camera")?;
-    Ok(View::new(&camera, width, height))
 }

@@ -2,10 +2,9 @@
 
 use super::files::{self, Document};
 use super::progress::{self, Progress};
-use super::render::{method, method_names, view};
-use super::{Failure, LimitArguments, parse_size};
+use super::render::{method, method_names};
+use super::{Failure, LimitArguments, parse_size, tell};
 use crate::algorithms::focus::Focus;
-use crate::algorithms::stage::Stage;
 use crate::record::{RecordingLimit, Value};
 use crate::render::Method;
 use crate::replay::{Run, Walk};
@@ -64,9 +63,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     }
     let run = record(&arguments)?;
     if run.walk().truncated() {
-        eprintln!(
-            "lightwalk: the recording met its memory limit, and tells only the beginning; choose --polygon, --scan-line or --pixel"
-        );
+        const TOLD: &str = "the recording met its memory limit, and tells only the beginning; choose --polygon, --scan-line or --pixel";
+        // A file appears whole or not at all.
+        if arguments.out.is_some() {
+            return Err(Failure::Failed(TOLD.into()));
+        }
+        tell(format_args!("lightwalk: {TOLD}"));
     }
     match &arguments.out {
         Some(path) => files::write_whole(path, |writer| write_steps(run.walk(), writer)),
@@ -126,8 +128,7 @@ fn record_scene(
     focus: Focus,
     name: &str,
 ) -> Result<Run, Failure> {
-    let view = view(&scene, width, height).map_err(|message| files::wrong(&name, &message))?;
-    let stage = Stage::new(scene, view);
+    let stage = files::stage(scene, [width, height], method, &name)?;
     let within = |value: usize, size: usize, option: &str, what: &str| {
         if value < size {
             Ok(())

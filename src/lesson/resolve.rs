@@ -174,6 +174,15 @@ impl Lesson {
             FocusFile::ScanLine(y) => Focus::ScanLine(y),
             FocusFile::Pixel([x, y]) => Focus::Pixel { x, y },
         };
+        let [width, height] = file.size;
+        let outside = match focus {
+            Focus::ScanLine(y) => y >= height,
+            Focus::Pixel { x, y } => x >= width || y >= height,
+            Focus::Frame | Focus::Polygon(_) => false,
+        };
+        if outside {
+            problems.push(problem("focus", format!("found {focus:?}; the picture has {width} columns and {height} rows, counted from 0")));
+        }
 
         match (scene, method) {
             (Some(scene), Some(method)) if problems.is_empty() => Ok(Lesson {
@@ -249,7 +258,10 @@ fn read_scene(
             let bytes = read_file(path).map_err(|reason| problem("scene_file", format!("cannot read \"{path}\": {reason}")))?;
             let folder = path.rsplit_once('/').map_or("", |(folder, _)| folder);
             let mut read_mesh = |mesh: &str| read_file(&if folder.is_empty() { mesh.to_owned() } else { format!("{folder}/{mesh}") });
-            Ok(Some(scene::read(&bytes, limits, &mut read_mesh)?))
+            let scene = scene::read(&bytes, limits, &mut read_mesh);
+            // The places, lines and columns are those of the other file.
+            let named = |found: Problem| problem("scene_file", format!("in \"{path}\": {found}"));
+            Ok(Some(scene.map_err(|error| LessonError { problems: error.problems.into_iter().map(named).collect() })?))
         }
         _ => Err(problem("", "a lesson has exactly one of the keys `scene` (a scene) and `scene_file` (the path of one)").into()),
     }

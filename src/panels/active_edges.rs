@@ -21,8 +21,8 @@ const MARGIN: f32 = 8.0;
 const SWATCH: f32 = 11.0;
 
 const NO_EDGES: Words = Words::new(
-    "The edge table is not built yet. Go on (→): each edge of the polygon gets a row, and the active ones stand out.",
-    "Tabel sisi belum dibuat. Lanjutkan (→): setiap sisi poligon mendapat satu baris, dan sisi aktif ditonjolkan.",
+    "No edge table is at hand at this step: each polygon builds its own. There each edge gets a row, and the active ones stand out.",
+    "Pada langkah ini tidak ada tabel sisi: setiap poligon membuat tabelnya sendiri. Di sana setiap sisi mendapat satu baris, dan sisi aktif ditonjolkan.",
 );
 const NO_TABLE: Words = Words::new(
     "A wireframe needs no edge table: its edges are drawn one by one. Open a flat or Gouraud lesson to see one.",

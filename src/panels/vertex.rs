@@ -17,8 +17,8 @@ use crate::replay::shading::State;
 use glam::Vec2;
 
 const NOTHING: Words = Words::new(
-    "While a point is being lit, this panel shows its normal, the vectors to light and eye, and the terms of its intensity. Go out (↑) and on (→) to the next polygon.",
-    "Saat sebuah titik diberi pencahayaan, panel ini menampilkan normal, vektor ke sumber cahaya dan mata, serta suku intensitasnya. Keluar (↑) lalu lanjut (→) ke poligon berikutnya.",
+    "While a point is being lit, this panel shows its normal, the vectors to light and eye, and the terms of its intensity. At this step none is.",
+    "Saat sebuah titik diberi pencahayaan, panel ini menampilkan normal, vektor ke sumber cahaya dan mata, serta suku intensitasnya. Pada langkah ini tidak ada.",
 );
 const WIREFRAME: Words = Words::new(
     "A wireframe lights nothing: it draws edges only. Open a flat or Gouraud lesson to see how a point is lit.",

@@ -37,7 +37,7 @@ impl Method {
 }
 
 /// The longest side of a picture.
-pub const MAX_SIDE: u32 = 1 << 15;
+pub const MAX_SIDE: u32 = 1 << 14;
 
 /// The most pixels of a picture: 8192×8192, for which rendering takes 2 GiB.
 pub const MAX_PIXELS: u64 = 1 << 26;

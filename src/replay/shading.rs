@@ -35,6 +35,8 @@ pub struct State<A> {
     pub scan_line: Option<RowInHand>,
     /// The edge that is being cut, an index into `edges`.
     pub edge: Option<usize>,
+    /// The edges that the scan line in hand has cut so far.
+    cut: Vec<usize>,
     pub span: Option<SpanInHand<A>>,
     pub pixel: Option<PixelInHand<A>>,
 }
@@ -73,7 +75,7 @@ pub struct PointInHand {
 
 #[derive(Clone, Copy, Debug)]
 pub struct LightInHand {
-    pub light: u16,
+    pub light: u32,
     pub attenuation: f64,
     /// L and N·L.
     pub to_light: Option<(DVec3, f64)>,
@@ -170,9 +172,27 @@ impl<A> State<A> {
             edges: Vec::new(),
             scan_line: None,
             edge: None,
+            cut: Vec::new(),
             span: None,
             pixel: None,
         }
+    }
+
+    /// Bytes of a copy, the canvas aside.
+    fn bytes(&self) -> usize {
+        let faces = self
+            .vertex
+            .as_ref()
+            .map_or(0, |vertex| size_of_val(&*vertex.faces));
+        let lights = self
+            .point
+            .as_ref()
+            .map_or(0, |point| size_of_val(&*point.lights));
+        let lists = size_of_val(&*self.corners)
+            + size_of_val(&*self.edges)
+            + size_of_val(&*self.lit)
+            + size_of_val(&*self.cut);
+        size_of::<Self>() + faces + lights + lists
     }
 
     /// Forgets what belongs to one polygon.
@@ -190,7 +210,11 @@ impl<A> State<A> {
         self.edge = None;
         self.span = None;
         self.pixel = None;
-        self.edges.iter_mut().for_each(|edge| edge.cut = None);
+        for cut in self.cut.drain(..) {
+            if let Some(edge) = self.edges.get_mut(cut) {
+                edge.cut = None;
+            }
+        }
     }
 
     fn walk_stage(&mut self, step: usize, event: &stage::Event) {
@@ -332,7 +356,12 @@ impl<A: Carried> State<A> {
             }
             Event::ScanLineDone => self.clear_scan_line(),
             Event::Edge { edge, x_4, .. } => {
-                self.edge = self.edges.iter().position(|known| known.edge == edge);
+                // Edges enter the table in the order of their numbers.
+                self.edge = self
+                    .edges
+                    .binary_search_by_key(&edge, |known| known.edge)
+                    .ok();
+                self.cut.extend(self.edge);
                 self.cut_in_hand(|edge| {
                     edge.cut = Some(CutInHand {
                         x_4,
@@ -457,7 +486,7 @@ impl Fold<gouraud::Event> for State<Rgb> {
     }
 
     fn bytes_beyond(&self, before: &Self) -> usize {
-        size_of::<Self>() + self.canvas.bytes_beyond(&before.canvas)
+        self.bytes() + self.canvas.bytes_beyond(&before.canvas)
     }
 }
 
@@ -475,6 +504,6 @@ impl Fold<flat::Event> for State<flat::Nothing> {
     }
 
     fn bytes_beyond(&self, before: &Self) -> usize {
-        size_of::<Self>() + self.canvas.bytes_beyond(&before.canvas)
+        self.bytes() + self.canvas.bytes_beyond(&before.canvas)
     }
 }

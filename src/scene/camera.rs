@@ -28,7 +28,7 @@ pub struct View {
     pub focal: f64,
     pub width: u32,
     pub height: u32,
-    /// Depth of the near plane: a millionth of the distance from eye to target.
+    /// Depth of the near plane: 10⁻⁶ until it is set by what stands nearest to the eye.
     pub near: f64,
 }
 
@@ -45,7 +45,7 @@ impl View {
             focal: 0.5 * f64::from(width) / (0.5 * camera.fov_x).tan(),
             width,
             height,
-            near: 1e-6 * to_target.length(),
+            near: 1e-6,
         }
     }
 

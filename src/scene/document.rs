@@ -110,9 +110,13 @@ pub fn parse<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Problem> {
     let value = read(text)?;
     match outline?.schema {
         Some(Schema) => Ok(value),
-        None => Err(whole_file(
-            "the key `schema` is missing; the document starts with \"schema\": 1".into(),
-        )),
+        None => Err(Problem {
+            line: Some(1),
+            column: Some(1),
+            ..whole_file(
+                "the key `schema` is missing; the document starts with \"schema\": 1".into(),
+            )
+        }),
     }
 }
 

@@ -20,6 +20,25 @@ pub struct Tessellation {
 }
 
 impl Tessellation {
+    /// How many polygons a scene divides into, before any of them takes memory.
+    pub fn count(scene: &Scene) -> u64 {
+        let polygons = |shape: &Shape| match shape {
+            Shape::Sphere { .. } => u64::from(SPHERE_LONGITUDES * SPHERE_LATITUDES),
+            Shape::Plane { .. } => 0,
+            Shape::Polygon { .. } => 1,
+            Shape::Cylinder { capped, .. } => u64::from(CYLINDER_SIDES) + 2 * u64::from(*capped),
+            Shape::Bezier { patches, divisions } => {
+                patches.len() as u64 * u64::from(*divisions).pow(2)
+            }
+            Shape::Mesh(mesh) => mesh.face_count() as u64,
+        };
+        scene
+            .objects
+            .iter()
+            .map(|object| polygons(&object.shape))
+            .sum()
+    }
+
     pub fn of(scene: &Scene) -> Self {
         let meshes: Vec<Mesh> = scene
             .objects
@@ -208,6 +227,48 @@ mod tests {
                 mesh.normal(face).dot(outward)
             })
             .fold(1.0, f64::min)
+    }
+
+    #[test]
+    fn polygons_are_counted_before_they_are_made() {
+        let shapes = [
+            Shape::Sphere {
+                center: DVec3::ZERO,
+                radius: 1.0,
+            },
+            Shape::Plane {
+                point: DVec3::ZERO,
+                normal: DVec3::Y,
+            },
+            Shape::Polygon {
+                vertices: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+            },
+            Shape::Cylinder {
+                base: DVec3::ZERO,
+                axis: DVec3::Y,
+                radius: 1.0,
+                height: 1.0,
+                capped: true,
+            },
+        ];
+        let object = |shape| Object {
+            name: String::new(),
+            material: 0,
+            shape,
+            patches: [1, 1],
+            casts_shadow: true,
+        };
+        let scene = Scene {
+            background: Rgb::BLACK,
+            ambient: Rgb::WHITE,
+            path_attenuation: [1.0, 0.0, 0.0],
+            camera: None,
+            materials: Vec::new(),
+            objects: shapes.map(object).into(),
+            lights: Vec::new(),
+        };
+        assert_eq!(Tessellation::count(&scene), 512 + 1 + 34);
+        assert_eq!(Tessellation::of(&scene).polygon_count(), 512 + 1 + 34);
     }
 
     #[test]

@@ -119,7 +119,7 @@ pub const TABLE: &[Entry] = &[
         "FaceNormalAdded",
         "Face {face} shares the vertex: its unit normal is added.",
         "Muka {face} memiliki titik sudut ini: normal satuannya ditambahkan.",
-        &[is("{ΣN_k=sum_N} = {ΣN_k=*N_k}")],
+        &[is("{S=sum_N} = {ΣN_k=*N_k}")],
     ),
     entry(
         "VertexNormal",
