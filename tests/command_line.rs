@@ -413,3 +413,76 @@ fn without_a_display_the_window_says_so_in_one_line() {
     assert_eq!(message.trim_end().lines().count(), 1, "{message}");
     assert!(message.contains("lightwalk frames"), "{message}");
 }
+
+#[cfg(unix)]
+#[test]
+fn an_interruption_leaves_no_file_and_says_130() {
+    let folder = folder();
+    let mut running = Command::new(env!("CARGO_BIN_EXE_lightwalk"))
+        .current_dir(folder.path())
+        .args([
+            "steps",
+            "scene.json",
+            "--method",
+            "gouraud",
+            "--size",
+            "700x500",
+            "--out",
+            "steps.jsonl",
+        ])
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    // Until the file is begun
+    let unfinished = || {
+        fs::read_dir(folder.path()).unwrap().any(|entry| {
+            entry
+                .unwrap()
+                .file_name()
+                .to_string_lossy()
+                .starts_with(".lightwalk-")
+        })
+    };
+    while !unfinished() {
+        assert!(
+            running.try_wait().unwrap().is_none(),
+            "it ended before it could be interrupted"
+        );
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    let kill = Command::new("kill")
+        .args(["-INT", &running.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(kill.success());
+    assert_eq!(running.wait().unwrap().code(), Some(130));
+    assert!(!unfinished());
+    assert!(!folder.path().join("steps.jsonl").exists());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn messages_that_nobody_can_read_do_not_stop_the_work() {
+    let folder = folder();
+    let full = fs::OpenOptions::new()
+        .write(true)
+        .open("/dev/full")
+        .unwrap();
+    let status = Command::new(env!("CARGO_BIN_EXE_lightwalk"))
+        .current_dir(folder.path())
+        .args([
+            "render",
+            "scene.json",
+            "--method",
+            "flat",
+            "--size",
+            "20x20",
+            "--out",
+            "x.png",
+        ])
+        .stderr(full)
+        .status()
+        .unwrap();
+    assert_eq!(status.code(), Some(0));
+    assert!(folder.path().join("x.png").exists());
+}
