@@ -167,6 +167,23 @@ fn a_question_stops_every_way_forward_until_it_is_answered_or_skipped() {
 }
 
 #[test]
+fn a_shared_step_is_opened_whatever_is_asked_before_it() {
+    let mut shared = session("gouraud-triangle");
+    shared.start_at(usize::MAX);
+    assert_eq!(shared.step(), shared.last_step());
+    let asked = session("gouraud-triangle").question_between(0, usize::MAX);
+    let asked = asked.expect("a question");
+    for step in [asked, asked + 1, shared.last_step() / 2] {
+        let mut session = session("gouraud-triangle");
+        session.start_at(step);
+        assert_eq!(session.question_at(step), step == asked);
+        go(&mut session, Command::Share);
+        let command = format!("lightwalk open gouraud-triangle --step {step}");
+        assert_eq!(session.shared, Some(command));
+    }
+}
+
+#[test]
 fn answers_are_held_against_the_run() {
     let mut session = session("gouraud-triangle");
     let mut answered = 0;
