@@ -263,6 +263,29 @@ fn another_focus_keeps_the_place_and_the_way_back_brings_the_narration() {
 }
 
 #[test]
+fn the_way_back_to_the_lesson_leads_to_the_step_that_was_left() {
+    let mut session = session("gouraud-triangle");
+    let own = session.lesson().focus;
+    go(&mut session, Command::End);
+    let asked = session.step();
+    assert!(session.question_at(asked));
+    let middle = session.lesson().size.map(|size| size / 2);
+    let pixel = Focus::Pixel {
+        x: middle[0],
+        y: middle[1],
+    };
+    for step in [asked, asked - 1, 0] {
+        go(&mut session, Command::Seek(step));
+        go(&mut session, Command::Focus(pixel));
+        go(&mut session, Command::Focus(Focus::Frame));
+        let _ = session.update(Command::End);
+        go(&mut session, Command::Focus(own));
+        assert_eq!(session.step(), step);
+        assert!(session.question_at(asked));
+    }
+}
+
+#[test]
 fn the_polygon_under_a_pixel_is_found() {
     let mut session = session("gouraud-teapot");
     let [width, height] = session.lesson().size;
