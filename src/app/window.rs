@@ -16,6 +16,8 @@ pub struct Window {
     pub(super) views: HashMap<Panel, PanelView>,
     arrangement: Arrangement,
     pub(super) answer: String,
+    /// Whether the answer was given, and is no number.
+    pub(super) misread: bool,
     pub(super) search: String,
     /// Why the last command was refused, or what it did, until the next one.
     pub(super) notice: Option<String>,
@@ -116,6 +118,7 @@ impl Window {
         }
         if step != (session.recording(), session.step()) {
             self.answer.clear();
+            self.misread = false;
         }
     }
 

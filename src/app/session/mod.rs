@@ -11,7 +11,7 @@ mod tests;
 
 pub use command::{Command, Guess, Refused};
 pub use play::Direction;
-pub use question::Standing;
+pub use question::{Standing, read_number};
 
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;

@@ -99,8 +99,8 @@ impl Session {
     }
 }
 
-/// With a decimal point, or a comma as Indonesian writes it.
-fn read_number(text: &str) -> Option<f64> {
+/// A number as an answer is typed: with a decimal point, or a comma as Indonesian writes it.
+pub fn read_number(text: &str) -> Option<f64> {
     let number: f64 = text
         .trim()
         .replace(',', ".")

@@ -8,7 +8,7 @@ use super::{style, words};
 use crate::algorithms::focus::Focus;
 use crate::lesson::{Answer, builtin};
 use crate::panels::words::Language;
-use crate::picture::{Tag, Theme, to_png};
+use crate::picture::{Tag, Theme, number, to_png};
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -68,6 +68,10 @@ fn triangle(commands: impl IntoIterator<Item = Command>) -> Screen {
 impl Screen {
     fn session(&self) -> &Session {
         &self.harness.state().0
+    }
+
+    fn session_mut(&mut self) -> &mut Session {
+        &mut self.harness.state_mut().0
     }
 
     fn press(&mut self, held: Modifiers, key: Key) {
@@ -220,6 +224,47 @@ fn a_question_is_answered_in_its_card() {
         screen.session().question().map(|(_, standing)| standing),
         Some(Standing::Right)
     );
+}
+
+#[test]
+fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
+    let mut screen = triangle([Command::Questions]);
+    let narrated = screen.session().show().narrated.to_vec();
+    screen.session_mut().update(Command::Questions).expect("on");
+    let asks_number = |session: &Session| {
+        matches!(
+            session.question(),
+            Some((question, Standing::Open)) if matches!(question.answer, Answer::Number { .. })
+        )
+    };
+    for step in narrated {
+        screen.session_mut().start_at(step);
+        if asks_number(screen.session()) {
+            break;
+        }
+    }
+    screen.harness.run();
+    let step = screen.session().step();
+    screen.harness.get_by_label(words::YOUR_ANSWER.en).focus();
+    screen.harness.run();
+    screen.harness.event(egui::Event::Text("much".into()));
+    screen.press(Modifiers::NONE, Key::Enter);
+    screen.harness.get_by_label(words::NOT_A_NUMBER.en);
+    screen.keep("misread");
+    screen.press(Modifiers::NONE, Key::L);
+    assert_eq!(screen.session().look.language, Language::English);
+    screen.press(Modifiers::COMMAND, Key::A);
+    screen.harness.event(egui::Event::Text("1e9".into()));
+    screen.press(Modifiers::NONE, Key::Enter);
+    assert_eq!(screen.session().step(), step);
+    let (question, standing) = screen.session().question().expect("a question");
+    let Answer::Number { value, .. } = question.answer else {
+        panic!("a number is asked for")
+    };
+    assert_eq!(standing, Standing::Wrong);
+    let told = format!("Not quite. The answer is {}.", number(value));
+    screen.harness.get_by_label(&told);
+    screen.keep("wrong");
 }
 
 #[test]
