@@ -135,7 +135,7 @@ fn verdict(
         Standing::Open | Standing::Skipped => (words::SKIPPED, Ink::Muted),
     };
     let answer = match &question.answer {
-        Answer::Number { value, .. } => number(*value),
+        Answer::Number { value, tolerance } => number(rounded(*value, *tolerance)),
         Answer::Choice { options, right } => {
             options[*right][session.look.language as usize].clone()
         }
@@ -165,4 +165,13 @@ fn verdict(
     {
         commands.push(Command::Seek(question.step));
     }
+}
+
+/// To the decimal place that still counts under `tolerance`, as it would be answered.
+pub fn rounded(value: f64, tolerance: f64) -> f64 {
+    if tolerance <= 0.0 {
+        return value;
+    }
+    let places = 10f64.powf(-tolerance.log10().floor());
+    (value * places).round() / places
 }
