@@ -2,6 +2,7 @@
 
 mod painter;
 
+use super::question_card::rounded;
 use super::session::{Command, Session, Standing};
 use super::window::{self, Window};
 use super::{style, words};
@@ -84,14 +85,16 @@ impl Screen {
         self.harness.run();
     }
 
+    fn painted(&self) -> tiny_skia::Pixmap {
+        self.textures
+            .paint(&self.harness.ctx, self.harness.output(), self.size)
+    }
+
     /// Keeps a PNG of the window under `LIGHTWALK_SCREENSHOTS`, for people to look at.
     fn keep(&self, name: &str) {
         if let Some(folder) = std::env::var_os("LIGHTWALK_SCREENSHOTS") {
-            let pixmap = self
-                .textures
-                .paint(&self.harness.ctx, self.harness.output(), self.size);
             let path = std::path::Path::new(&folder).join(format!("{name}.png"));
-            std::fs::write(path, to_png(&pixmap)).expect("a folder that can be written to");
+            std::fs::write(path, to_png(&self.painted())).expect("a folder that can be written to");
         }
     }
 }
@@ -258,13 +261,66 @@ fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
     screen.press(Modifiers::NONE, Key::Enter);
     assert_eq!(screen.session().step(), step);
     let (question, standing) = screen.session().question().expect("a question");
-    let Answer::Number { value, .. } = question.answer else {
+    let Answer::Number { value, tolerance } = question.answer else {
         panic!("a number is asked for")
     };
     assert_eq!(standing, Standing::Wrong);
-    let told = format!("Not quite. The answer is {}.", number(value));
+    let value = number(rounded(value, tolerance));
+    let told = format!("Not quite. The answer is {value}.");
     screen.harness.get_by_label(&told);
     screen.keep("wrong");
+}
+
+#[test]
+fn escape_ends_the_presentation() {
+    let mut screen = triangle([Command::Present]);
+    screen.press(Modifiers::NONE, Key::Escape);
+    assert!(!screen.session().look.presenting);
+    screen.press(Modifiers::NONE, Key::Escape);
+    assert!(!screen.session().look.presenting);
+}
+
+#[test]
+fn an_open_menu_leaves_keys_their_meaning_and_closes() {
+    let mut screen = triangle([]);
+    let loop_off = format!("{} ▾", words::LOOP_OFF.en);
+    let open = |screen: &Screen| egui::Popup::is_any_open(&screen.harness.ctx);
+    screen.click(&loop_off);
+    assert!(open(&screen));
+    screen.press(Modifiers::NONE, Key::ArrowRight);
+    assert_eq!((screen.session().step(), open(&screen)), (1, false));
+    for seconds in [0.1, 2.0] {
+        screen.click(&loop_off);
+        assert!(open(&screen));
+        screen.harness.drag_at(egui::pos2(1000.0, 620.0));
+        screen.harness.step();
+        screen.harness.input_mut().time = Some(screen.harness.ctx.input(|i| i.time) + seconds);
+        screen.harness.drop_at(egui::pos2(1000.0, 620.0));
+        screen.harness.run();
+        assert!(!open(&screen), "after a click of {seconds} s");
+    }
+}
+
+#[test]
+fn the_column_is_as_wide_as_before_after_the_window_was_small() {
+    let mut screen = triangle([]);
+    let usual = screen.painted();
+    screen.harness.hover_at(egui::pos2(349.0, 300.0));
+    screen.harness.drag_at(egui::pos2(349.0, 300.0));
+    screen.harness.run();
+    screen.harness.hover_at(egui::pos2(449.0, 300.0));
+    screen.harness.run();
+    screen.harness.drop_at(egui::pos2(449.0, 300.0));
+    screen.harness.remove_cursor();
+    screen.harness.run();
+    let chosen = screen.painted();
+    assert!(usual != chosen);
+    screen.keep("wide-column");
+    for size in [[700.0, 500.0], [1280.0, 800.0]] {
+        screen.harness.set_size(size.into());
+        screen.harness.run();
+    }
+    assert!(screen.painted() == chosen);
 }
 
 #[test]
@@ -393,9 +449,7 @@ fn the_window_can_be_painted_at_every_size() {
         let screen = screen(lesson, size, scale, looks.into_iter().chain(commands));
         screen.keep(name);
         if size == [1280, 800] {
-            let pixmap = screen
-                .textures
-                .paint(&screen.harness.ctx, screen.harness.output(), size);
+            let pixmap = screen.painted();
             // The harness leaves up to 10 pixels free on each side.
             let mut inside = (10..790).flat_map(|y| (10..1270).map(move |x| (x, y)));
             assert!(
