@@ -5,11 +5,11 @@ mod painter;
 use super::question_card::rounded;
 use super::session::{Command, Session, Standing};
 use super::window::{self, Window};
-use super::{style, words};
+use super::{narration, style, words};
 use crate::algorithms::focus::Focus;
 use crate::lesson::{Answer, builtin};
 use crate::panels::words::Language;
-use crate::picture::{Tag, Theme, number, to_png};
+use crate::picture::{Ink, Tag, Theme, number, to_png};
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -321,6 +321,19 @@ fn the_column_is_as_wide_as_before_after_the_window_was_small() {
         screen.harness.run();
     }
     assert!(screen.painted() == chosen);
+}
+
+#[test]
+fn an_index_stands_low_and_the_space_after_it_stays() {
+    let screen = triangle([]);
+    let job = narration::prose(screen.session(), "I_P incremental", 14.0, Ink::Text);
+    let galley = screen.harness.ctx.fonts_mut(|fonts| fonts.layout_job(job));
+    let glyphs = &galley.rows[0].glyphs;
+    let place = |index: usize| (glyphs[index].chr, glyphs[index].pos.y);
+    let ((i, base), (p, low), (space, _)) = (place(0), place(1), place(2));
+    assert_eq!([i, p, space], ['I', 'P', ' ']);
+    assert!(low > base + 1.0, "{low} below {base}");
+    assert!(glyphs[3].pos.x - glyphs[2].pos.x > 3.0, "a whole space");
 }
 
 #[test]
