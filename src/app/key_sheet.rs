@@ -21,7 +21,9 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
                 });
             });
             ui.separator();
+            // The sheet's own idea of its height knows nothing of the window.
             ScrollArea::vertical()
+                .min_scrolled_height(room.y - 130.0)
                 .max_height(room.y - 130.0)
                 .show(ui, |ui| {
                     ui.spacing_mut().interact_size.y = 17.0;

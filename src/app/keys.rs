@@ -2,7 +2,7 @@
 
 use super::session::{Command, Session};
 use crate::panels::words::Words;
-use egui::{Event, Key, Modifiers};
+use egui::{Event, Key, Modifiers, Popup};
 
 /// Which of the modifier keys must be held.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -43,7 +43,7 @@ const fn bind(
 
 use With::{Ctrl, Nothing, Shift, Sign};
 
-pub const BINDINGS: [Binding; 36] = [
+pub const BINDINGS: [Binding; 37] = [
     bind(
         Key::ArrowRight,
         Nothing,
@@ -262,6 +262,14 @@ pub const BINDINGS: [Binding; 36] = [
         "presentasi",
     ),
     bind(
+        Key::Escape,
+        Nothing,
+        "Esc",
+        || Command::StopPresenting,
+        "end the presentation",
+        "akhiri presentasi",
+    ),
+    bind(
         Key::Plus,
         Ctrl,
         "Ctrl +",
@@ -341,14 +349,16 @@ impl Binding {
 
 /// The commands of the keys pressed in this frame.
 ///
-/// Keys are the user's own while text is edited, in open menus, and where a focused button waits for its space.
+/// Keys are the user's own while text is edited, and where a focused button waits for its space. A key that acts closes
+/// an open menu; escape does nothing else there.
 pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
-    if ctx.text_edit_focused() || egui::Popup::is_any_open(ctx) {
+    if ctx.text_edit_focused() {
         return Vec::new();
     }
+    let menu = Popup::is_any_open(ctx);
     let focused = ctx.memory(|memory| memory.focused().is_some());
     let mut arrow = false;
-    let commands = ctx.input(|input| {
+    let commands: Vec<Command> = ctx.input(|input| {
         let keys = input.events.iter().filter_map(|event| match *event {
             Event::Key {
                 key,
@@ -363,7 +373,11 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
                 .iter()
                 .find(|binding| binding.is_pressed(key, held))
         });
-        let ours = bound.filter(|binding| !(focused && binding.key == Key::Space));
+        let ours = bound.filter(|binding| match binding.key {
+            Key::Space => !focused,
+            Key::Escape => !menu,
+            _ => true,
+        });
         let commands = ours.map(|binding| {
             arrow |= matches!(
                 binding.key,
@@ -376,6 +390,9 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
             .filter(|command| !session.look.keys || *command == Command::Keys)
             .collect()
     });
+    if !commands.is_empty() {
+        Popup::close_all(ctx);
+    }
     if arrow {
         // Arrows walk through the run; without this they would also move the focus to a neighbouring button.
         ctx.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));

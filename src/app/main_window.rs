@@ -1,8 +1,8 @@
 //! The window on the screen: eframe's part of the app.
 
 use super::session::Session;
+use super::style;
 use super::window::{self, Window};
-use super::{Command, style};
 use crate::lesson::{Lesson, builtins};
 use std::any::Any;
 use std::panic::{self, AssertUnwindSafe};
@@ -36,8 +36,7 @@ pub fn open(lesson: Option<Lesson>, step: usize) -> Result<(), String> {
         }
     };
     let mut session = Session::new(lesson).map_err(|error| error.to_string())?;
-    // A question on the way has its turn first; there is no other reason to refuse.
-    let _ = session.update(Command::Seek(step));
+    session.start_at(step);
     show(session).map_err(|problem| {
         format!(
             "cannot open a window: {problem}; `lightwalk frames LESSON --out DIR` and `lightwalk render SCENE --method gouraud --out FILE.png` work without one"

@@ -1,12 +1,12 @@
 //! The card that asks before the answer is seen.
 
-use super::narration::prose;
-use super::session::{Command, Guess, Session, Standing};
+use super::narration::{prose, set};
+use super::session::{Command, Guess, Session, Standing, read_number};
 use super::window::Window;
 use super::{style, words};
 use crate::lesson::{Answer, Question};
 use crate::picture::{Ink, number};
-use egui::{Button, Frame, Key, Margin, RichText, Stroke, TextEdit, Ui};
+use egui::{Button, FontId, Frame, Key, Margin, RichText, Stroke, TextEdit, Ui};
 
 pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>, ui: &mut Ui) {
     let Some((question, standing)) = session.question() else {
@@ -58,8 +58,11 @@ fn ask(
             ui.horizontal_wrapped(|ui| {
                 let edit = TextEdit::singleline(&mut window.answer)
                     .desired_width(96.0)
-                    .hint_text("0.__");
+                    .hint_text("…");
                 let response = ui.add(edit);
+                if response.changed() {
+                    window.misread = false;
+                }
                 let (name, text) = (session.say(words::YOUR_ANSWER), window.answer.clone());
                 response.widget_info(|| egui::WidgetInfo {
                     label: Some(name.to_owned()),
@@ -72,9 +75,19 @@ fn ask(
                     .clicked()
                     || entered
                 {
-                    commands.push(Command::Answer(Guess::Number(window.answer.clone())));
+                    window.misread = read_number(&window.answer).is_none();
+                    if window.misread {
+                        // What is typed next must correct the answer, not act as keys.
+                        response.request_focus();
+                    } else {
+                        commands.push(Command::Answer(Guess::Number(window.answer.clone())));
+                    }
                 }
             });
+            if window.misread {
+                let ink = style::color(session.look.theme, Ink::Bad);
+                ui.label(RichText::new(session.say(words::NOT_A_NUMBER)).color(ink));
+            }
         }
         Answer::Choice { options, .. } => {
             for (index, option) in options.iter().enumerate() {
@@ -122,7 +135,7 @@ fn verdict(
         Standing::Open | Standing::Skipped => (words::SKIPPED, Ink::Muted),
     };
     let answer = match &question.answer {
-        Answer::Number { value, .. } => number(*value),
+        Answer::Number { value, tolerance } => number(rounded(*value, *tolerance)),
         Answer::Choice { options, right } => {
             options[*right][session.look.language as usize].clone()
         }
@@ -133,8 +146,9 @@ fn verdict(
     } else {
         ""
     };
-    let ink = style::color(session.look.theme, ink);
-    ui.label(style::strong(format!("{sign}{} {answer}", session.say(words)), 14.0).color(ink));
+    let (words, is) = (session.say(words), session.say(words::THE_ANSWER_IS));
+    let told = format!("{sign}{words} {is} {}.", answer.trim_end_matches('.'));
+    ui.label(set(session, &told, FontId::new(14.0, style::bold()), ink));
     ui.label(prose(
         session,
         question.why(session.look.language),
@@ -151,4 +165,13 @@ fn verdict(
     {
         commands.push(Command::Seek(question.step));
     }
+}
+
+/// To the decimal place that still counts under `tolerance`, as it would be answered.
+pub fn rounded(value: f64, tolerance: f64) -> f64 {
+    if tolerance <= 0.0 {
+        return value;
+    }
+    let places = 10f64.powf(-tolerance.log10().floor());
+    (value * places).round() / places
 }

@@ -39,6 +39,7 @@ pub fn show(
     ui.label(style::strong(place, 15.0));
     ui.add_space(6.0);
     speed(session, commands, ui);
+    ui.add_space(6.0);
     looping(session, commands, ui);
     run_to(session, commands, ui);
     search(session, window, commands, ui);
@@ -83,11 +84,11 @@ fn walk_buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 }
 
 fn speed(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
-    ui.spacing_mut().item_spacing.x = 2.0;
+    ui.spacing_mut().item_spacing.x = 6.0;
     let slower = session.say(words::SLOWER);
     button(
         session,
-        Button::new("−").frame(false),
+        Button::new("−"),
         slower,
         Command::Slower,
         commands,
@@ -101,7 +102,7 @@ fn speed(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.label(RichText::new(speed).size(13.0));
     button(
         session,
-        Button::new("+").frame(false),
+        Button::new("+"),
         session.say(words::FASTER),
         Command::Faster,
         commands,
@@ -113,10 +114,10 @@ fn speed(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 fn looping(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let end = |step: Option<usize>| step.map_or("…".to_owned(), |step| step.to_string());
     let text = match session.loop_ends() {
-        (None, None) => session.say(words::LOOP_OFF).to_owned(),
-        (from, to) => format!("{} {}–{}", session.say(words::LOOP), end(from), end(to)),
+        (None, None) => format!("{} ▾", session.say(words::LOOP_OFF)),
+        (from, to) => format!("{} {}–{} ▾", session.say(words::LOOP), end(from), end(to)),
     };
-    let menu = MenuButton::from_button(Button::new(text).frame(false));
+    let menu = MenuButton::from_button(Button::new(text));
     menu.ui(ui, |ui| {
         let choices = [
             (words::LOOP_FROM_HERE, Command::LoopFrom),
@@ -134,7 +135,7 @@ fn looping(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 /// A menu of the kinds of steps, with how many there are of each.
 fn run_to(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let words = format!("{} ▾", session.say(words::RUN_TO));
-    let menu = MenuButton::from_button(Button::new(words).frame(false));
+    let menu = MenuButton::from_button(Button::new(words));
     menu.ui(ui, |ui| {
         let walk = session.walk();
         if walk.is_empty() {

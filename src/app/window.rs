@@ -6,7 +6,7 @@ use super::tiles::{Arrangement, GAP, panel_on};
 use super::{key_sheet, keys, narration, style, top_bar, transport, words};
 use crate::panels::Panel;
 use crate::picture::Theme;
-use egui::{Frame, Margin, Ui, ViewportCommand};
+use egui::{CursorIcon, Frame, Id, Margin, Popup, Rect, Sense, Stroke, Ui, ViewportCommand};
 use std::collections::HashMap;
 use std::time::Duration;
 
@@ -16,9 +16,13 @@ pub struct Window {
     pub(super) views: HashMap<Panel, PanelView>,
     arrangement: Arrangement,
     pub(super) answer: String,
+    /// Whether the answer was given, and is no number.
+    pub(super) misread: bool,
     pub(super) search: String,
     /// Why the last command was refused, or what it did, until the next one.
     pub(super) notice: Option<String>,
+    /// Width of the left column, where the user has chosen one.
+    column: Option<f32>,
     /// Height of narration and question in the frame before.
     pub(super) said_height: f32,
     styled: Option<Theme>,
@@ -34,6 +38,7 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     for command in keys::pressed(session, &ctx) {
         window.carry_out(session, command);
     }
+    close_menus(&ctx);
     window.play_on(session, &ctx);
     window.keep_up(session, &ctx);
 
@@ -53,17 +58,20 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
             style::card(session.look.theme, ui.max_rect(), ui);
             let mut rect = ui.max_rect();
             rect.max.y = transport::show(session, window, &mut commands, rect, ui);
-            let rect = egui::Rect::from_min_max(rect.left_bottom(), ui.max_rect().max).shrink(4.0);
+            let rect = Rect::from_min_max(rect.left_bottom(), ui.max_rect().max).shrink(4.0);
             let view = window.views.entry(Panel::TimeLine).or_default();
             let shown = panel_on(session, Panel::TimeLine, view, rect, ui);
             commands.extend(shown.command);
             under_pointer = shown.under.or(under_pointer);
         });
 
-    let width = (0.27 * size.x).clamp(250.0, 460.0);
-    egui::Panel::left("narration")
-        .default_size(width)
-        .size_range(230.0..=(0.45 * size.x).max(230.0))
+    // A small window may narrow the column for a while; what was chosen stays.
+    let usual = (0.27 * size.x).clamp(250.0, 460.0);
+    let limits = 230.0..=(0.45 * size.x).max(230.0);
+    let width = window.column.unwrap_or(usual);
+    let column = egui::Panel::left("narration")
+        .resizable(false)
+        .exact_size(width.clamp(*limits.start(), *limits.end()))
         .frame(Frame::new().inner_margin(Margin {
             right: (GAP / 2.0) as i8,
             ..margin
@@ -88,6 +96,9 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
                 ui,
             );
         });
+    if let Some(width) = dragged_border(column.response.rect, ui) {
+        window.column = Some(width.clamp(*limits.start(), *limits.end()));
+    }
     if session.look.keys {
         key_sheet::show(session, &mut commands, &ctx);
     }
@@ -116,6 +127,7 @@ impl Window {
         }
         if step != (session.recording(), session.step()) {
             self.answer.clear();
+            self.misread = false;
         }
     }
 
@@ -153,6 +165,36 @@ impl Window {
             self.notice = Some(format!("{} {command}", session.say(words::SHARED)));
             ctx.copy_text(command);
         }
+    }
+}
+
+/// Lets the right border of the column be dragged, as those between the tiles can be; returns the width it is dragged to.
+fn dragged_border(column: Rect, ui: &mut Ui) -> Option<f32> {
+    let x = column.right();
+    let border = Rect::from_x_y_ranges(x - GAP / 2.0..=x + GAP / 2.0, column.y_range());
+    let response = ui
+        .interact(border, Id::unique("column border"), Sense::DRAG)
+        .on_hover_and_drag_cursor(CursorIcon::ResizeHorizontal);
+    if response.hovered() || response.dragged() {
+        let color = ui.visuals().selection.stroke.color;
+        ui.painter()
+            .vline(x, column.y_range(), Stroke::new(2.0, color));
+    }
+    let pointer = response
+        .interact_pointer_pos()
+        .filter(|_| response.dragged())?;
+    Some(pointer.x - column.left())
+}
+
+/// Closes open menus when the pointer is let go elsewhere: egui itself does so for short clicks only.
+fn close_menus(ctx: &egui::Context) {
+    let let_go = ctx.input(|input| {
+        let pointer = &input.pointer;
+        (pointer.any_released() && !pointer.any_click()).then(|| pointer.interact_pos())
+    });
+    let layer = let_go.flatten().and_then(|pos| ctx.layer_id_at(pos));
+    if layer.is_some_and(|layer| layer.order <= egui::Order::Middle) {
+        Popup::close_all(ctx);
     }
 }
 

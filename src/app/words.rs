@@ -63,6 +63,7 @@ words! {
     RIGHT: "Right.", "Benar.";
     WRONG: "Not quite.", "Belum tepat.";
     SKIPPED: "Skipped.", "Dilewati.";
+    THE_ANSWER_IS: "The answer is", "Jawabannya";
     SHOW_THE_STEP: "show the step", "tunjukkan langkahnya";
 
     IMAGE: "Image", "Gambar";

@@ -68,6 +68,8 @@ pub enum Command {
     Share,
     /// Presentation: the whole screen, larger and with more contrast.
     Present,
+    /// Ends the presentation, if there is one.
+    StopPresenting,
     /// The sheet of keys.
     Keys,
     Inspector,

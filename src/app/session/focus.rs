@@ -11,7 +11,8 @@ use crate::replay::{Comparison, Condition, Operand, Query, Run, Walk, query};
 const PLACES: [&str; 7] = ["polygon", "vertex", "light", "corner", "y", "edge", "x"];
 
 impl Session {
-    /// Records another part of the frame, and goes to the step that is most like the present one.
+    /// Records another part of the frame, and goes to the step that is most like the present one; the lesson's own part
+    /// goes on where it was left, so that no way around leads past a question.
     pub(super) fn look_at(&mut self, focus: Focus) -> Result<(), Refused> {
         let view = &self.open.stage.view;
         let exists = match focus {
@@ -26,9 +27,13 @@ impl Session {
         if focus == self.focus {
             return Ok(());
         }
+        if self.follows_lesson() {
+            self.left_at = self.step();
+        }
         let place = Place::of(self.walk(), self.step());
         let mut run = self.record(focus);
         let step = match focus {
+            _ if focus == self.open.lesson.focus => Some(self.left_at),
             Focus::Pixel { x, y } => Place::colored(x, y)
                 .find(run.walk())
                 .or_else(|| place.find(run.walk())),

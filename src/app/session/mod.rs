@@ -11,7 +11,7 @@ mod tests;
 
 pub use command::{Command, Guess, Refused};
 pub use play::Direction;
-pub use question::Standing;
+pub use question::{Standing, read_number};
 
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
@@ -77,6 +77,8 @@ pub struct Listed {
 pub struct Session {
     open: OpenLesson,
     focus: Focus,
+    /// The step at which the lesson's own part was left for another one.
+    left_at: usize,
     /// Steps at which something is said under this focus.
     narrated: Vec<usize>,
     /// How each narrated step's question stands.
@@ -108,6 +110,7 @@ impl Session {
         let open = lesson.open()?;
         let mut session = Session {
             focus: open.lesson.focus,
+            left_at: 0,
             narrated: Vec::new(),
             standings: Vec::new(),
             finished: finished(&open),

@@ -72,6 +72,18 @@ impl Session {
         Ok(())
     }
 
+    /// Goes to a step that was asked for from outside; the questions before it count as skipped.
+    pub fn start_at(&mut self, step: usize) {
+        let target = step.min(self.last_step());
+        let before = self.narrated.partition_point(|&step| step < target);
+        for standing in &mut self.standings[..before] {
+            if *standing == Standing::Open {
+                *standing = Standing::Skipped;
+            }
+        }
+        self.seek(target);
+    }
+
     /// Whether a click on a pixel of the image answers the question at hand.
     pub fn pixel_is_asked(&self) -> bool {
         matches!(
@@ -87,8 +99,8 @@ impl Session {
     }
 }
 
-/// With a decimal point, or a comma as Indonesian writes it.
-fn read_number(text: &str) -> Option<f64> {
+/// A number as an answer is typed: with a decimal point, or a comma as Indonesian writes it.
+pub fn read_number(text: &str) -> Option<f64> {
     let number: f64 = text
         .trim()
         .replace(',', ".")

@@ -167,6 +167,23 @@ fn a_question_stops_every_way_forward_until_it_is_answered_or_skipped() {
 }
 
 #[test]
+fn a_shared_step_is_opened_whatever_is_asked_before_it() {
+    let mut shared = session("gouraud-triangle");
+    shared.start_at(usize::MAX);
+    assert_eq!(shared.step(), shared.last_step());
+    let asked = session("gouraud-triangle").question_between(0, usize::MAX);
+    let asked = asked.expect("a question");
+    for step in [asked, asked + 1, shared.last_step() / 2] {
+        let mut session = session("gouraud-triangle");
+        session.start_at(step);
+        assert_eq!(session.question_at(step), step == asked);
+        go(&mut session, Command::Share);
+        let command = format!("lightwalk open gouraud-triangle --step {step}");
+        assert_eq!(session.shared, Some(command));
+    }
+}
+
+#[test]
 fn answers_are_held_against_the_run() {
     let mut session = session("gouraud-triangle");
     let mut answered = 0;
@@ -243,6 +260,29 @@ fn another_focus_keeps_the_place_and_the_way_back_brings_the_narration() {
         session.update(Command::Focus(Focus::ScanLine(9999))),
         Err(words::OUTSIDE.into())
     );
+}
+
+#[test]
+fn the_way_back_to_the_lesson_leads_to_the_step_that_was_left() {
+    let mut session = session("gouraud-triangle");
+    let own = session.lesson().focus;
+    go(&mut session, Command::End);
+    let asked = session.step();
+    assert!(session.question_at(asked));
+    let middle = session.lesson().size.map(|size| size / 2);
+    let pixel = Focus::Pixel {
+        x: middle[0],
+        y: middle[1],
+    };
+    for step in [asked, asked - 1, 0] {
+        go(&mut session, Command::Seek(step));
+        go(&mut session, Command::Focus(pixel));
+        go(&mut session, Command::Focus(Focus::Frame));
+        let _ = session.update(Command::End);
+        go(&mut session, Command::Focus(own));
+        assert_eq!(session.step(), step);
+        assert!(session.question_at(asked));
+    }
 }
 
 #[test]

@@ -233,6 +233,10 @@ impl Session {
                     look.theme = look.before_presenting;
                 }
             }
+            Command::StopPresenting if look.presenting => {
+                return self.change_look(&Command::Present);
+            }
+            Command::StopPresenting => {}
             Command::Keys => look.keys = !look.keys,
             Command::Inspector => look.inspector = !look.inspector,
             Command::NormalText => look.text = super::Look::new().text,

@@ -2,13 +2,14 @@
 
 mod painter;
 
+use super::question_card::rounded;
 use super::session::{Command, Session, Standing};
 use super::window::{self, Window};
-use super::{style, words};
+use super::{narration, style, words};
 use crate::algorithms::focus::Focus;
 use crate::lesson::{Answer, builtin};
 use crate::panels::words::Language;
-use crate::picture::{Tag, Theme, to_png};
+use crate::picture::{Ink, Tag, Theme, number, to_png};
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -70,6 +71,10 @@ impl Screen {
         &self.harness.state().0
     }
 
+    fn session_mut(&mut self) -> &mut Session {
+        &mut self.harness.state_mut().0
+    }
+
     fn press(&mut self, held: Modifiers, key: Key) {
         self.harness.key_press_modifiers(held, key);
         self.harness.run();
@@ -80,14 +85,16 @@ impl Screen {
         self.harness.run();
     }
 
+    fn painted(&self) -> tiny_skia::Pixmap {
+        self.textures
+            .paint(&self.harness.ctx, self.harness.output(), self.size)
+    }
+
     /// Keeps a PNG of the window under `LIGHTWALK_SCREENSHOTS`, for people to look at.
     fn keep(&self, name: &str) {
         if let Some(folder) = std::env::var_os("LIGHTWALK_SCREENSHOTS") {
-            let pixmap = self
-                .textures
-                .paint(&self.harness.ctx, self.harness.output(), self.size);
             let path = std::path::Path::new(&folder).join(format!("{name}.png"));
-            std::fs::write(path, to_png(&pixmap)).expect("a folder that can be written to");
+            std::fs::write(path, to_png(&self.painted())).expect("a folder that can be written to");
         }
     }
 }
@@ -223,6 +230,113 @@ fn a_question_is_answered_in_its_card() {
 }
 
 #[test]
+fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
+    let mut screen = triangle([Command::Questions]);
+    let narrated = screen.session().show().narrated.to_vec();
+    screen.session_mut().update(Command::Questions).expect("on");
+    let asks_number = |session: &Session| {
+        matches!(
+            session.question(),
+            Some((question, Standing::Open)) if matches!(question.answer, Answer::Number { .. })
+        )
+    };
+    for step in narrated {
+        screen.session_mut().start_at(step);
+        if asks_number(screen.session()) {
+            break;
+        }
+    }
+    screen.harness.run();
+    let step = screen.session().step();
+    screen.harness.get_by_label(words::YOUR_ANSWER.en).focus();
+    screen.harness.run();
+    screen.harness.event(egui::Event::Text("much".into()));
+    screen.press(Modifiers::NONE, Key::Enter);
+    screen.harness.get_by_label(words::NOT_A_NUMBER.en);
+    screen.keep("misread");
+    screen.press(Modifiers::NONE, Key::L);
+    assert_eq!(screen.session().look.language, Language::English);
+    screen.press(Modifiers::COMMAND, Key::A);
+    screen.harness.event(egui::Event::Text("1e9".into()));
+    screen.press(Modifiers::NONE, Key::Enter);
+    assert_eq!(screen.session().step(), step);
+    let (question, standing) = screen.session().question().expect("a question");
+    let Answer::Number { value, tolerance } = question.answer else {
+        panic!("a number is asked for")
+    };
+    assert_eq!(standing, Standing::Wrong);
+    let value = number(rounded(value, tolerance));
+    let told = format!("Not quite. The answer is {value}.");
+    screen.harness.get_by_label(&told);
+    screen.keep("wrong");
+}
+
+#[test]
+fn escape_ends_the_presentation() {
+    let mut screen = triangle([Command::Present]);
+    screen.press(Modifiers::NONE, Key::Escape);
+    assert!(!screen.session().look.presenting);
+    screen.press(Modifiers::NONE, Key::Escape);
+    assert!(!screen.session().look.presenting);
+}
+
+#[test]
+fn an_open_menu_leaves_keys_their_meaning_and_closes() {
+    let mut screen = triangle([]);
+    let loop_off = format!("{} ▾", words::LOOP_OFF.en);
+    let open = |screen: &Screen| egui::Popup::is_any_open(&screen.harness.ctx);
+    screen.click(&loop_off);
+    assert!(open(&screen));
+    screen.press(Modifiers::NONE, Key::ArrowRight);
+    assert_eq!((screen.session().step(), open(&screen)), (1, false));
+    for seconds in [0.1, 2.0] {
+        screen.click(&loop_off);
+        assert!(open(&screen));
+        screen.harness.drag_at(egui::pos2(1000.0, 620.0));
+        screen.harness.step();
+        screen.harness.input_mut().time = Some(screen.harness.ctx.input(|i| i.time) + seconds);
+        screen.harness.drop_at(egui::pos2(1000.0, 620.0));
+        screen.harness.run();
+        assert!(!open(&screen), "after a click of {seconds} s");
+    }
+}
+
+#[test]
+fn the_column_is_as_wide_as_before_after_the_window_was_small() {
+    let mut screen = triangle([]);
+    let usual = screen.painted();
+    screen.harness.hover_at(egui::pos2(349.0, 300.0));
+    screen.harness.drag_at(egui::pos2(349.0, 300.0));
+    screen.harness.run();
+    screen.harness.hover_at(egui::pos2(449.0, 300.0));
+    screen.harness.run();
+    screen.harness.drop_at(egui::pos2(449.0, 300.0));
+    screen.harness.remove_cursor();
+    screen.harness.run();
+    let chosen = screen.painted();
+    assert!(usual != chosen);
+    screen.keep("wide-column");
+    for size in [[700.0, 500.0], [1280.0, 800.0]] {
+        screen.harness.set_size(size.into());
+        screen.harness.run();
+    }
+    assert!(screen.painted() == chosen);
+}
+
+#[test]
+fn an_index_stands_low_and_the_space_after_it_stays() {
+    let screen = triangle([]);
+    let job = narration::prose(screen.session(), "I_P incremental", 14.0, Ink::Text);
+    let galley = screen.harness.ctx.fonts_mut(|fonts| fonts.layout_job(job));
+    let glyphs = &galley.rows[0].glyphs;
+    let place = |index: usize| (glyphs[index].chr, glyphs[index].pos.y);
+    let ((i, base), (p, low), (space, _)) = (place(0), place(1), place(2));
+    assert_eq!([i, p, space], ['I', 'P', ' ']);
+    assert!(low > base + 1.0, "{low} below {base}");
+    assert!(glyphs[3].pos.x - glyphs[2].pos.x > 3.0, "a whole space");
+}
+
+#[test]
 fn the_title_of_the_window_tells_the_step() {
     let mut screen = triangle([]);
     screen.press(Modifiers::NONE, Key::ArrowRight);
@@ -348,9 +462,7 @@ fn the_window_can_be_painted_at_every_size() {
         let screen = screen(lesson, size, scale, looks.into_iter().chain(commands));
         screen.keep(name);
         if size == [1280, 800] {
-            let pixmap = screen
-                .textures
-                .paint(&screen.harness.ctx, screen.harness.output(), size);
+            let pixmap = screen.painted();
             // The harness leaves up to 10 pixels free on each side.
             let mut inside = (10..790).flat_map(|y| (10..1270).map(move |x| (x, y)));
             assert!(
