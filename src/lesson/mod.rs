@@ -5,6 +5,7 @@
 
 mod builtin;
 mod file;
+mod narrate;
 mod resolve;
 pub mod template;
 

@@ -5,6 +5,7 @@
 
 mod canvas;
 mod cursor;
+mod in_hand;
 pub mod moves;
 pub mod query;
 mod run;

@@ -1,0 +1,166 @@
+//! Ties what a lesson says and asks to the steps of its run.
+
+use super::file::{AnswerFile, QuestionFile, StepFile, Text};
+use super::resolve::{Answer, LessonError, Narrated, Question, problem};
+use super::template::fill;
+use crate::record::Value;
+use crate::replay::{Query, Walk, query};
+use crate::scene::document::{Keyed, Problem};
+
+/// Finds every narrated step, in order, and fills in its texts.
+pub(super) fn narrate(steps: &[StepFile], walk: &dyn Walk) -> Result<Vec<Narrated>, LessonError> {
+    let mut search = Search {
+        walk,
+        problems: Vec::new(),
+    };
+    let mut narrated = Vec::new();
+    let mut from = 0;
+    for (index, step) in steps.iter().enumerate() {
+        let place = format!("steps[{index}]");
+        let Some(at) = search.find(&step.at, from, &place) else {
+            continue;
+        };
+        from = at + 1;
+        let say = search.fill(&step.say, at, &format!("{place}.say"));
+        let slide = step
+            .slide
+            .as_ref()
+            .map(|slide| search.fill(slide, at, &format!("{place}.slide")));
+        let question = step.question.as_ref().and_then(|Keyed(question)| {
+            search.question(question, at, &format!("{place}.question"))
+        });
+        narrated.push(Narrated {
+            step: at,
+            say,
+            slide,
+            question,
+        });
+    }
+    if search.problems.is_empty() {
+        Ok(narrated)
+    } else {
+        Err(LessonError {
+            problems: search.problems,
+        })
+    }
+}
+
+/// Looks things up in a run, and keeps what it does not find.
+struct Search<'a> {
+    walk: &'a dyn Walk,
+    problems: Vec<Problem>,
+}
+
+impl Search<'_> {
+    /// The first step at or behind `from` that the selector means.
+    fn find(&mut self, selector: &Query, from: usize, place: &str) -> Option<usize> {
+        let found = query::matches(self.walk, selector, from..self.walk.len()).next();
+        if found.is_none() {
+            let kinds: Vec<&str> = query::kinds(self.walk)
+                .into_iter()
+                .map(|(kind, _)| kind)
+                .collect();
+            let message = format!(
+                "no step from {from} on is like this; the run has steps of the kinds {}",
+                kinds.join(", ")
+            );
+            self.problems.push(problem(format!("{place}.at"), message));
+        }
+        found
+    }
+
+    /// A text in both languages, with the values of `step`.
+    fn fill(&mut self, text: &Text, step: usize, place: &str) -> [String; 2] {
+        let fields = self.walk.fields(step);
+        text.both().map(|(language, text)| {
+            fill(text, &fields).unwrap_or_else(|message| {
+                self.problems
+                    .push(problem(format!("{place}.{language}"), message));
+                String::new()
+            })
+        })
+    }
+
+    fn question(
+        &mut self,
+        question: &QuestionFile,
+        asked_at: usize,
+        place: &str,
+    ) -> Option<Question> {
+        let step = self.find(&question.at, asked_at + 1, place)?;
+        let ask = self.fill(&question.ask, asked_at, &format!("{place}.ask"));
+        let why = self.fill(&question.why, step, &format!("{place}.why"));
+        match read_answer(question, self.walk, step) {
+            Ok(answer) => Some(Question {
+                ask,
+                why,
+                step,
+                answer,
+            }),
+            Err(message) => {
+                self.problems
+                    .push(problem(format!("{place}.answer"), message));
+                None
+            }
+        }
+    }
+}
+
+fn read_answer(question: &QuestionFile, walk: &dyn Walk, step: usize) -> Result<Answer, String> {
+    let fields = walk.fields(step);
+    match &question.answer {
+        AnswerFile::Number { field, tolerance } => {
+            if !(tolerance.is_finite() && *tolerance >= 0.0) {
+                return Err(format!(
+                    "found the tolerance {tolerance}; allowed are numbers from 0"
+                ));
+            }
+            let value = query::number_of(&fields, field).ok_or_else(|| {
+                format!(
+                    "`{field}` is no number told at the step of the answer, which is {}",
+                    walk.kind(step)
+                )
+            })?;
+            Ok(Answer::Number {
+                value,
+                tolerance: *tolerance,
+            })
+        }
+        AnswerFile::Choice(options) => {
+            let holding: Vec<usize> = (0..options.len())
+                .filter(|&index| {
+                    query::matches(walk, &options[index].when, step..step + 1)
+                        .next()
+                        .is_some()
+                })
+                .collect();
+            let [right] = holding[..] else {
+                return Err(format!(
+                    "{} of the {} options hold at the step of the answer; exactly one must",
+                    holding.len(),
+                    options.len()
+                ));
+            };
+            let options = options
+                .iter()
+                .map(|option| option.text.both().map(|(_, text)| text.to_owned()))
+                .collect();
+            Ok(Answer::Choice { options, right })
+        }
+        AnswerFile::Pixel { tolerance } => match (fields.get("x"), fields.get("y")) {
+            (Some(Value::Integer(x)), Some(Value::Integer(y))) => {
+                let whole =
+                    |v: i64| u32::try_from(v).map_err(|_| format!("{v} is no place in a picture"));
+                Ok(Answer::Pixel {
+                    x: whole(x)?,
+                    y: whole(y)?,
+                    tolerance: *tolerance,
+                })
+            }
+            _ => Err(format!(
+                "the step of the answer, {}, does not tell a pixel's x and y",
+                walk.kind(step)
+            )),
+        },
+    }
+}
