@@ -22,6 +22,18 @@ pub struct Dot {
     pub step: Option<u32>,
 }
 
+impl Canvas<Dot> {
+    /// The picture before the first step: background, coloured by no step.
+    pub(super) fn blank(stage: &Stage) -> Self {
+        let background = Dot {
+            color: stage.scene.background,
+            step: None,
+        };
+        let view = &stage.view;
+        Canvas::new(view.width as usize, view.height as usize, background)
+    }
+}
+
 #[derive(Clone, Debug)]
 pub struct State<A> {
     /// What does not change from step to step.
@@ -48,16 +60,8 @@ pub struct State<A> {
 impl<A> State<A> {
     /// Before the first step: an empty picture.
     pub fn new(stage: Arc<Stage>) -> Self {
-        let background = Dot {
-            color: stage.scene.background,
-            step: None,
-        };
         State {
-            canvas: Canvas::new(
-                stage.view.width as usize,
-                stage.view.height as usize,
-                background,
-            ),
+            canvas: Canvas::blank(&stage),
             stage,
             polygon: None,
             vertex: None,

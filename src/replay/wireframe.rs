@@ -26,16 +26,8 @@ pub struct State {
 impl State {
     /// Before the first step: an empty picture.
     pub fn new(stage: Arc<Stage>) -> Self {
-        let background = Dot {
-            color: stage.scene.background,
-            step: None,
-        };
         State {
-            canvas: Canvas::new(
-                stage.view.width as usize,
-                stage.view.height as usize,
-                background,
-            ),
+            canvas: Canvas::blank(&stage),
             ink: crate::algorithms::wireframe::ink(stage.scene.background),
             stage,
             edge: None,

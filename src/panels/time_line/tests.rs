@@ -1,0 +1,101 @@
+use super::super::crowd::{self, SIZES, assert_legible};
+use super::super::sample::Sample;
+use super::*;
+use crate::record::{Recorder, Recording, RecordingLimit};
+use crate::render::Method;
+
+#[test]
+fn every_step_is_legible_and_bars_never_overlap() {
+    for method in Method::ALL {
+        let mut sample = crowd::crowd(method);
+        for step in sample.some_steps(997) {
+            sample.seek(step);
+            for size in SIZES {
+                let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                let picture = draw(&sample.show_in(Language::Indonesian), size);
+                assert_legible(&picture, &what);
+                let rows = rows(sample.walk(), size);
+                assert!(!rows.is_empty(), "{what}");
+                for row in &rows {
+                    assert!(row.bars.len() as f64 <= f64::from(size.x) / NARROWEST);
+                    for pair in row.bars.windows(2) {
+                        let (a, b) = (row.bar(&pair[0]), row.bar(&pair[1]));
+                        assert!(a.right() <= b.x, "{what}: {a:?} and {b:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_scope_lies_in_exactly_one_bar_of_its_row() {
+    let sample = Sample::triangle(Method::Gouraud);
+    let outline = sample.walk().outline();
+    for width in [200.0, 900.0, 1e5] {
+        let span = Span::new(0..outline.len(), Rect::new(0.0, 0.0, width, 20.0));
+        for depth in 0..5 {
+            let bars = bars(outline, &span, depth);
+            let scopes = (0..outline.len())
+                .filter(|&step| outline.opens(step) && outline.depth(step) == depth);
+            for scope in scopes {
+                let wide = (outline.last(scope) + 1 - scope) as f64 * span.scale >= 2.0 * NARROWEST;
+                let within = bars.iter().filter(|bar| bar.steps.contains(&scope)).count();
+                assert!(
+                    within == 1 || !wide && within == 0,
+                    "{scope} at depth {depth}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_click_at_the_cursor_stays() {
+    let mut sample = Sample::triangle(Method::Gouraud);
+    let size = Vec2::new(900.0, 140.0);
+    for step in 0..sample.walk().len() {
+        sample.seek(step);
+        let show = sample.show();
+        let span = Span::new(0..sample.walk().len(), track(size));
+        assert_eq!(step_at(&show, size, span.middle(step)), step);
+    }
+    let last = sample.walk().len() - 1;
+    assert_eq!(step_at(&sample.show(), size, -50.0), 0);
+    assert_eq!(step_at(&sample.show(), size, 5000.0), last);
+    assert_eq!(step_at(&crowd::nothing().show(), size, 300.0), 0);
+}
+
+#[test]
+fn a_million_scopes_are_few_bars_that_together_hold_all_of_them() {
+    let mut recording = Recording::new(RecordingLimit::default());
+    for _ in 0..1_000_000 {
+        recording.enter(|| ());
+        recording.step(|| ());
+        recording.leave(|| ());
+    }
+    let outline = Outline::of(&recording);
+    let span = Span::new(0..outline.len(), Rect::new(0.0, 0.0, 1200.0, 20.0));
+    let bars = bars(&outline, &span, 0);
+    assert!(bars.len() <= 400, "{}", bars.len());
+    assert_eq!(bars[0].steps.start, 0);
+    assert_eq!(bars[bars.len() - 1].steps.end, outline.len());
+    assert!(
+        bars.windows(2)
+            .all(|pair| pair[0].steps.end == pair[1].steps.start)
+    );
+}
+
+#[test]
+fn marks_keep_their_distance() {
+    let span = Span::new(0..1000, Rect::new(0.0, 0.0, 500.0, 20.0));
+    assert_eq!(apart(&[0, 3, 14, 20, 999, 5000], &span, 7.0), [0, 14, 999]);
+}
+
+#[test]
+fn nothing_recorded_is_said() {
+    let sample = crowd::nothing();
+    for language in Language::ALL {
+        assert_legible(&draw(&sample.show_in(language), SIZES[0]), "empty");
+    }
+}
