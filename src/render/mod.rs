@@ -4,7 +4,10 @@ use crate::algorithms::flat::flat;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud::gouraud;
+use crate::algorithms::ray_casting::{RayCaster, ray_casting};
+use crate::algorithms::ray_tracing::{RayTracer, ray_tracing};
 use crate::algorithms::stage::Stage;
+use crate::algorithms::visible::Hierarchy;
 use crate::algorithms::wireframe::wireframe;
 use crate::record::Unrecorded;
 use std::num::NonZeroUsize;
@@ -17,10 +20,18 @@ pub enum Method {
     Wireframe,
     Flat,
     Gouraud,
+    RayCasting,
+    RayTracing,
 }
 
 impl Method {
-    pub const ALL: [Method; 3] = [Method::Wireframe, Method::Flat, Method::Gouraud];
+    pub const ALL: [Method; 5] = [
+        Method::Wireframe,
+        Method::Flat,
+        Method::Gouraud,
+        Method::RayCasting,
+        Method::RayTracing,
+    ];
 
     /// As on the command line and in lesson files.
     pub fn name(self) -> &'static str {
@@ -28,6 +39,8 @@ impl Method {
             Method::Wireframe => "wireframe",
             Method::Flat => "flat",
             Method::Gouraud => "gouraud",
+            Method::RayCasting => "ray-casting",
+            Method::RayTracing => "ray-tracing",
         }
     }
 
@@ -59,6 +72,18 @@ pub fn render(
             Method::Wireframe => wireframe(stage, Focus::Frame, &mut frame, &mut Unrecorded),
             Method::Flat => flat(stage, Focus::Frame, &mut frame, &mut Unrecorded),
             Method::Gouraud => gouraud(stage, Focus::Frame, &mut frame, &mut Unrecorded),
+            Method::RayCasting => ray_casting(
+                &RayCaster::new(stage, stage.needs(), Hierarchy),
+                Focus::Frame,
+                &mut frame,
+                &mut Unrecorded,
+            ),
+            Method::RayTracing => ray_tracing(
+                &RayTracer::new(stage, stage.needs(), Hierarchy),
+                Focus::Frame,
+                &mut frame,
+                &mut Unrecorded,
+            ),
         }
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, bands.len());
         frame
