@@ -1,7 +1,5 @@
 //! Stages that several tests look at.
 
-pub mod reference;
-
 use lightwalk::algorithms::stage::Stage;
 use lightwalk::scene::{self, Limits, View};
 

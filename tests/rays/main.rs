@@ -1,10 +1,11 @@
 //! Ray casting and ray tracing against closed forms, against a second renderer, and against themselves: by hierarchy and object by
 //! object, with and without what the scene does not need.
 
+#[path = "../common/mod.rs"]
 mod common;
+mod reference;
 
-use common::reference;
-use common::stage;
+use common::{TEAPOT, stage};
 use glam::DVec3;
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
@@ -489,6 +490,18 @@ proptest! {
             .count();
         prop_assert!(off <= 3, "{off} pixels off");
     }
+}
+
+#[test]
+fn a_mesh_of_glass_is_the_same_by_hierarchy() {
+    let glass = TEAPOT.replace(
+        "\"specular\": 0.5,",
+        "\"specular\": 0.5, \"transmission\": 0.8, \"reflection\": 0.1, \"ior\": 1.4,",
+    );
+    let stage = stage(&glass, 60, 45);
+    assert!(stage.needs().transmission);
+    assert!(traced(&stage, stage.needs(), InTurn) == picture(&stage));
+    assert!(cast(&stage, stage.needs(), InTurn) == cast(&stage, stage.needs(), Hierarchy));
 }
 
 #[test]
