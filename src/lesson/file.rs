@@ -30,6 +30,9 @@ pub struct LessonFile {
     /// Pixels, width and height.
     pub size: [u32; 2],
     pub focus: FocusFile,
+    /// Indices of the point lights that may be moved.
+    #[serde(default, deserialize_with = "present")]
+    pub movable_lights: Option<Vec<usize>>,
     pub panels: Vec<String>,
     pub steps: Vec<Keyed<StepFile>>,
 }
