@@ -3,6 +3,7 @@
 use super::file::{FocusFile, LessonFile, StepFile, Text};
 use super::narrate::narrate;
 use crate::algorithms::focus::Focus;
+use crate::algorithms::primary::Settings;
 use crate::algorithms::stage::Stage;
 use crate::panels::Panel;
 use crate::panels::words::Language;
@@ -11,6 +12,7 @@ use crate::render::{MAX_PIXELS, MAX_SIDE, Method};
 use crate::replay::Run;
 use crate::scene::document::{self, Keyed, Problem};
 use crate::scene::{self, Light, Limits, Scene, SceneError, View};
+use std::num::NonZeroU32;
 use std::sync::Arc;
 
 /// What is wrong with a lesson. Displayed as one problem a line.
@@ -47,6 +49,8 @@ pub struct Lesson {
     pub method: Method,
     /// Pixels, width and height.
     pub size: [u32; 2],
+    /// How far the ray methods go.
+    pub settings: Settings,
     pub focus: Focus,
     /// Indices into the scene's lights: point lights that may be moved.
     pub movable_lights: Vec<usize>,
@@ -190,6 +194,12 @@ impl Lesson {
             problems.push(problem("focus", format!("found {focus:?}; the picture has {width} columns and {height} rows, counted from 0")));
         }
 
+        if method.is_some_and(Method::follows_rays) && matches!(focus, Focus::Polygon(_)) {
+            let message = "found a polygon; ray methods go pixel by pixel: allowed are `pixel`, `scan_line` and `frame`";
+            problems.push(problem("focus", message));
+        }
+        let settings = settings(&file, &mut problems);
+
         match (scene, method) {
             (Some(scene), Some(method)) if problems.is_empty() => Ok(Lesson {
                 id: file.id,
@@ -200,6 +210,7 @@ impl Lesson {
                 scene,
                 method,
                 size: file.size,
+                settings,
                 focus,
                 movable_lights,
                 panels,
@@ -216,10 +227,10 @@ impl Lesson {
             .camera
             .ok_or_else(|| problem("scene.camera", "the key is missing"))?;
         let [width, height] = self.size;
-        let stage = Arc::new(Stage::new(
-            self.scene.clone(),
-            View::new(&camera, width, height),
-        ));
+        let stage = Arc::new(
+            Stage::new(self.scene.clone(), View::new(&camera, width, height))
+                .with_settings(self.settings),
+        );
         if let Focus::Polygon(number) = self.focus
             && stage.polygon(number).is_none()
         {
@@ -246,6 +257,30 @@ impl Lesson {
     /// What is said in a run of the lesson's own part. Errors: every anchor, value and answer that is not in the run.
     pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
         narrate(&self.steps, run.walk())
+    }
+}
+
+/// How far the ray methods are to go.
+fn settings(file: &LessonFile, problems: &mut Vec<Problem>) -> Settings {
+    let mut within = |place: &str, asked: Option<u32>, most: u32, unless: NonZeroU32| {
+        let Some(asked) = asked else { return unless };
+        NonZeroU32::new(asked)
+            .filter(|asked| asked.get() <= most)
+            .unwrap_or_else(|| {
+                let message = format!("found {asked}; allowed are whole numbers from 1 to {most}");
+                problems.push(problem(place, message));
+                unless
+            })
+    };
+    let unless = Settings::default();
+    Settings {
+        depth: within("depth", file.depth, Settings::DEEPEST, unless.depth),
+        samples: within(
+            "samples",
+            file.samples,
+            Settings::MOST_SAMPLES,
+            unless.samples,
+        ),
     }
 }
 

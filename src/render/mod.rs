@@ -4,18 +4,25 @@ mod bands;
 mod crew;
 mod painter;
 mod pixels;
+mod tally;
 
 use crate::algorithms::flat::flat;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud::gouraud;
+use crate::algorithms::ray_casting::RayCaster;
+use crate::algorithms::ray_tracing::RayTracer;
 use crate::algorithms::stage::Stage;
+use crate::algorithms::visible::Hierarchy;
 use crate::algorithms::wireframe::wireframe;
 use crate::record::Unrecorded;
+use crate::scene::Needs;
 use std::convert::Infallible;
 use std::num::NonZeroUsize;
+use tally::Totals;
 
 pub use painter::Painter;
+pub use tally::RayCounts;
 
 /// A way to make a picture of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -23,10 +30,18 @@ pub enum Method {
     Wireframe,
     Flat,
     Gouraud,
+    RayCasting,
+    RayTracing,
 }
 
 impl Method {
-    pub const ALL: [Method; 3] = [Method::Wireframe, Method::Flat, Method::Gouraud];
+    pub const ALL: [Method; 5] = [
+        Method::Wireframe,
+        Method::Flat,
+        Method::Gouraud,
+        Method::RayCasting,
+        Method::RayTracing,
+    ];
 
     /// As on the command line and in lesson files.
     pub fn name(self) -> &'static str {
@@ -34,6 +49,16 @@ impl Method {
             Method::Wireframe => "wireframe",
             Method::Flat => "flat",
             Method::Gouraud => "gouraud",
+            Method::RayCasting => "ray-casting",
+            Method::RayTracing => "ray-tracing",
+        }
+    }
+
+    /// Whether it follows rays instead of converting polygons.
+    pub fn follows_rays(self) -> bool {
+        match self {
+            Method::Wireframe | Method::Flat | Method::Gouraud => false,
+            Method::RayCasting | Method::RayTracing => true,
         }
     }
 
@@ -66,8 +91,27 @@ pub fn render(
         progress(done, all);
         Ok::<(), Infallible>(())
     };
-    let Ok(frame) = draw(stage, method, Painter::new(stage, threads, progress));
+    let painter = Painter::new(stage, threads, progress);
+    let Ok(frame) = draw(stage, method, stage.needs(), None, painter);
     frame
+}
+
+/// Draws the picture of [`render`] with what `needs` says is needed, and counts its rays. The scan-line methods have none.
+pub fn render_counted(
+    stage: &Stage,
+    method: Method,
+    needs: &Needs,
+    threads: NonZeroUsize,
+    progress: &(impl Fn(usize, usize) + Sync),
+) -> (Frame, RayCounts) {
+    let progress = |done, all| {
+        progress(done, all);
+        Ok::<(), Infallible>(())
+    };
+    let totals = Totals::default();
+    let painter = Painter::new(stage, threads, progress);
+    let Ok(frame) = draw(stage, method, needs, Some(&totals), painter);
+    (frame, totals.sum())
 }
 
 /// Draws the picture of [`render`], and on the way lets `show` see it grow, where the method can draw a coarse one first.
@@ -81,16 +125,15 @@ pub fn preview(
     progress: impl Fn(usize, usize) -> Result<(), Cancelled> + Sync,
     show: &mut dyn FnMut(&Frame),
 ) -> Result<Frame, Cancelled> {
-    draw(
-        stage,
-        method,
-        Painter::new(stage, threads, progress).coarse_first(show),
-    )
+    let painter = Painter::new(stage, threads, progress).coarse_first(show);
+    draw(stage, method, stage.needs(), None, painter)
 }
 
 fn draw<E: Send>(
     stage: &Stage,
     method: Method,
+    needs: &Needs,
+    totals: Option<&Totals>,
     painter: Painter<impl Fn(usize, usize) -> Result<(), E> + Sync>,
 ) -> Result<Frame, E> {
     match method {
@@ -100,6 +143,24 @@ fn draw<E: Send>(
         Method::Flat => painter.bands(|band| flat(stage, Focus::Frame, band, &mut Unrecorded)),
         Method::Gouraud => {
             painter.bands(|band| gouraud(stage, Focus::Frame, band, &mut Unrecorded))
+        }
+        Method::RayCasting => {
+            let caster = RayCaster::new(stage, needs, Hierarchy);
+            match totals {
+                None => painter.pixels(|x, y| caster.pixel(x, y, &mut Unrecorded)),
+                Some(totals) => {
+                    painter.pixels(|x, y| totals.counting(|counts| caster.pixel(x, y, counts)))
+                }
+            }
+        }
+        Method::RayTracing => {
+            let tracer = RayTracer::new(stage, needs, Hierarchy);
+            match totals {
+                None => painter.pixels(|x, y| tracer.pixel(x, y, &mut Unrecorded)),
+                Some(totals) => {
+                    painter.pixels(|x, y| totals.counting(|counts| tracer.pixel(x, y, counts)))
+                }
+            }
         }
     }
 }

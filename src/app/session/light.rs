@@ -1,10 +1,9 @@
-//! Lights that are moved while one looks: the scene is staged anew, and the part that is looked at recorded again.
+//! Lights that are moved while one looks: the part that is looked at is recorded again, and the whole picture begun anew.
 
 use super::{Refused, Session};
-use crate::algorithms::stage::Stage;
 use crate::app::words;
 use crate::panels::words::Words;
-use crate::scene::{LARGEST, Light, Scene};
+use crate::scene::{LARGEST, Light};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -33,26 +32,25 @@ impl Session {
         if !position.to_array().iter().all(|x| x.abs() <= LARGEST) {
             return Err(words::TOO_FAR.into());
         }
-        let mut scene = self.open.stage.scene.clone();
-        match scene.lights.get_mut(light) {
+        let mut lights = self.open.stage.scene.lights.clone();
+        match lights.get_mut(light) {
             Some(Light::Point { position: at, .. }) if *at != position => *at = position,
             _ => return Ok(()),
         }
-        self.set_scene(scene);
-        self.look_again();
+        self.light_up(lights);
         Ok(())
     }
 
     pub(super) fn put_lights_back(&mut self) {
-        self.set_scene(self.open.lesson.scene.clone());
-        self.look_again();
+        self.light_up(self.open.lesson.scene.lights.clone());
     }
 
-    fn set_scene(&mut self, scene: Scene) {
-        let stage = Arc::new(Stage::new(scene, self.open.stage.view));
+    fn light_up(&mut self, lights: Vec<Light>) {
+        let stage = Arc::new((*self.open.stage).clone().with_lights(lights));
         self.preview
             .begin_anew(stage.clone(), self.open.lesson.method);
         self.open.stage = stage;
+        self.look_again();
     }
 }
 
@@ -129,6 +127,7 @@ mod tests {
         };
         *position = THERE;
         let open = lit.open().unwrap();
+        assert_eq!(session.open.stage.settings, open.stage.settings);
         let rendered = render(
             &open.stage,
             open.lesson.method,

@@ -5,7 +5,7 @@ use crate::algorithms::focus::Focus;
 use crate::algorithms::stage::Stage;
 use crate::picture::{Ink, Picture, Rect};
 use crate::replay::shading::{self, Dot};
-use crate::replay::{Canvas, wireframe};
+use crate::replay::{Canvas, rays, wireframe};
 use glam::DVec2;
 use std::ops::Range;
 
@@ -58,6 +58,27 @@ impl<'a> Marks<'a> {
             polygon: None,
             row: None,
             pixel: state.pixel.map(|(x, y, _)| (x, y)),
+        }
+    }
+
+    pub fn of_rays(state: &'a rays::State) -> Self {
+        let position = state
+            .ray()
+            .and_then(|ray| ray.surface)
+            .map(|surface| surface.position);
+        Marks {
+            stage: &state.stage,
+            canvas: &state.canvas,
+            outline: Vec::new(),
+            vertex: position
+                .map(|position| state.stage.view.to_camera(position))
+                .filter(|camera| camera.z >= state.stage.view.near)
+                .map(|camera| state.stage.view.to_screen(camera)),
+            edge: None,
+            span: None,
+            polygon: None,
+            row: None,
+            pixel: state.pixel,
         }
     }
 
