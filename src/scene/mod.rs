@@ -22,7 +22,7 @@ pub use mesh_path::mesh_path_is_inside;
 pub use needs::{LeftOut, Needs, Part};
 pub use obj::Obj;
 pub use tessellation::Tessellation;
-pub use validate::{Limits, ReadFile, SceneError, read};
+pub use validate::{LARGEST, Limits, ReadFile, SceneError, read};
 
 use crate::color::Rgb;
 use glam::{DVec2, DVec3};
