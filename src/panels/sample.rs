@@ -4,6 +4,7 @@ use super::Show;
 use super::words::Language;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
+use crate::algorithms::primary::Settings;
 use crate::algorithms::stage::Stage;
 use crate::color::Rgb;
 use crate::record::RecordingLimit;
@@ -50,9 +51,20 @@ impl Sample {
         Sample::of(scene, method, Focus::Polygon(0), (640, 480))
     }
 
-    pub fn of(scene: Scene, method: Method, focus: Focus, (width, height): (u32, u32)) -> Self {
+    pub fn of(scene: Scene, method: Method, focus: Focus, size: (u32, u32)) -> Self {
+        Sample::with_settings(scene, method, focus, size, Settings::default())
+    }
+
+    pub fn with_settings(
+        scene: Scene,
+        method: Method,
+        focus: Focus,
+        (width, height): (u32, u32),
+        settings: Settings,
+    ) -> Self {
         let camera = scene.camera.expect("a sample has a camera");
-        let stage = Arc::new(Stage::new(scene, View::new(&camera, width, height)));
+        let stage = Stage::new(scene, View::new(&camera, width, height));
+        let stage = Arc::new(stage.with_settings(settings));
         Sample {
             finished: render(&stage, method, NonZeroUsize::MIN, &|_, _| {}),
             run: Run::record(stage, method, focus, RecordingLimit::default()),

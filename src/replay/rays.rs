@@ -215,7 +215,7 @@ impl State {
 
     fn color_pixel(&mut self, step: usize, event: &primary::Event) {
         match *event {
-            primary::Event::Pixel { x, y } => {
+            primary::Event::Pixel { x, y, .. } => {
                 self.pixel = Some((x, y));
                 self.rays = Grown::default();
                 self.current = None;
@@ -390,9 +390,10 @@ impl State {
             Event::Attenuated {
                 kind,
                 distance,
-                divisor,
+                attenuation,
                 ..
             } => {
+                let divisor = ray_tree::divisor(attenuation, distance);
                 if let Some(branch) = self.ray_mut().and_then(|ray| branch_mut(ray, kind)) {
                     branch.attenuation = Some((distance, divisor));
                 }

@@ -13,7 +13,7 @@ use crate::picture::{Ink, Picture, Style, wrap};
 use crate::record::Value;
 use glam::Vec2;
 use set::{Atom, Voice, flow, set_pieces};
-use table::{Entry, Formula, TABLE, When};
+use table::{Entry, Formula, TABLES, When};
 use template::{Known, Piece, parse, places};
 
 const MARGIN: f32 = 10.0;
@@ -67,8 +67,9 @@ const NO_FORMULA: Words = Words::new(
 
 /// The entry of the table for a step of `kind`.
 fn entry(kind: &str, known: &Known) -> Option<&'static Entry> {
-    TABLE
-        .iter()
+    TABLES
+        .into_iter()
+        .flatten()
         .find(|entry| entry.kind == kind && holds(entry.when, known))
 }
 
@@ -81,7 +82,10 @@ fn holds(when: When, known: &Known) -> bool {
     match when {
         When::Always => true,
         When::Told(name) => value(name).is_some(),
+        When::Untold(name) => value(name).is_none(),
+        When::Is(name, word) => value(name) == Some(Value::Word(word)),
         When::True(name) => value(name) == Some(Value::Truth(true)),
+        When::Negative(name) => number(name) < 0.0,
         When::NotPositive(name) => number(name) <= 0.0,
         When::Finite(name) => number(name).is_finite(),
     }

@@ -4,10 +4,14 @@ use super::*;
 use crate::render::Method;
 use std::collections::HashSet;
 
-/// Every step of the crowd, by every method.
+/// Every step of the crowd, by every method, and of rays among spheres.
 fn each_step(mut look: impl FnMut(&str, &Known)) {
-    for method in Method::ALL {
-        let sample = crowd::crowd(method);
+    let crowds = Method::ALL.map(crowd::crowd);
+    let rays = [
+        crowd::rays(Method::RayCasting, 2),
+        crowd::rays(Method::RayTracing, 1),
+    ];
+    for sample in crowds.into_iter().chain(rays) {
         for step in 0..sample.walk().len() {
             look(sample.walk().kind(step), &Known::at(sample.walk(), step));
         }
@@ -36,7 +40,7 @@ fn every_step_has_an_entry_and_every_entry_and_formula_is_used_with_all_its_valu
         }
         used.insert(entry.says.en);
     });
-    for entry in TABLE {
+    for entry in TABLES.into_iter().flatten() {
         assert!(
             used.contains(entry.says.en),
             "{}: {}",
