@@ -172,7 +172,12 @@ pub fn rays(method: Method, samples: u32) -> Sample {
     };
     let leaf = [[-2.0, 0.0, 0.5], [-1.0, 0.1, 0.5], [-1.4, 0.9, 0.4]];
     let mut scene = scene(
-        vec![material("clay", Rgb::new(0.7, 0.2, 0.1), Highlight::Blinn), glass, mirror, tiles],
+        vec![
+            material("clay", Rgb::new(0.7, 0.2, 0.1), Highlight::Blinn),
+            glass,
+            mirror,
+            tiles,
+        ],
         vec![
             object(
                 "floor",

@@ -187,7 +187,10 @@ pub const TABLE: &[Entry] = &[
         When::Finite("d"),
         "A shadow ray goes to light {light}, at the distance d: is anything nearer?",
         "Sinar bayangan menuju cahaya {light}, pada jarak d: adakah yang lebih dekat?",
-        &[is("{L} = [light − P; |light − P|]"), is("{d} = |light − P|")],
+        &[
+            is("{L} = [light − P; |light − P|]"),
+            is("{d} = |light − P|"),
+        ],
     ),
     entry(
         "ShadowRay",
@@ -361,6 +364,5 @@ pub const TABLE: &[Entry] = &[
 ];
 
 const RAY: &[super::Formula] = &[is("{O}"), is("{u}")];
-const COSINE: &str =
-    "{cos2_theta_r} = 1 − ([{η_i=eta_i}; {η_r=eta_r}])^2 (1 − {cos_theta_i}^2)";
+const COSINE: &str = "{cos2_theta_r} = 1 − ([{η_i=eta_i}; {η_r=eta_r}])^2 (1 − {cos_theta_i}^2)";
 const ANGLE: &str = "{θ_r in °=theta_r_degrees} = arccos √{cos2_theta_r}";
