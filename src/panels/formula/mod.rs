@@ -7,8 +7,10 @@ mod template;
 
 use super::Show;
 use super::message::{NO_STEPS, message};
+use super::names;
 use super::values::shown;
 use super::words::{Language, Words};
+use crate::algorithms::stage::Stage;
 use crate::picture::{Ink, Picture, Style, wrap};
 use crate::record::Value;
 use glam::Vec2;
@@ -33,7 +35,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         return message(NO_FORMULA, show.language, size);
     };
     let formulas = formulas(entry, &known);
-    let says = filled(entry.says, &known, show.language);
+    let says = filled(entry.says, &known, names::stage(show.run), show.language);
 
     let mut picture = Picture::new(size.x, size.y);
     let sheet = |detail: &Detail, text: f32| {
@@ -138,14 +140,22 @@ impl Parsed {
     }
 }
 
-/// A sentence of the table with its values.
-fn filled(words: Words, known: &Known, language: Language) -> String {
+/// A sentence of the table with its values; things of the scene by their names.
+fn filled(words: Words, known: &Known, stage: &Stage, language: Language) -> String {
     let mut text = String::new();
     for piece in parse(words.in_language(language)) {
         match piece {
             Piece::Text(part) => text.push_str(&part),
             Piece::Place(place) => match known.values(&place).as_deref() {
-                Some([value, ..]) => text.push_str(&shown(*value, 4, language)),
+                Some([value, ..]) => {
+                    text.push_str(&shown(*value, 4, language));
+                    // Lights have no names, only kinds.
+                    if place.name != "light"
+                        && let Some(name) = names::of_field(stage, &place.name, *value, language)
+                    {
+                        text.push_str(&format!(" ({name})"));
+                    }
+                }
                 // A subscript of several letters is in braces too.
                 _ => text.push_str(&format!("{{{}}}", place.name)),
             },
