@@ -250,14 +250,13 @@ impl<'a, S: Search> RayTracer<'a, S> {
         if self.needs.path_attenuation
             && let Some(d) = distance
         {
-            let [a0, a1, a2] = self.stage.scene.path_attenuation;
-            let divisor = (a0 + d * (a1 + a2 * d)).max(f64::MIN_POSITIVE);
-            carried = (color / divisor).finite();
+            let attenuation = self.stage.scene.path_attenuation;
+            carried = (color / ray_tree::divisor(attenuation, d)).finite();
             recorder.step(|| {
                 ray_tree::Event::Attenuated {
                     kind,
                     distance: d,
-                    divisor,
+                    attenuation,
                     carried,
                 }
                 .into()

@@ -10,6 +10,7 @@ mod image;
 mod inspector;
 mod labels;
 mod message;
+mod names;
 #[cfg(test)]
 pub(crate) mod sample;
 mod scan_line;
