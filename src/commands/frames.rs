@@ -4,7 +4,7 @@ use super::files::{self, Document};
 use super::progress::Progress;
 use super::{Failure, LimitArguments, parse_range, parse_size};
 use crate::panels::words::Language;
-use crate::panels::{Panel, Show, draw};
+use crate::panels::{Panel, Show, TreeView, draw};
 use crate::picture::{Theme, rasterize, to_png};
 use crate::render::render;
 use glam::Vec2;
@@ -88,6 +88,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             language: Language::English,
             narrated: &narrated,
             breakpoints: &[],
+            tree: TreeView::whole(),
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

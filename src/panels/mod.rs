@@ -11,6 +11,7 @@ mod inspector;
 mod labels;
 mod message;
 mod names;
+mod ray_tree;
 #[cfg(test)]
 pub(crate) mod sample;
 mod scan_line;
@@ -19,6 +20,8 @@ mod values;
 mod vertex;
 pub mod words;
 
+pub use ray_tree::TreeView;
+pub use ray_tree::{area as tree_area, middle as tree_middle};
 pub use time_line::step_at;
 
 use crate::algorithms::focus::Focus;
@@ -39,6 +42,8 @@ pub enum Panel {
     ActiveEdges,
     /// The vertex in hand: face normals, their mean, and the vectors of the illumination model.
     Vertex,
+    /// The binary ray tree of the pixel in hand.
+    RayTree,
     /// All values of the step, and where each came from.
     Inspector,
     /// The pseudocode, with the current line.
@@ -50,11 +55,12 @@ pub enum Panel {
 }
 
 impl Panel {
-    pub const ALL: [Panel; 8] = [
+    pub const ALL: [Panel; 9] = [
         Panel::Image,
         Panel::ScanLine,
         Panel::ActiveEdges,
         Panel::Vertex,
+        Panel::RayTree,
         Panel::Inspector,
         Panel::Code,
         Panel::Formula,
@@ -68,6 +74,7 @@ impl Panel {
             Panel::ScanLine => "scan-line",
             Panel::ActiveEdges => "active-edges",
             Panel::Vertex => "vertex",
+            Panel::RayTree => "ray-tree",
             Panel::Inspector => "inspector",
             Panel::Code => "code",
             Panel::Formula => "formula",
@@ -94,6 +101,8 @@ pub struct Show<'a> {
     pub narrated: &'a [usize],
     /// Steps at which playing stops, ascending.
     pub breakpoints: &'a [usize],
+    /// How much of the ray tree is looked at.
+    pub tree: &'a TreeView,
 }
 
 /// The picture of a panel, `size` points large, without title or frame.
@@ -103,6 +112,7 @@ pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
         Panel::ScanLine => scan_line::draw(show, size),
         Panel::ActiveEdges => active_edges::draw(show, size),
         Panel::Vertex => vertex::draw(show, size),
+        Panel::RayTree => ray_tree::draw(show, size),
         Panel::Inspector => inspector::draw(show, size),
         Panel::Code => code::draw(show, size),
         Panel::Formula => formula::draw(show, size),
