@@ -2,27 +2,14 @@
 
 #[path = "common/broken.rs"]
 mod broken;
+#[path = "common/program.rs"]
+mod program;
 
 use broken::{BROKEN, GOOD, POT};
+use program::{lightwalk, refused, text};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
-
-/// Runs the program in `folder`.
-fn lightwalk(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_lightwalk"))
-        .current_dir(folder)
-        .args(arguments)
-        .env_remove("DISPLAY")
-        .env_remove("WAYLAND_DISPLAY")
-        .env_remove("WAYLAND_SOCKET")
-        .output()
-        .unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
 
 /// A folder with the unbroken scene and its mesh.
 fn folder() -> tempfile::TempDir {
@@ -31,13 +18,6 @@ fn folder() -> tempfile::TempDir {
     fs::write(folder.path().join("meshes/pot.obj"), POT).unwrap();
     fs::write(folder.path().join("scene.json"), GOOD).unwrap();
     folder
-}
-
-fn refused(output: &Output, case: &str) -> String {
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{case}: {message}");
-    assert!(!message.contains("panicked"), "{case}: {message}");
-    message
 }
 
 #[test]
