@@ -278,7 +278,11 @@ impl Solid {
     /// The corners of the box around it, unless it is infinite.
     fn bounds(&self) -> Option<[DVec3; 2]> {
         match self {
-            &Solid::Sphere { center, radius } => Some([center - radius, center + radius]),
+            // A step outward, where the radius is lost against the centre's coordinates
+            &Solid::Sphere { center, radius } => Some([
+                (center - radius).map(f64::next_down),
+                (center + radius).map(f64::next_up),
+            ]),
             Solid::Plane(_) => None,
             Solid::Faces { faces, .. } => Some([faces.low, faces.high]),
         }
