@@ -11,14 +11,17 @@ mod inspector;
 mod labels;
 mod message;
 mod names;
+mod rays;
 #[cfg(test)]
 pub(crate) mod sample;
 mod scan_line;
 mod time_line;
 mod values;
+mod vectors;
 mod vertex;
 pub mod words;
 
+pub use rays::{Grip, grip};
 pub use time_line::step_at;
 
 use crate::algorithms::focus::Focus;
@@ -39,6 +42,10 @@ pub enum Panel {
     ActiveEdges,
     /// The vertex in hand: face normals, their mean, and the vectors of the illumination model.
     Vertex,
+    /// The vectors where the ray in hand meets a surface, in the plane of incidence.
+    Vectors,
+    /// The rays of the pixel among the objects, from the side and from above.
+    Rays,
     /// All values of the step, and where each came from.
     Inspector,
     /// The pseudocode, with the current line.
@@ -50,11 +57,13 @@ pub enum Panel {
 }
 
 impl Panel {
-    pub const ALL: [Panel; 8] = [
+    pub const ALL: [Panel; 10] = [
         Panel::Image,
         Panel::ScanLine,
         Panel::ActiveEdges,
         Panel::Vertex,
+        Panel::Vectors,
+        Panel::Rays,
         Panel::Inspector,
         Panel::Code,
         Panel::Formula,
@@ -68,6 +77,8 @@ impl Panel {
             Panel::ScanLine => "scan-line",
             Panel::ActiveEdges => "active-edges",
             Panel::Vertex => "vertex",
+            Panel::Vectors => "vectors",
+            Panel::Rays => "rays",
             Panel::Inspector => "inspector",
             Panel::Code => "code",
             Panel::Formula => "formula",
@@ -103,6 +114,8 @@ pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
         Panel::ScanLine => scan_line::draw(show, size),
         Panel::ActiveEdges => active_edges::draw(show, size),
         Panel::Vertex => vertex::draw(show, size),
+        Panel::Vectors => vectors::draw(show, size),
+        Panel::Rays => rays::draw(show, size),
         Panel::Inspector => inspector::draw(show, size),
         Panel::Code => code::draw(show, size),
         Panel::Formula => formula::draw(show, size),
