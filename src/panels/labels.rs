@@ -26,6 +26,10 @@ impl Labels {
         }
     }
 
+    pub fn area(&self) -> Rect {
+        self.area
+    }
+
     /// No label may cover `rect`.
     pub fn keep_free(&mut self, rect: Rect) {
         self.taken.push(rect);

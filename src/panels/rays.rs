@@ -16,7 +16,7 @@ use super::names;
 use super::values::{short, told_in_words};
 use super::words::{Language, Words};
 use crate::algorithms::visible::Met;
-use crate::picture::{Ink, Picture, Rect, Style};
+use crate::picture::{Picture, Rect};
 use crate::record::Value;
 use crate::replay::Run;
 use crate::replay::rays::State;
@@ -115,14 +115,6 @@ fn in_words(state: &State, language: Language) -> String {
         words(LEVEL),
         ray.level
     )
-}
-
-/// Title of a view, in its upper left corner.
-fn title(picture: &mut Picture, area: Rect, words: &str) -> Rect {
-    let style = Style::Body.size(11.0).ink(Ink::Muted);
-    let at = Vec2::new(area.x + 6.0, area.y + 14.0);
-    picture.text(at, words, style);
-    style.bounds(at, words)
 }
 
 #[cfg(test)]

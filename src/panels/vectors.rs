@@ -44,13 +44,14 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     };
     let walk = show.run.walk();
     let kind = walk.kind(walk.position());
-    let text = (0.042 * size.x.min(1.4 * size.y)).clamp(11.0, 19.0).round();
+    let text = (1.25 * small(size)).min(20.0).round();
     let angles = Angles::of(&surface, show.language);
 
     let mut picture = Picture::new(size.x, size.y);
-    let (drawing, table) = halves(size, angles.width(text), angles.height(text));
+    let lights = state.stage.scene.lights.len();
+    let (drawing, table) = halves(size, lights);
     arrows::draw(&mut picture, &surface, kind, text, show.language, drawing);
-    angles.draw(&mut picture, kind, text, table);
+    angles.draw(&mut picture, kind, small(size), table);
     picture.alt = format!("{} {}", told_in_words(show), angles.in_words());
     picture
 }
@@ -60,19 +61,34 @@ fn over(state: &State) -> bool {
     state.ray().is_some_and(|ray| ray.met.is_some())
 }
 
-/// Where the vectors are drawn, and where the angles stand: beside them, or under them in a high panel.
-fn halves(size: Vec2, width: f32, height: f32) -> (Rect, Rect) {
+/// Size of the text of the list.
+fn small(size: Vec2) -> f32 {
+    (0.033 * size.x.min(1.4 * size.y)).clamp(11.0, 16.0).round()
+}
+
+/// Where the vectors are drawn, and where the angles stand: beside or under them, whichever leaves the vectors more room. It
+/// depends on no step, so that nothing jumps.
+fn halves(size: Vec2, lights: usize) -> (Rect, Rect) {
     let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-6.0);
-    if size.y > 1.15 * size.x {
-        let table = height.min(0.45 * whole.height);
-        let top = Rect::new(whole.x, whole.y, whole.width, whole.height - table);
-        let below = Rect::new(whole.x, top.bottom(), whole.width, table);
-        return (top, below);
+    let text = small(size);
+    let width = (26.0 * text).min(0.54 * whole.width);
+    let height = angles::height(lights, text).min(0.45 * whole.height);
+    let left = Rect {
+        width: whole.width - width - 8.0,
+        ..whole
+    };
+    let upper = Rect {
+        height: whole.height - height - 6.0,
+        ..whole
+    };
+    let room = |area: Rect| area.width.min(area.height);
+    if room(upper) > room(left) {
+        let below = Rect::new(whole.x, whole.bottom() - height, whole.width, height);
+        (upper, below)
+    } else {
+        let right = Rect::new(whole.right() - width, whole.y, width, whole.height);
+        (left, right)
     }
-    let table = width.min((whole.width - 0.9 * whole.height).max(0.45 * whole.width));
-    let left = Rect::new(whole.x, whole.y, whole.width - table - 6.0, whole.height);
-    let right = Rect::new(whole.right() - table, whole.y, table, whole.height);
-    (left, right)
 }
 
 #[cfg(test)]

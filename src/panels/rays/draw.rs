@@ -1,15 +1,15 @@
 //! One view: objects, eye and picture plane, lights, rays.
 
-use super::super::labels::Labels;
+use super::super::labels::{Labels, within};
 use super::super::names;
 use super::super::words::Words;
+use super::outline;
 use super::view::View;
-use super::{outline, title};
 use crate::algorithms::ray_tree::RayKind;
 use crate::algorithms::visible::Met;
 use crate::color::Rgb;
 use crate::panels::Show;
-use crate::picture::{Ink, Picture, Stroke, Style, Tag};
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::replay::rays::{RayInHand, State, Target};
 use crate::scene::{Light, Shape};
 use glam::{DVec3, Vec2};
@@ -34,7 +34,8 @@ pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &Vie
     let frame = view.area;
     picture.rounded_rect(frame, 3.0, Ink::Rule.stroke(1.0));
     let mut labels = Labels::new(frame.grown(-3.0));
-    labels.keep_free(title(picture, frame, words));
+    let title_place = title_place(frame, words);
+    labels.keep_free(title_place);
     let text = (0.03 * frame.width.min(1.3 * frame.height))
         .clamp(11.0, 16.0)
         .round();
@@ -53,12 +54,28 @@ pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &Vie
     sheet.search();
     sheet.lights();
     sheet.names();
+    picture.rect(title_place, Ink::Surface.fill().opacity(0.85));
+    let style = Style::Body.size(11.0).ink(Ink::Muted);
+    picture.text_in(title_place, words, style);
+}
+
+/// In the upper left corner of a view.
+fn title_place(area: Rect, words: &str) -> Rect {
+    let style = Style::Body.size(11.0);
+    style.bounds(Vec2::new(area.x + 6.0, area.y + 14.0), words)
 }
 
 impl Sheet<'_> {
     fn objects(&mut self) {
         let stage = &self.state.stage;
         for object in 0..stage.scene.objects.len() {
+            if let Shape::Sphere { center, radius } = stage.scene.objects[object].shape {
+                let (at, radius) = (self.view.place(center), radius as f32 * self.view.scale());
+                if self.view.shows(at, radius) {
+                    self.picture
+                        .circle(at, radius, Ink::Faint.fill().opacity(0.7));
+                }
+            }
             for [from, to] in outline::outline(stage, object, self.view) {
                 self.picture.line(from, to, Ink::Muted.stroke(1.25));
             }
@@ -152,8 +169,7 @@ impl Sheet<'_> {
         self.picture.circle(eye, 2.0, Ink::Text);
         let language = self.show.language;
         let style = Style::Label.size(self.text);
-        self.labels
-            .keep_free(crate::picture::Rect::between(eye, eye).grown(6.0));
+        self.labels.keep_free(Rect::between(eye, eye).grown(6.0));
         self.labels.put(
             self.picture,
             (eye, 5.0),
@@ -353,8 +369,7 @@ impl Sheet<'_> {
                     if self.view.shows(at, size + 3.0) {
                         self.picture
                             .tagged(Tag::Light(number), |picture| sun(picture, at, size, color));
-                        self.labels
-                            .keep_free(crate::picture::Rect::between(at, at).grown(size));
+                        self.labels.keep_free(Rect::between(at, at).grown(size));
                         self.labels
                             .put(self.picture, (at, size + 2.0), Vec2::X, &name, style);
                     } else {
@@ -385,7 +400,7 @@ impl Sheet<'_> {
     fn far_light(&mut self, number: usize, at: Vec2, name: &str) {
         let inner = self.view.area.grown(-14.0);
         let middle = self.view.area.center();
-        let border = super::super::labels::within([middle, at], inner);
+        let border = within([middle, at], inner);
         let Some([_, end]) = border else { return };
         let toward = (at - middle).normalize_or_zero();
         self.picture.tagged(Tag::Light(number), |picture| {

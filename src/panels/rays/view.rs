@@ -10,9 +10,9 @@ use glam::{DVec2, DVec3, Vec2};
 
 /// How far around the camera's target things are shown, in distances from eye to target.
 const REACH: f64 = 1.2;
-/// How much further out lights may be for the view to grow with them; the view knows these sizes only, so that it stays as it
-/// is while a light is moved a little.
-const GROWTH: [f64; 4] = [1.0, 1.4, 2.0, 2.8];
+/// By how much a side of the view moves out for lights beyond it, in sizes of the view. There are few such places, so that the
+/// view stays as it is while a light is moved a little; lights further out are not shown in their place.
+const GROWTH: [f64; 5] = [0.15, 0.4, 0.7, 1.1, 1.6];
 
 /// Where places of the world are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,21 +46,21 @@ impl View {
             (DVec2::INFINITY, DVec2::NEG_INFINITY),
             |(low, high), place| (low.min(place), high.max(place)),
         );
-        let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
-        let lights: Vec<DVec2> = positions(stage).map(flat).collect();
-        let inside = |growth: f64, light: &DVec2| {
-            ((*light - middle).abs() - growth * half).max_element() < 0.0
-        };
-        // The smallest that shows as many lights as the largest does.
-        let shown = |growth: f64| lights.iter().filter(|light| inside(growth, light)).count();
-        let most = shown(GROWTH[GROWTH.len() - 1]);
-        let growth = GROWTH.into_iter().find(|&growth| shown(growth) == most);
-        let half = growth.unwrap_or(1.0) * half;
+        let size = (high - low).max_element();
+        let (mut shown_low, mut shown_high) = (low, high);
+        for light in positions(stage).map(flat) {
+            let farthest = DVec2::splat(GROWTH[GROWTH.len() - 1] * size);
+            if light.cmplt(low - farthest).any() || light.cmpgt(high + farthest).any() {
+                continue;
+            }
+            shown_low = shown_low.min(low - (low - light).map(|beyond| grown(beyond, size)));
+            shown_high = shown_high.max(high + (light - high).map(|beyond| grown(beyond, size)));
+        }
         let inner = area.grown(-(0.04 * area.width.min(area.height)).max(12.0));
         View {
             across,
             up,
-            fit: Fit::new(middle - half, middle + half, inner),
+            fit: Fit::new(shown_low, shown_high, inner),
             area,
         }
     }
@@ -114,6 +114,13 @@ impl View {
     pub fn shows(&self, place: Vec2, margin: f32) -> bool {
         self.area.grown(-margin).contains(place)
     }
+}
+
+/// By how much a side moves out for a light so far beyond it.
+fn grown(beyond: f64, size: f64) -> f64 {
+    let growth = GROWTH.into_iter().map(|growth| growth * size);
+    let enough = growth.into_iter().find(|&growth| growth >= beyond);
+    enough.filter(|_| beyond > 0.0).unwrap_or(0.0)
 }
 
 /// The horizontal direction in which the camera looks, and up.

@@ -4,13 +4,14 @@ use super::super::names;
 use super::super::values::short;
 use super::super::words::{Language, Words};
 use super::met::SurfaceInSight;
-use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide};
 use crate::record::Value;
+use crate::replay::rays::Verdict;
 use glam::DVec3;
 
-const LINE: f32 = 1.45;
+const LINE: f32 = 1.5;
 const ANGLES: Words = Words::new("angle with N", "sudut dengan N");
-const BLOCKED: Words = Words::new("blocked by", "terhalang");
+const BLOCKED: Words = Words::new("blocked by", "terhalang oleh");
 const ARRIVES: Words = Words::new("arrives", "sampai");
 const AWAY: Words = Words::new("behind the surface", "di balik permukaan");
 const LEANS: Words = Words::new("out of the plane", "keluar bidang");
@@ -21,7 +22,8 @@ const CRITICAL: Words = Words::new("critical", "kritis");
 struct Row {
     symbol: String,
     value: String,
-    note: String,
+    /// From the longest to the shortest.
+    notes: Vec<String>,
     ink: Ink,
     tag: Tag,
     /// The kind of step that tells it.
@@ -29,6 +31,8 @@ struct Row {
 }
 
 pub(super) struct Angles {
+    /// Of the object.
+    name: String,
     title: String,
     rows: Vec<Row>,
 }
@@ -41,11 +45,16 @@ fn row(symbol: &str, radians: f64, tag: &'static str, told_by: &'static str) -> 
     Row {
         symbol: symbol.to_string(),
         value: degrees(radians),
-        note: String::new(),
+        notes: Vec::new(),
         ink: Ink::Muted,
         tag: Tag::Field(tag),
         told_by,
     }
+}
+
+/// The height of the list of so many lights, with a title, three angles, and the highlight.
+pub(super) fn height(lights: usize, text: f32) -> f32 {
+    (lights + 5) as f32 * LINE * text
 }
 
 impl Angles {
@@ -73,27 +82,17 @@ impl Angles {
                     words(CRITICAL)
                 };
                 rows.push(Row {
-                    note: note.to_string(),
+                    notes: vec![note.to_string()],
                     ..row("θ_c", angle, "theta_c_degrees", "Refraction")
                 });
             }
         }
         rows.extend(lights(surface, language));
         Angles {
+            name: surface.name().to_string(),
             title: format!("{} · {}", surface.name(), words(ANGLES)),
             rows,
         }
-    }
-
-    pub fn width(&self, text: f32) -> f32 {
-        let style = Style::Label.size(text);
-        let row = |row: &Row| 6.2 * text + style.width(&row.note);
-        let rows = self.rows.iter().map(row).fold(0.0, f32::max);
-        rows.max(Style::Bold.size(text).width(&self.title)) + 4.0
-    }
-
-    pub fn height(&self, text: f32) -> f32 {
-        (self.rows.len() + 1) as f32 * LINE * text
     }
 
     /// As many rows as there is room for, from the top.
@@ -101,16 +100,20 @@ impl Angles {
         let line = LINE * text;
         let room = (area.height / line) as usize;
         let count = (self.rows.len() + 1).min(room);
-        let top = area.y + 0.5 * (area.height - count as f32 * line);
-        let place = |i: usize| Rect::new(area.x, top + i as f32 * line, area.width, line);
+        let place = |i: usize| Rect::new(area.x, area.y + i as f32 * line, area.width, line);
         if room == 0 {
             return;
         }
-        let title = elide(&self.title, Style::Bold, text, area.width);
-        picture.text_in(place(0), title, Style::Bold.size(text));
+        let bold = Style::Bold.size(text);
+        let title = if bold.width(&self.title) <= area.width {
+            self.title.clone()
+        } else {
+            elide(&self.name, Style::Bold, text, area.width)
+        };
+        picture.text_in(place(0), title, bold);
         for (i, row) in self.rows.iter().enumerate().take(count - 1) {
             let place = place(i + 1);
-            let here = row.told_by.split(' ').any(|told_by| told_by == kind);
+            let here = row.told_by == kind;
             let ink = if here { Ink::This } else { Ink::Text };
             picture.tagged(row.tag, |picture| {
                 let symbol = Style::LabelBold.size(text).ink(row.ink);
@@ -121,11 +124,12 @@ impl Angles {
                 };
                 let style = Style::Label.size(text).ink(ink);
                 picture.text_in(value, row.value.as_str(), style);
-                let x = value.x + style.width(&row.value).max(3.2 * text) + 0.6 * text;
-                let note = elide(&row.note, Style::Label, text, area.right() - x);
-                if !note.is_empty() {
-                    let style = Style::Label.size(text).ink(Ink::Muted);
-                    picture.text_in(Rect { x, ..place }, note, style);
+                let x = place.x + note_start(row, style);
+                let style = Style::Label.size(text).ink(Ink::Muted);
+                let room = area.right() - x;
+                let note = row.notes.iter().find(|note| style.width(note) <= room);
+                if let Some(note) = note {
+                    picture.text_in(Rect { x, ..place }, note.as_str(), style);
                 }
             });
         }
@@ -133,7 +137,8 @@ impl Angles {
 
     pub fn in_words(&self) -> String {
         let row = |row: &Row| {
-            let note = row.note.replace(['✕', '✓'], "");
+            let note = row.notes.first().map_or("", String::as_str);
+            let note = note.replace(['✕', '✓'], "");
             format!("{} {} {}", row.symbol, row.value, note.trim())
                 .trim()
                 .to_string()
@@ -141,6 +146,26 @@ impl Angles {
         let rows: Vec<String> = self.rows.iter().map(row).collect();
         format!("{}: {}.", self.title, rows.join("; "))
     }
+}
+
+/// Where the note of a row begins: after its symbol and its number.
+fn note_start(row: &Row, style: Text) -> f32 {
+    2.2 * style.size + style.width(&row.value).max(3.2 * style.size) + 0.6 * style.size
+}
+
+/// What blocks a light, from the longest form to the shortest.
+fn blocked(surface: &SurfaceInSight, verdict: &Verdict, language: Language) -> Vec<String> {
+    let words = BLOCKED.in_language(language);
+    let Some(hit) = verdict.by else {
+        return vec![words.to_string()];
+    };
+    let name = names::object(&surface.state.stage, hit.object);
+    let t = short(Value::Number(hit.t), 2);
+    vec![
+        format!("{words} {name}, t {t}"),
+        format!("{name}, t {t}"),
+        name.to_string(),
+    ]
 }
 
 /// Each light: the angle of L with N, N·L, what the shadow ray found; then H or R of the light in hand.
@@ -159,29 +184,37 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
             continue;
         };
         let verdict = surface.verdict(light.light);
-        let (found, ink) = match verdict {
-            _ if cosine <= 0.0 => (format!("✕ {}", words(AWAY)), Ink::Muted),
+        let (mark, found, ink) = match verdict {
+            _ if cosine <= 0.0 => ("✕", vec![words(AWAY).to_string()], Ink::Muted),
             Some(verdict) if verdict.blocked => {
-                let by = verdict.by.map(|hit| {
-                    let name = names::object(&surface.state.stage, hit.object);
-                    format!(" {name}, t {}", short(Value::Number(hit.t), 2))
-                });
-                let by = by.unwrap_or_default();
-                (format!("✕ {}{by}", words(BLOCKED)), Ink::Bad)
+                ("✕", blocked(surface, verdict, language), Ink::Bad)
             }
-            Some(_) => (format!("✓ {}", words(ARRIVES)), Ink::Good),
-            None => (String::new(), Ink::Muted),
+            Some(_) => ("✓", vec![words(ARRIVES).to_string()], Ink::Good),
+            None => ("", Vec::new(), Ink::Muted),
         };
         let n_dot_l = short(Value::Number(cosine), 3);
+        let first = found.first().map_or("", String::as_str);
+        let whole = format!("N·L {n_dot_l} {mark} {first}{}", lean(to_light));
+        let without_lean = found
+            .iter()
+            .map(|found| format!("N·L {n_dot_l} {mark} {found}"));
+        let shortest = [
+            format!("N·L {n_dot_l} {mark}"),
+            format!("{n_dot_l} {mark}"),
+            mark.to_string(),
+        ];
         rows.push(Row {
-            note: format!("N·L {n_dot_l} {found}{}", lean(to_light)),
+            notes: std::iter::once(whole)
+                .chain(without_lean)
+                .chain(shortest)
+                .collect(),
             ink,
             tag: Tag::Light(light.light as usize),
             ..row(
                 &format!("L_{}", light.light),
                 cosine.clamp(-1.0, 1.0).acos(),
                 "N_dot_L",
-                "",
+                "ToLight",
             )
         });
     }
@@ -189,7 +222,10 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
         if let Some((halfway, cosine)) = light.halfway {
             let n_dot_h = short(Value::Number(cosine), 3);
             rows.push(Row {
-                note: format!("N·H {n_dot_h}{}", lean(halfway)),
+                notes: vec![
+                    format!("N·H {n_dot_h}{}", lean(halfway)),
+                    format!("N·H {n_dot_h}"),
+                ],
                 ..row("H", cosine.clamp(-1.0, 1.0).acos(), "N_dot_H", "Halfway")
             });
         }
@@ -197,7 +233,7 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
             rows.push(Row {
                 symbol: "R_L".to_string(),
                 value: String::new(),
-                note: format!("R·V {}", short(Value::Number(cosine), 3)),
+                notes: vec![format!("R·V {}", short(Value::Number(cosine), 3))],
                 ..row("R_L", 0.0, "R_dot_V", "Mirrored")
             });
         }

@@ -35,10 +35,12 @@ pub(super) fn draw(
     language: Language,
     area: Rect,
 ) {
-    let middle = area.center();
+    // Where nothing passes, what lies below needs less room.
+    let share = if surface.is_transparent() { 0.5 } else { 0.7 };
+    let middle = Vec2::new(area.center().x, area.y + share * area.height);
     let room = Vec2::new(
         0.5 * area.width - 2.4 * text,
-        0.5 * area.height - 1.5 * text,
+        share * area.height - 1.6 * text,
     );
     let unit = room.min_element().max(12.0);
     let below = Rect::new(area.x, middle.y, area.width, area.bottom() - middle.y);
@@ -238,13 +240,13 @@ impl Drawing<'_> {
         let theta_i = cos_theta_i.min(1.0).acos() as f32;
         // From N toward where the ray comes from.
         let turn = up.perp_dot(-u).signum();
-        self.arc(up, turn * theta_i, 0.34, "θ_i");
+        self.arc(up, turn * theta_i, 0.45, "θ_i");
         let Some(refraction) = surface.ray.refraction else {
             return;
         };
         if refraction.radicand >= 0.0 {
             let theta_r = refraction.radicand.sqrt().min(1.0).acos() as f32;
-            self.arc(-up, turn * theta_r, 0.34, "θ_r");
+            self.arc(-up, turn * theta_r, 0.45, "θ_r");
         }
         if refraction.eta_i > refraction.eta_r {
             let critical = (refraction.eta_r / refraction.eta_i).asin() as f32;
@@ -283,7 +285,7 @@ impl Drawing<'_> {
         for (name, first, step) in [(above, -3.0 - height, -height), (below, 3.0, height)] {
             let ends = [area.x + 3.0, area.right() - 3.0 - style.width(&name)];
             let places = (0..4).flat_map(|row| {
-                let y = area.center().y + first + row as f32 * step;
+                let y = self.middle.y + first + row as f32 * step;
                 ends.map(|x| Vec2::new(x, y))
             });
             // On its own side of the surface, rather where it covers no arrow.
@@ -308,7 +310,10 @@ impl Drawing<'_> {
     /// From the point, moved aside, along a vector; returns the tip.
     fn arrow_from(&mut self, aside: Vec2, along: Vec2, stroke: Stroke, named: &Named) -> Vec2 {
         let start = self.middle + aside;
-        let tip = start + self.unit * along;
+        // Below an opaque surface there is room for a part of the length only.
+        let below = self.labels.area().bottom() - self.middle.y - 1.4 * self.text;
+        let part = (below / (self.unit * along.y).max(below)).min(1.0);
+        let tip = start + self.unit * part * along;
         let stroke = if named.here {
             Stroke {
                 ink: Ink::This,

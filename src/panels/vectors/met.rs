@@ -84,6 +84,17 @@ impl<'a> SurfaceInSight<'a> {
         names::object(&self.state.stage, self.surface.object)
     }
 
+    /// Whether light passes the surface at all.
+    pub fn is_transparent(&self) -> bool {
+        self.transmits(self.surface.object)
+    }
+
+    fn transmits(&self, object: u32) -> bool {
+        let scene = &self.state.stage.scene;
+        let material = scene.objects[object as usize].material;
+        scene.materials[material].transmission != Rgb::BLACK
+    }
+
     /// Whether the ray comes from outside, or to the front.
     pub fn from_above(&self) -> bool {
         self.ray.ray.direction.dot(self.surface.geometric) < 0.0
@@ -91,18 +102,13 @@ impl<'a> SurfaceInSight<'a> {
 
     /// What lies above and below the surface: names, and η where it was told.
     pub fn media(&self, language: Language) -> [String; 2] {
-        let scene = &self.state.stage.scene;
-        let transparent = |object: u32| {
-            let material = scene.objects[object as usize].material;
-            scene.materials[material].transmission != Rgb::BLACK
-        };
         let named = |object: Option<&u32>| match object {
             Some(&object) => names::object(&self.state.stage, object).to_string(),
             None => AIR.in_language(language).to_string(),
         };
-        let around = self.media_around(&transparent);
+        let around = self.media_around();
         let object = self.surface.object;
-        if !transparent(object) {
+        if !self.transmits(object) {
             return [named(around.last()), named(Some(&object))];
         }
         let mut outside = around.clone();
@@ -125,14 +131,14 @@ impl<'a> SurfaceInSight<'a> {
     }
 
     /// The transparent objects that the incoming ray is inside, outermost first.
-    fn media_around(&self, transparent: &impl Fn(u32) -> bool) -> Vec<u32> {
+    fn media_around(&self) -> Vec<u32> {
         let state = self.state;
         let path: Vec<usize> = std::iter::successors(Some(self.index), |&index| {
             state.rays.get(index).and_then(|ray| ray.parent)
         })
         .collect();
         let mut media = state.stage.solids().around(state.stage.view.eye);
-        media.retain(|&object| transparent(object));
+        media.retain(|&object| self.transmits(object));
         for pair in path.windows(2).rev() {
             let (Some(child), Some(parent)) = (state.rays.get(pair[0]), state.rays.get(pair[1]))
             else {
