@@ -170,6 +170,7 @@ pub fn rays(method: Method, samples: u32) -> Sample {
         center: DVec3::from(center),
         radius,
     };
+    let ceiling = [[-4.0, 2.5, -3.0], [4.0, 2.5, -3.0], [0.0, 2.5, 2.0]];
     let leaf = [[-2.0, 0.0, 0.5], [-1.0, 0.1, 0.5], [-1.4, 0.9, 0.4]];
     let mut scene = scene(
         vec![
@@ -191,6 +192,7 @@ pub fn rays(method: Method, samples: u32) -> Sample {
             object("glass ball", 1, ball([0.6, -0.1, 0.8], 0.8)),
             object("leaf", 0, mesh(&leaf, &[[0, 1, 2]])),
             object("clay ball", 0, ball([1.7, 0.6, -2.0], 0.6)),
+            object("ceiling", 0, mesh(&ceiling, &[[0, 1, 2]])),
         ],
         vec![
             lamp(Rgb::new(1.0, 0.9, 0.8)),

@@ -347,7 +347,7 @@ pub const TABLE: &[Entry] = &[
         When::Is("branch", "reflected"),
         "The light of the reflected ray is added.",
         "Cahaya sinar pantul ditambahkan.",
-        &[is("{I=I_sum} = {I_local=I_sum<} + {k_r} · {I_R=carried}")],
+        &[is("{I=I_sum} = {I_{local}=I_sum<} + {k_r} · {I_R=carried}")],
     ),
     entry(
         "BranchAdded",
@@ -364,5 +364,5 @@ pub const TABLE: &[Entry] = &[
 ];
 
 const RAY: &[super::Formula] = &[is("{O}"), is("{u}")];
-const COSINE: &str = "{cos2_theta_r} = 1 − ([{η_i=eta_i}; {η_r=eta_r}])^2 (1 − {cos_theta_i}^2)";
+const COSINE: &str = "{cos2_theta_r} = 1 − ([{η_i=eta_i}; {η_r=eta_r}])^2 (1 − ({cos_theta_i})^2)";
 const ANGLE: &str = "{θ_r in °=theta_r_degrees} = arccos √{cos2_theta_r}";
