@@ -3,6 +3,7 @@
 use super::{Refused, Session};
 use crate::algorithms::focus::Focus;
 use crate::app::words;
+use crate::panels::TreeView;
 use crate::picture::Tag;
 use crate::record::{RecordingLimit, Value};
 use crate::replay::{Comparison, Condition, Operand, Query, Run, Walk, query};
@@ -45,6 +46,7 @@ impl Session {
         self.recording += 1;
         self.play = None;
         self.around = super::play::Loop::default();
+        self.tree = TreeView::WHOLE;
         let said = self.open.narrated.iter().map(|said| said.step);
         self.narrated = said.filter(|_| self.follows_lesson()).collect();
         Ok(())

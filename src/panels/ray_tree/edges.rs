@@ -26,7 +26,8 @@ pub(super) fn draw(
         .filter(|rect| !rect.is_empty())
         .collect();
     let mut labels = Vec::new();
-    for (node, rect) in arrangement.tree.nodes.iter().zip(&arrangement.rects) {
+    let nodes = arrangement.tree.nodes.iter().zip(&arrangement.rects);
+    for ((node, rect), &detail) in nodes.zip(&arrangement.details) {
         let Some((parent, side)) = node.parent else {
             continue;
         };
@@ -55,7 +56,11 @@ pub(super) fn draw(
             } else {
                 (1.5, Ink::Muted)
             };
-            let band = if rises { 1.6 * BAND } else { BAND };
+            let band = match detail {
+                _ if rises => 1.6 * BAND,
+                Detail::Dot => 0.6 * BAND,
+                _ => BAND,
+            };
             picture.line(top, bottom, ink.stroke(band + rim));
             picture.line(
                 top,
@@ -72,10 +77,7 @@ pub(super) fn draw(
             }
             None => add(picture),
         }
-        let detail = arrangement.details[parent].min(
-            arrangement.details[arrangement.tree.nodes[parent].children[side].unwrap_or(parent)],
-        );
-        if detail > Detail::Dot {
+        if detail.min(arrangement.details[parent]) > Detail::Dot {
             labels.push((branch, ends, arrangement.scale));
         }
     }
