@@ -11,6 +11,7 @@ mod style;
 mod tiles;
 mod top_bar;
 mod transport;
+mod tree_controls;
 pub mod window;
 mod words;
 

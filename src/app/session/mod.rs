@@ -18,7 +18,7 @@ pub use question::{Standing, read_number};
 use crate::algorithms::focus::Focus;
 use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson, builtins};
 use crate::panels::words::{Language, Words};
-use crate::panels::{Panel, Show};
+use crate::panels::{Panel, Show, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::replay::Walk;
 use play::{Loop, Play};
@@ -93,6 +93,8 @@ pub struct Session {
     /// An index into the speeds.
     speed: usize,
     around: Loop,
+    /// How much of the ray tree is looked at.
+    tree: TreeView,
     pub look: Look,
     hovered: Option<Tag>,
     /// Lit up by a click, until the next one.
@@ -122,6 +124,7 @@ impl Session {
             play: None,
             speed: play::NORMAL_SPEED,
             around: Loop::default(),
+            tree: TreeView::WHOLE,
             look: Look::new(),
             hovered: None,
             lit: None,
@@ -153,6 +156,7 @@ impl Session {
         self.breakpoints.clear();
         self.play = None;
         self.around = Loop::default();
+        self.tree = TreeView::WHOLE;
         self.hovered = None;
         self.lit = None;
         self.open.run.walk_mut().seek(0);
@@ -225,6 +229,7 @@ impl Session {
             language: self.look.language,
             narrated: &self.narrated,
             breakpoints: self.breakpoints(),
+            tree: &self.tree,
         }
     }
 
@@ -246,6 +251,10 @@ impl Session {
     /// Ascending.
     pub fn breakpoints(&self) -> &[usize] {
         self.breakpoints.get(&self.focus).map_or(&[], |steps| steps)
+    }
+
+    pub fn tree(&self) -> &TreeView {
+        &self.tree
     }
 
     pub fn hovered(&self) -> Option<Tag> {
