@@ -74,6 +74,8 @@ words! {
     SCAN_LINE: "Scan line", "Garis scan";
     ACTIVE_EDGES: "Active edges", "Sisi aktif";
     VERTEX: "Vertex", "Titik sudut";
+    LEFT_OUT: "Left out: not needed here", "Ditinggalkan: tidak diperlukan di sini";
+    NOTHING_LEFT_OUT: "Nothing", "Tidak ada";
     RAY_TREE: "Ray tree", "Pohon sinar";
     VECTORS: "Vectors at the hit", "Vektor di titik temu";
     RAYS: "Rays in the scene", "Sinar di dalam adegan";

@@ -16,6 +16,7 @@ pub use play::Direction;
 pub use question::{Standing, read_number};
 
 use crate::algorithms::focus::Focus;
+use crate::algorithms::stage::Stage;
 use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson, builtins};
 use crate::panels::words::{Language, Words};
 use crate::panels::{Panel, Show, TreeView};
@@ -160,6 +161,11 @@ impl Session {
         self.hovered = None;
         self.lit = None;
         self.open.run.walk_mut().seek(0);
+    }
+
+    /// The scene in front of its camera.
+    pub fn stage(&self) -> &Stage {
+        &self.open.stage
     }
 
     pub fn lesson(&self) -> &Lesson {
