@@ -2,6 +2,7 @@
 
 mod key_sheet;
 mod keys;
+mod left_out;
 mod main_window;
 mod narration;
 mod panel_view;
@@ -11,6 +12,7 @@ mod style;
 mod tiles;
 mod top_bar;
 mod transport;
+mod tree_controls;
 pub mod window;
 mod words;
 

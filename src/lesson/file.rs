@@ -36,6 +36,9 @@ pub struct LessonFile {
     #[serde(default, deserialize_with = "present")]
     pub samples: Option<u32>,
     pub focus: FocusFile,
+    /// Indices of the point lights that may be moved.
+    #[serde(default, deserialize_with = "present")]
+    pub movable_lights: Option<Vec<usize>>,
     pub panels: Vec<String>,
     pub steps: Vec<Keyed<StepFile>>,
 }

@@ -11,7 +11,7 @@ use crate::record::RecordingLimit;
 use crate::render::{MAX_PIXELS, MAX_SIDE, Method};
 use crate::replay::Run;
 use crate::scene::document::{self, Keyed, Problem};
-use crate::scene::{self, Limits, Scene, SceneError, View};
+use crate::scene::{self, Light, Limits, Scene, SceneError, View};
 use std::num::NonZeroU32;
 use std::sync::Arc;
 
@@ -52,6 +52,8 @@ pub struct Lesson {
     /// How far the ray methods go.
     pub settings: Settings,
     pub focus: Focus,
+    /// Indices into the scene's lights: point lights that may be moved.
+    pub movable_lights: Vec<usize>,
     pub panels: Vec<Panel>,
     steps: Vec<StepFile>,
 }
@@ -172,6 +174,10 @@ impl Lesson {
             }
         }
         check_words(&file, &mut problems);
+        let movable_lights = file.movable_lights.clone().unwrap_or_default();
+        if let Some(scene) = &scene {
+            check_movable(&movable_lights, &scene.lights, &mut problems);
+        }
         let focus = match file.focus {
             FocusFile::Frame => Focus::Frame,
             FocusFile::Polygon(number) => Focus::Polygon(number),
@@ -206,6 +212,7 @@ impl Lesson {
                 size: file.size,
                 settings,
                 focus,
+                movable_lights,
                 panels,
                 steps: file.steps.into_iter().map(|Keyed(step)| step).collect(),
             }),
@@ -238,13 +245,18 @@ impl Lesson {
             self.focus,
             RecordingLimit::default(),
         );
-        let narrated = narrate(&self.steps, run.walk())?;
+        let narrated = self.narrate(&run)?;
         Ok(OpenLesson {
             lesson: self,
             stage,
             run,
             narrated,
         })
+    }
+
+    /// What is said in a run of the lesson's own part. Errors: every anchor, value and answer that is not in the run.
+    pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
+        narrate(&self.steps, run.walk())
     }
 }
 
@@ -299,6 +311,22 @@ fn read_scene(
             Ok(Some(scene.map_err(|error| LessonError { problems: error.problems.into_iter().map(named).collect() })?))
         }
         _ => Err(problem("", "a lesson has exactly one of the keys `scene` (a scene) and `scene_file` (the path of one)").into()),
+    }
+}
+
+fn check_movable(movable: &[usize], lights: &[Light], problems: &mut Vec<Problem>) {
+    for (index, &light) in movable.iter().enumerate() {
+        let message = match lights.get(light) {
+            Some(Light::Point { .. }) => continue,
+            Some(Light::Directional { .. }) => {
+                format!("found {light}, a directional light; only point lights can be moved")
+            }
+            None => format!(
+                "found {light}; the scene has {} lights, counted from 0",
+                lights.len()
+            ),
+        };
+        problems.push(problem(format!("movable_lights[{index}]"), message));
     }
 }
 

@@ -553,7 +553,7 @@ fn depth_64_stays_far_from_the_end_of_the_stack() {
 
 #[test]
 fn a_tree_of_a_million_rays_is_recorded_within_its_limit() {
-    let stage = stage(TREE, 9, 9).with_settings(settings(26, 1));
+    let stage = stage(TREE, 9, 9).with_settings(settings(28, 1));
     let focus = Focus::Pixel { x: 4, y: 4 };
     let tracer = RayTracer::new(&stage, stage.needs(), InTurn);
     let mut expected = blank(&stage);
