@@ -63,8 +63,8 @@ pub fn pixel<E: From<Event>, R: Recorder<E>>(
     recorder: &mut R,
     mut trace: impl FnMut(&Ray, &mut R) -> Rgb,
 ) -> Rgb {
-    recorder.enter(|| Event::Pixel { x, y }.into());
     let n = samples.get();
+    recorder.enter(|| Event::Pixel { x, y, samples: n }.into());
     let mut sum = Rgb::BLACK;
     for row in 0..n {
         for column in 0..n {
@@ -92,8 +92,8 @@ fn ray_through(view: &View, place: DVec2) -> Ray {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
-    /// Opens a pixel.
-    Pixel { x: u32, y: u32 },
+    /// Opens a pixel; `samples` is n of its n×n samples.
+    Pixel { x: u32, y: u32, samples: u32 },
     /// The point of the screen through which the next primary ray goes, in pixels.
     Through { place: DVec2 },
     /// Closes `Pixel`.
@@ -111,7 +111,13 @@ impl Event {
 
     pub fn fields(&self, fields: &mut Fields) {
         match *self {
-            Event::Pixel { x, y } => fields.push("x", x).push("y", y),
+            Event::Pixel { x, y, samples } => {
+                fields.push("x", x).push("y", y);
+                if samples > 1 {
+                    fields.push("samples", samples);
+                }
+                fields
+            }
             Event::Through { place } => fields.push("x_P", place.x).push("y_P", place.y),
             Event::PixelColored { color } => fields.push("color", color),
         };

@@ -55,6 +55,11 @@ impl End {
     }
 }
 
+/// a0 + a1·d + a2·d²: what light is divided by that comes from the distance d. Not zero, although a1·d and a2·d² may underflow.
+pub fn divisor([a0, a1, a2]: [f64; 3], d: f64) -> f64 {
+    (a0 + d * (a1 + a2 * d)).max(f64::MIN_POSITIVE)
+}
+
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
     /// Opens a ray, the primary one at level 1.
@@ -88,7 +93,8 @@ pub enum Event {
     Attenuated {
         kind: RayKind,
         distance: f64,
-        divisor: f64,
+        /// a0, a1, a2.
+        attenuation: [f64; 3],
         carried: Rgb,
     },
     /// The light of a secondary ray is added, times its coefficient.
@@ -114,6 +120,13 @@ impl Event {
             kind,
             end: End::NoCoefficient,
         }
+    }
+
+    /// Angle of refraction, where anything passes, and critical angle, where there is one; in degrees.
+    fn angles(eta_i: f64, eta_r: f64, radicand: f64) -> [Option<f64>; 2] {
+        let refracted = (radicand >= 0.0).then(|| radicand.sqrt().min(1.0).acos());
+        let critical = (eta_i > eta_r).then(|| (eta_r / eta_i).asin());
+        [refracted, critical].map(|angle| angle.map(f64::to_degrees))
     }
 
     /// Which branch of a surface the event belongs to.
@@ -171,18 +184,29 @@ impl Event {
                 fields
             }
             Event::Local { emission, local } => {
-                fields.push("emission", emission).push("I_local", local)
+                let fields = fields.push("emission", emission);
+                fields.push("I_local", local).push("I_sum", local)
             }
             Event::Refraction {
                 eta_i,
                 eta_r,
                 cos_theta_i,
                 radicand,
-            } => fields
-                .push("eta_i", eta_i)
-                .push("eta_r", eta_r)
-                .push("cos_theta_i", cos_theta_i)
-                .push("cos2_theta_r", radicand),
+            } => {
+                fields
+                    .push("eta_i", eta_i)
+                    .push("eta_r", eta_r)
+                    .push("cos_theta_i", cos_theta_i)
+                    .push("cos2_theta_r", radicand);
+                let [refracted, critical] = Event::angles(eta_i, eta_r, radicand);
+                if let Some(angle) = refracted {
+                    fields.push("theta_r_degrees", angle);
+                }
+                if let Some(angle) = critical {
+                    fields.push("theta_c_degrees", angle);
+                }
+                fields
+            }
             Event::Branched { branch } => {
                 let (coefficient, direction) = match branch.kind {
                     RayKind::Primary | RayKind::Reflected => ("k_r", "R"),
@@ -200,12 +224,15 @@ impl Event {
             Event::Attenuated {
                 kind,
                 distance,
-                divisor,
+                attenuation,
                 carried,
             } => fields
                 .push("branch", kind.name())
                 .push("d", distance)
-                .push("divisor", divisor)
+                .push("a_0", attenuation[0])
+                .push("a_1", attenuation[1])
+                .push("a_2", attenuation[2])
+                .push("divisor", divisor(attenuation, distance))
                 .push("carried", carried),
             Event::Added { kind, carried, sum } => fields
                 .push("branch", kind.name())

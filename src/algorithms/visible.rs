@@ -269,7 +269,9 @@ impl Event {
     pub fn fields(&self, fields: &mut Fields) {
         match *self {
             Event::Search { objects } => {
-                fields.push("objects", objects);
+                fields
+                    .push("objects", objects)
+                    .push("NearestT", f64::INFINITY);
             }
             Event::ObjectTested {
                 object,

@@ -17,6 +17,8 @@ use tiny_skia::Pixmap;
 #[derive(Clone, PartialEq)]
 struct Key {
     recording: u64,
+    /// Of the whole picture; always 0 where a panel does not show it.
+    pictures: u64,
     step: usize,
     /// In physical pixels.
     size: [u32; 2],
@@ -64,6 +66,10 @@ impl PanelView {
         let rect = Rect::from_min_size(corner.to_pos2(), size / scale);
         let key = Key {
             recording: session.recording(),
+            pictures: match panel {
+                Panel::Image => session.pictures(),
+                _ => 0,
+            },
             step: session.step(),
             size: [size.x as u32, size.y as u32],
             scale,
@@ -236,6 +242,10 @@ pub fn caption(session: &Session, panel: Panel) -> String {
         },
     };
     match panel {
+        Panel::Image => session
+            .picture_percent()
+            .map(|percent| format!("{} {percent} %", session.say(words::MAKING_THE_PICTURE)))
+            .unwrap_or_default(),
         Panel::ScanLine => whole("y").map(|y| format!("y = {y}")).unwrap_or_default(),
         Panel::ActiveEdges => session.say(words::CLICK_A_ROW).to_owned(),
         Panel::Vertex => whole("vertex")

@@ -10,6 +10,7 @@ mod image;
 mod inspector;
 mod labels;
 mod message;
+mod names;
 mod ray_tree;
 #[cfg(test)]
 pub(crate) mod sample;

@@ -75,7 +75,17 @@ impl Sample {
     }
 
     pub fn of(scene: Scene, method: Method, focus: Focus, size: (u32, u32)) -> Self {
-        let stage = Arc::new(stage(scene, size));
+        Sample::with_settings(scene, method, focus, size, Settings::default())
+    }
+
+    pub fn with_settings(
+        scene: Scene,
+        method: Method,
+        focus: Focus,
+        size: (u32, u32),
+        settings: Settings,
+    ) -> Self {
+        let stage = Arc::new(stage(scene, size).with_settings(settings));
         Sample {
             finished: render(&stage, method, NonZeroUsize::MIN, &|_, _| {}),
             run: Run::record(stage, method, focus, RecordingLimit::default()),

@@ -47,6 +47,8 @@ pub struct RayInHand {
     /// What it met first, once the search is done.
     pub met: Option<Met>,
     pub surface: Option<SurfaceInHand>,
+    /// How its surface was lit, once that is done.
+    pub lit: Option<Arc<PointInHand>>,
     /// Verdicts of the lights, in order, without those that the surface turns away from.
     pub shadows: Vec<Verdict>,
     /// Light that arrives from the lights, ambient light and emission.
@@ -194,6 +196,7 @@ impl State {
             step,
             met: None,
             surface: None,
+            lit: None,
             shadows: Vec::new(),
             local: None,
             refraction: None,
@@ -215,7 +218,7 @@ impl State {
 
     fn color_pixel(&mut self, step: usize, event: &primary::Event) {
         match *event {
-            primary::Event::Pixel { x, y } => {
+            primary::Event::Pixel { x, y, .. } => {
                 self.pixel = Some((x, y));
                 self.rays = Grown::default();
                 self.current = None;
@@ -309,7 +312,9 @@ impl State {
     }
 
     fn set_local(&mut self, local: Rgb) {
+        let lit = self.point.clone().map(Arc::new);
         if let Some(ray) = self.ray_mut() {
+            ray.lit = lit;
             ray.local = Some(local);
             ray.sum = Some(local);
         }
@@ -390,9 +395,10 @@ impl State {
             Event::Attenuated {
                 kind,
                 distance,
-                divisor,
+                attenuation,
                 ..
             } => {
+                let divisor = ray_tree::divisor(attenuation, distance);
                 if let Some(branch) = self.ray_mut().and_then(|ray| branch_mut(ray, kind)) {
                     branch.attenuation = Some((distance, divisor));
                 }
