@@ -115,7 +115,7 @@ fn squared(direction: Vec2) -> Vec2 {
 }
 
 /// Whether a line passes through a rectangle (Liang and Barsky).
-fn crosses([from, to]: [Vec2; 2], rect: Rect) -> bool {
+pub(super) fn crosses([from, to]: [Vec2; 2], rect: Rect) -> bool {
     let (mut first, mut last) = (0.0_f32, 1.0_f32);
     let along = to - from;
     for (step, low, high) in [
