@@ -89,7 +89,7 @@ impl Session {
                 self.cannot_play(Direction::Backward)
             }
             Command::LoopOff if self.loop_ends() == (None, None) => Some(words::NO_LOOP),
-            Command::ViewTree(view) if *view == self.tree => Some(words::TREE_AS_IT_IS),
+            Command::ViewTree(ref view) if *view == self.tree => Some(words::TREE_AS_IT_IS),
             Command::Share => self.command_line().err(),
             Command::MoveLight { light, .. } => self.cannot_move(light),
             _ => None,
