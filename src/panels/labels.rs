@@ -140,7 +140,7 @@ fn squared(direction: Vec2) -> Vec2 {
 }
 
 /// Whether a line passes through a rectangle.
-fn crosses(line: [Vec2; 2], rect: Rect) -> bool {
+pub(super) fn crosses(line: [Vec2; 2], rect: Rect) -> bool {
     within(line, rect).is_some()
 }
 

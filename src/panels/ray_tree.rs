@@ -56,7 +56,8 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
     edges::draw(&mut picture, &rays, &arrangement, rising, places.tree);
     nodes(&mut picture, &speaker, &rays, &arrangement, places.tree);
-    let said = said_of_tree(&speaker, &rays, &arrangement);
+    let levels = matches!(show.run, Run::RayTracing(_));
+    let said = said_of_tree(&speaker, &rays, &arrangement, levels);
     let branches = arrangement.tree.nodes.len() > 1;
     head(&mut picture, &said, branches, places.head);
     if let Some(place) = places.card {
@@ -285,12 +286,15 @@ fn sign(
 }
 
 /// How large the tree is.
-fn said_of_tree(speaker: &Speaker, rays: &Rays, arrangement: &Arrangement) -> String {
+fn said_of_tree(speaker: &Speaker, rays: &Rays, arrangement: &Arrangement, levels: bool) -> String {
     let count = rays.len();
     let word = speaker.say(if count == 1 { RAY } else { RAYS });
     let mut said = format!("{count} {word}");
     if arrangement.tree.hidden > 0 {
         said += &format!(", {} {}", arrangement.tree.hidden, speaker.say(HIDDEN));
+    }
+    if !levels {
+        return said;
     }
     let level = speaker.state.ray().map_or(0, |ray| ray.level);
     let deepest = speaker.state.stage.settings.depth;

@@ -66,7 +66,10 @@ impl Session {
         self.recording += 1;
         self.play = None;
         self.around = super::play::Loop::default();
-        self.tree = TreeView::WHOLE;
+        self.tree = TreeView {
+            zoom: self.tree.zoom,
+            ..TreeView::WHOLE
+        };
         self.seek(step.min(self.last_step()));
         let last = self.last_step();
         if let Some(breakpoints) = self.breakpoints.get_mut(&focus) {

@@ -89,9 +89,9 @@ impl Session {
                 self.cannot_play(Direction::Backward)
             }
             Command::LoopOff if self.loop_ends() == (None, None) => Some(words::NO_LOOP),
+            Command::ViewTree(ref view) if *view == self.tree => Some(words::TREE_AS_IT_IS),
             Command::Share => self.command_line().err(),
             Command::MoveLight { light, .. } => self.cannot_move(light),
-            Command::ViewTree(ref view) if *view == self.tree => Some(words::TREE_AS_IT_IS),
             _ => None,
         };
         refusal.map_or(Ok(()), |words| Err(words.into()))

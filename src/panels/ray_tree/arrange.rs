@@ -30,7 +30,7 @@ impl Detail {
             Detail::Dot => Vec2::new(10.0, 10.0),
             Detail::Line => Vec2::new(142.0, 20.0),
             Detail::Tiny => Vec2::new(92.0, 34.0),
-            Detail::Small => Vec2::new(134.0, 36.0),
+            Detail::Small => Vec2::new(134.0, 38.0),
             Detail::Brief => Vec2::new(140.0, 53.0),
             Detail::Full => Vec2::new(206.0, 85.0),
         }

@@ -4,6 +4,7 @@ use super::arrange::{Arrangement, Detail};
 use super::node::{color, letter, line, nothing_passes, too_deep};
 use super::pick::Rays;
 use crate::algorithms::ray_tree::{End, RayKind};
+use crate::panels::labels::crosses;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::rays::{BranchInHand, Outcome};
 use glam::Vec2;
@@ -26,6 +27,7 @@ pub(super) fn draw(
         .filter(|rect| !rect.is_empty())
         .collect();
     let mut labels = Vec::new();
+    let mut lines = Vec::new();
     let nodes = arrangement.tree.nodes.iter().zip(&arrangement.rects);
     for ((node, rect), &detail) in nodes.zip(&arrangement.details) {
         let Some((parent, side)) = node.parent else {
@@ -78,11 +80,12 @@ pub(super) fn draw(
             None => add(picture),
         }
         if detail.min(arrangement.details[parent]) > Detail::Dot {
-            labels.push((branch, ends, arrangement.scale));
+            labels.push((branch, lines.len(), arrangement.scale));
+            lines.push(ends);
         }
     }
-    for (branch, ends, scale) in labels {
-        label(picture, &branch, ends, scale, &mut taken, area);
+    for (branch, edge, scale) in labels {
+        label(picture, &branch, (&lines, edge), scale, &mut taken, area);
     }
     for (i, rect) in arrangement.rects.iter().enumerate() {
         if arrangement.details[i] > Detail::Dot {
@@ -95,11 +98,13 @@ pub(super) fn draw(
 fn label(
     picture: &mut Picture,
     branch: &BranchInHand,
-    [top, bottom]: [Vec2; 2],
+    (lines, edge): (&[[Vec2; 2]], usize),
     scale: f32,
     taken: &mut Vec<Rect>,
     area: Rect,
 ) {
+    let [top, bottom] = lines[edge];
+    let others = || lines.iter().enumerate().filter(|(line, _)| *line != edge);
     let set = Style::Bold.size(11.0 * scale);
     let letter = letter(branch.kind);
     let coefficient = branch.branch.map(|branch| color(branch.coefficient));
@@ -127,10 +132,8 @@ fn label(
                 );
                 let place = near - corner;
                 let place = Rect::new(place.x, place.y, size.x, size.y);
-                let free = area.encloses(&place)
-                    && !taken
-                        .iter()
-                        .any(|taken| !taken.intersection(&place).is_empty());
+                let free =
+                    is_free(place, taken, area) && !others().any(|(_, line)| crosses(*line, place));
                 if free {
                     picture.text_in(place, text, set);
                     taken.push(place);
@@ -139,6 +142,23 @@ fn label(
             }
         }
     }
+    // Where there is no room beside it, the letter stands on the line.
+    let size = Vec2::new(set.width(letter) + 4.0, 13.0 * scale);
+    for share in [0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2] {
+        let place = top.lerp(bottom, share) - 0.5 * size;
+        let place = Rect::new(place.x, place.y, size.x, size.y);
+        if is_free(place, taken, area) {
+            picture.rounded_rect(place, 3.0, Ink::Surface);
+            picture.text_in(place, letter, set.middle());
+            taken.push(place);
+            return;
+        }
+    }
+}
+
+fn is_free(place: Rect, taken: &[Rect], area: Rect) -> bool {
+    let covers = |taken: &Rect| !taken.intersection(&place).is_empty();
+    area.encloses(&place) && !taken.iter().any(covers)
 }
 
 /// Branches without a ray, as short ends: with a bar where the depth is reached, faint where there is no coefficient, and

@@ -5,6 +5,7 @@ use super::words::*;
 use crate::algorithms::ray_tree::{End, RayKind};
 use crate::algorithms::visible::Met;
 use crate::color::Rgb;
+use crate::panels::names;
 use crate::panels::values::short;
 use crate::panels::words::Language;
 use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, Text, elide, symbol};
@@ -25,12 +26,11 @@ pub(super) struct Speaker<'a> {
 
 impl Speaker<'_> {
     pub fn object(&self, object: u32) -> &str {
-        let object = self.state.stage.scene.objects.get(object as usize);
-        object.map_or("?", |object| &object.name)
+        names::object(&self.state.stage, object)
     }
 
     pub fn light(&self, light: u32) -> String {
-        format!("{} {light}", LIGHT.in_language(self.language))
+        names::light(light, self.language)
     }
 
     /// What the ray met, with and without the side.

@@ -269,3 +269,34 @@ fn the_ray_in_hand_stays_in_view_until_the_viewer_looks_elsewhere() {
         assert!(middle(&show, size).unwrap().distance(Vec2::splat(0.1)) < 1e-3);
     }
 }
+
+#[test]
+fn of_a_huge_tree_no_more_is_drawn_than_is_legible() {
+    let sample = Sample::rays(Method::RayTracing, BALL, 5);
+    let mut state = rays_of(&sample).clone();
+    let mut sample = sample;
+    sample.go_to("BranchAdded", 0);
+    let model = rays_of(&sample).rays.get(0).unwrap().clone();
+    state.rays = Default::default();
+    // A full binary tree in level order.
+    const COUNT: usize = 100_000;
+    for index in 0..COUNT {
+        let mut ray = model.clone();
+        ray.parent = index.checked_sub(1).map(|behind| behind / 2);
+        ray.branches = [2 * index + 1, 2 * index + 2].map(|child| {
+            let mut branch = model.branches[0]?;
+            branch.outcome = Outcome::Ray(child);
+            Some(branch).filter(|_| child < COUNT)
+        });
+        state.rays.push(ray);
+    }
+    state.current = Some(COUNT - 1);
+    for zoom in [1.0, TreeView::LARGEST] {
+        let view = TreeView::WHOLE.zoomed(zoom);
+        let drawn = arrange(&Rays::new(&state), &view, area(Vec2::new(690.0, 620.0)));
+        let tree = drawn.tree;
+        assert_eq!(tree.nodes.len() + tree.hidden, COUNT);
+        assert!(tree.nodes.len() < 4000, "{} nodes", tree.nodes.len());
+        assert_eq!(tree.nodes[tree.in_hand].of, pick::Of::Ray(COUNT - 1));
+    }
+}

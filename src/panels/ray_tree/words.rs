@@ -14,7 +14,6 @@ pub(super) const INSIDE: Words = Words::new("inside", "di dalam");
 pub(super) const BACKGROUND: Words = Words::new("background", "latar belakang");
 pub(super) const LEAVES: Words = Words::new("leaves the scene", "keluar dari adegan");
 pub(super) const LEAVES_SHORT: Words = Words::new("leaves", "keluar");
-pub(super) const LIGHT: Words = Words::new("light", "cahaya");
 pub(super) const LIGHT_MET: Words = Words::new("meets a light", "mengenai cahaya");
 pub(super) const SEARCHING: Words = Words::new("searching …", "mencari …");
 pub(super) const NOT_TRACED: Words = Words::new("not traced yet", "belum ditelusuri");
@@ -22,7 +21,7 @@ pub(super) const ASKED: Words = Words::new("asked for", "diminta");
 pub(super) const NO_TRANSMITTED: Words = Words::new("no transmitted ray", "tanpa sinar bias");
 pub(super) const DEPTH_REACHED: Words = Words::new("depth reached", "batas kedalaman");
 pub(super) const NO_COEFFICIENT: Words = Words::new("no coefficient", "tanpa koefisien");
-pub(super) const TIR: Words = Words::new("total internal reflection", "pemantulan internal total");
+pub(super) const TIR: Words = Words::new("total internal reflection", "pantulan internal total");
 
 pub(super) const RAY: Words = Words::new("ray", "sinar");
 pub(super) const RAYS: Words = Words::new("rays", "sinar");
