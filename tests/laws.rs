@@ -13,7 +13,7 @@ use lightwalk::algorithms::stage::Stage;
 use lightwalk::algorithms::visible::InTurn;
 use lightwalk::algorithms::wireframe::wireframe;
 use lightwalk::record::{Recording, RecordingLimit, Unrecorded};
-use lightwalk::render::{Method, render};
+use lightwalk::render::{Cancelled, Method, preview, render};
 use lightwalk::replay::{Canvas, Run, Walk};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -102,6 +102,12 @@ fn any_number_of_threads_draws_the_same_picture() {
                 &|_, _| {},
             );
             assert!(many == one, "{} on {threads} threads", method.name());
+            let threads = NonZeroUsize::new(threads).unwrap();
+            let grown = preview(&stage, method, threads, |_, _| Ok(()), &mut |_| {});
+            assert!(grown == Ok(one.clone()), "preview: {}", method.name());
+            let called_off = |_, _| Err(Cancelled);
+            let nothing = preview(&stage, method, threads, called_off, &mut |_| {});
+            assert_eq!(nothing, Err(Cancelled));
         }
     }
 }

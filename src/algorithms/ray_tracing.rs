@@ -18,7 +18,7 @@ use super::surface::{self, Facing, face, without_object};
 use super::visible::{self, Met, Search, visible};
 use crate::color::Rgb;
 use crate::record::{self, Fields, Line, Listing, Recorder};
-use crate::scene::solids::{Hit, Ray};
+use crate::scene::solids::{Hit, Ray, leaving};
 use crate::scene::{Material, Needs};
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -201,7 +201,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
         recorder: &mut R,
     ) -> bool {
         let (scene, solids) = (&self.stage.scene, self.stage.solids());
-        let ray = Ray::leaving(&facing.surface, to_light.direction);
+        let ray = leaving(&facing.surface, to_light.direction);
         let distance = to_light.distance;
         recorder.enter(|| {
             ray_tree::Event::ShadowRay {
@@ -243,7 +243,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
             recorder.step(|| ray_tree::Event::too_deep(kind).into());
             return sum;
         }
-        let ray = Ray::leaving(&facing.surface, direction);
+        let ray = leaving(&facing.surface, direction);
         let (color, distance) = self.trace(kind, &ray, level + 1, media, recorder);
 
         let mut carried = color;

@@ -6,7 +6,7 @@ use super::primary::Settings;
 use crate::color::Rgb;
 use crate::record::Fields;
 use crate::scene::solids::Solids;
-use crate::scene::{Material, Mesh, Needs, Scene, Tessellation, View};
+use crate::scene::{Light, Material, Mesh, Needs, Scene, Tessellation, View};
 use glam::{DVec2, DVec3};
 use std::sync::OnceLock;
 
@@ -96,6 +96,19 @@ impl Stage {
     /// The same stage, on which the ray methods go so far.
     pub fn with_settings(self, settings: Settings) -> Self {
         Stage { settings, ..self }
+    }
+
+    /// The same stage under other lights.
+    pub fn with_lights(self, lights: Vec<Light>) -> Self {
+        let scene = Scene {
+            lights,
+            ..self.scene
+        };
+        Stage {
+            scene,
+            needs: OnceLock::new(),
+            ..self
+        }
     }
 
     /// The objects as rays meet them.

@@ -1,5 +1,7 @@
-//! Numeric kernels that several algorithms share, written once for every quantity that can be interpolated.
+//! Numeric kernels that several algorithms share, written once for every quantity or precision that they serve.
 
+mod quadratic;
 mod ramp;
 
+pub use quadratic::sphere_roots;
 pub use ramp::{Linear, Ramp, interpolate};

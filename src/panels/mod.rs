@@ -11,6 +11,7 @@ mod inspector;
 mod labels;
 mod message;
 mod names;
+mod ray_tree;
 mod rays;
 #[cfg(test)]
 pub(crate) mod sample;
@@ -21,6 +22,8 @@ mod vectors;
 mod vertex;
 pub mod words;
 
+pub use ray_tree::TreeView;
+pub use ray_tree::{area as tree_area, middle as tree_middle};
 pub use rays::{Grip, grip};
 pub use time_line::step_at;
 
@@ -46,6 +49,8 @@ pub enum Panel {
     Vectors,
     /// The rays of the pixel among the objects, from the side and from above.
     Rays,
+    /// The binary ray tree of the pixel in hand.
+    RayTree,
     /// All values of the step, and where each came from.
     Inspector,
     /// The pseudocode, with the current line.
@@ -57,13 +62,14 @@ pub enum Panel {
 }
 
 impl Panel {
-    pub const ALL: [Panel; 10] = [
+    pub const ALL: [Panel; 11] = [
         Panel::Image,
         Panel::ScanLine,
         Panel::ActiveEdges,
         Panel::Vertex,
         Panel::Vectors,
         Panel::Rays,
+        Panel::RayTree,
         Panel::Inspector,
         Panel::Code,
         Panel::Formula,
@@ -79,6 +85,7 @@ impl Panel {
             Panel::Vertex => "vertex",
             Panel::Vectors => "vectors",
             Panel::Rays => "rays",
+            Panel::RayTree => "ray-tree",
             Panel::Inspector => "inspector",
             Panel::Code => "code",
             Panel::Formula => "formula",
@@ -105,6 +112,8 @@ pub struct Show<'a> {
     pub narrated: &'a [usize],
     /// Steps at which playing stops, ascending.
     pub breakpoints: &'a [usize],
+    /// How much of the ray tree is looked at.
+    pub tree: &'a TreeView,
 }
 
 /// The picture of a panel, `size` points large, without title or frame.
@@ -116,6 +125,7 @@ pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
         Panel::Vertex => vertex::draw(show, size),
         Panel::Vectors => vectors::draw(show, size),
         Panel::Rays => rays::draw(show, size),
+        Panel::RayTree => ray_tree::draw(show, size),
         Panel::Inspector => inspector::draw(show, size),
         Panel::Code => code::draw(show, size),
         Panel::Formula => formula::draw(show, size),

@@ -1,7 +1,7 @@
 //! Small runs that the tests of panels look at.
 
-use super::Show;
 use super::words::Language;
+use super::{Show, TreeView};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::primary::Settings;
@@ -96,6 +96,7 @@ impl Sample {
             language: Language::English,
             narrated: &[],
             breakpoints: &[],
+            tree: TreeView::whole(),
         }
     }
 

@@ -25,4 +25,6 @@ pub enum Tag {
     Light(usize),
     /// A scope of the time line, by the step that opens it.
     Scope(usize),
+    /// The sign that collapses a ray of the ray tree, by the step that opened it.
+    Fold(usize),
 }

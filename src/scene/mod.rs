@@ -22,10 +22,10 @@ pub use mesh_path::mesh_path_is_inside;
 pub use needs::{LeftOut, Needs, Part};
 pub use obj::Obj;
 pub use tessellation::Tessellation;
-pub use validate::{Limits, ReadFile, SceneError, read};
+pub use validate::{LARGEST, Limits, ReadFile, SceneError, read};
 
 use crate::color::Rgb;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// A scene that was found right: every index is in range, every number finite and within its bounds.
 #[derive(Clone, Debug, PartialEq)]
@@ -136,4 +136,15 @@ pub enum Light {
     },
     /// `toward` is the unit direction in which the light travels.
     Directional { toward: DVec3, color: Rgb },
+}
+
+impl Texture {
+    /// The colour by which the diffuse coefficient is multiplied at (u, v).
+    pub fn color_at(&self, uv: DVec2) -> Rgb {
+        let Texture::Checker { colors, scale } = self;
+        let cells = (uv / *scale).floor();
+        // Cells may be too many for an integer to count; their parity is exact all the same.
+        let is_odd = cells.x.rem_euclid(2.0) != cells.y.rem_euclid(2.0);
+        colors[usize::from(is_odd)]
+    }
 }

@@ -3,6 +3,7 @@
 use crate::algorithms::focus::Focus;
 use crate::panels::words::{Language, Words};
 use crate::picture::{Tag, Theme};
+use glam::DVec3;
 
 /// Everything that keys, buttons and clicks do.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,6 +57,11 @@ pub enum Command {
     Skip,
     /// Questions on or off.
     Questions,
+    /// Moves a light of the scene, by its index, to a place in the world; the lesson says which may be moved.
+    MoveLight {
+        light: usize,
+        position: DVec3,
+    },
     /// The lesson as it was when it was opened.
     Reset,
     /// A built-in lesson by its id.

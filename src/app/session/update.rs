@@ -51,7 +51,11 @@ impl Session {
             Command::Answer(guess) => return self.answer(&guess),
             Command::Skip => return self.skip(),
             Command::Questions => self.look.questions = !self.look.questions,
+            Command::MoveLight { light, position } => return self.move_light(light, position),
             Command::Reset => {
+                if self.light_is_moved() {
+                    self.put_lights_back();
+                }
                 self.look_at(self.open.lesson.focus)?;
                 self.start_over();
             }
@@ -61,7 +65,7 @@ impl Session {
                 return opened.map_err(|error| Refused::Error(error.to_string()));
             }
             Command::Share => {
-                self.shared = Some(self.command_line().ok_or(words::SHARE_LESSON_ONLY)?);
+                self.shared = Some(self.command_line()?);
             }
             command => return self.change_look(&command),
         }
@@ -78,13 +82,14 @@ impl Session {
                 Ok(())
             };
         }
-        let refusal = match command {
+        let refusal = match *command {
             Command::Play if self.playing().is_none() => self.cannot_play(Direction::Forward),
             Command::PlayBackwards if self.playing().is_none() => {
                 self.cannot_play(Direction::Backward)
             }
             Command::LoopOff if self.loop_ends() == (None, None) => Some(words::NO_LOOP),
-            Command::Share if !self.follows_lesson() => Some(words::SHARE_LESSON_ONLY),
+            Command::Share => self.command_line().err(),
+            Command::MoveLight { light, .. } => self.cannot_move(light),
             _ => None,
         };
         refusal.map_or(Ok(()), |words| Err(words.into()))

@@ -39,6 +39,7 @@ fn screen(
     for command in commands {
         session.update(command).expect("a command that can act");
     }
+    session.wait_for_picture();
     let textures = Textures::default();
     let zoom = session.look.zoom();
     let points = egui::vec2(size[0] as f32, size[1] as f32) / scale / zoom;

@@ -1,179 +1,286 @@
-//! The objects of a scene as rays meet them.
+//! What rays meet: the objects of a scene, exactly in f64, found through f32 hierarchies that pass over nothing.
+//!
+//! Two levels: each divided object (mesh, polygon, cylinder, Bézier surface) has a hierarchy over its triangles, and one stands over the
+//! boxes of all finite objects. Infinite planes are tested apart. A run that tests object by object with [`Solids::meet`] gets
+//! the same bits as [`Solids::nearest`].
 
-use crate::color::Rgb;
-use crate::scene::{Scene, Shape, Tessellation, Texture};
-use glam::{DVec2, DVec3};
+mod chart;
+mod closed;
+mod error;
+mod faces;
+mod frame;
+mod hierarchy;
+mod packet;
+mod plane;
+mod polygon;
+mod ray;
+mod sphere;
+mod stack;
+#[cfg(test)]
+mod tests;
+mod triangle;
 
-/// origin + t·direction; `direction` is unit.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ray {
-    pub origin: DVec3,
-    pub direction: DVec3,
-}
+pub use ray::{Ray, leaving};
+pub use sphere::meet_ball;
 
-impl Ray {
-    pub fn at(&self, t: f64) -> DVec3 {
-        self.origin + t * self.direction
-    }
+use super::{Scene, Shape, Tessellation};
+use faces::Faces;
+use frame::{Frame, Near};
+use glam::{DVec2, DVec3, Vec3};
+use hierarchy::{Hierarchy, UnitRay};
+use plane::Plane;
 
-    /// The ray that leaves a surface toward `direction`, from beside it.
-    pub fn leaving(surface: &Surface, direction: DVec3) -> Ray {
-        let side = surface.normal.dot(direction).signum();
-        Ray {
-            origin: surface.position + side * surface.error * surface.normal,
-            direction,
-        }
-    }
-}
-
-/// Where a ray meets an object; `triangle` is 0 for spheres and planes.
+/// Where a ray meets an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
+    /// Along the ray, > 0: a distance.
     pub t: f64,
     pub object: u32,
+    /// Of the object's triangles, counted from 0 face by face; 0 on spheres and planes.
     pub triangle: u32,
 }
 
-/// A place on a surface; `normal` is geometric, unit, outward.
+impl Hit {
+    /// Nearer, or equally near and of a lower object, then triangle.
+    fn is_before(&self, other: &Hit) -> bool {
+        let number = |hit: &Hit| (hit.object, hit.triangle);
+        self.t < other.t || (self.t == other.t && number(self) < number(other))
+    }
+}
+
+/// A place on a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     pub position: DVec3,
+    /// Geometric, unit; outward on a sphere, toward the front on polygons and planes.
     pub normal: DVec3,
-    pub error: f64,
+    /// By how much, along each axis, the position may be off the surface, for the next ray that starts there.
+    pub error: DVec3,
 }
 
-#[derive(Clone, Debug)]
-enum Solid {
-    Sphere { center: DVec3, radius: f64 },
-    Plane { point: DVec3, normal: DVec3 },
-    Triangles(Vec<[DVec3; 3]>),
-}
-
+/// The objects of a scene, ready to be met by rays.
 #[derive(Clone, Debug)]
 pub struct Solids {
     solids: Vec<Solid>,
     casts_shadow: Vec<bool>,
+    /// The objects that are infinite.
+    planes: Vec<u32>,
+    /// The objects in the leaves of the hierarchy.
+    finite: Vec<u32>,
+    frame: Frame,
+    hierarchy: Hierarchy,
+}
+
+#[derive(Clone, Debug)]
+enum Solid {
+    Sphere {
+        center: DVec3,
+        radius: f64,
+    },
+    Plane(Plane),
+    /// `vertices` are those of a polygon, and none of other shapes.
+    Faces {
+        faces: Faces,
+        vertices: Vec<DVec3>,
+    },
 }
 
 impl Solids {
+    /// `tessellation` is that of the scene.
     pub fn of(scene: &Scene, tessellation: &Tessellation) -> Solids {
-        let solid = |(index, object): (usize, &crate::scene::Object)| match object.shape {
-            Shape::Sphere { center, radius } => Solid::Sphere { center, radius },
-            Shape::Plane { point, normal } => Solid::Plane { point, normal },
-            _ => {
-                let mesh = &tessellation.meshes[index];
-                let fan = |face: usize| {
-                    let corners = mesh.face(face);
-                    corners[1..].windows(2).map(move |pair| {
-                        [corners[0], pair[0], pair[1]].map(|vertex| mesh.position(vertex))
-                    })
-                };
-                Solid::Triangles((0..mesh.face_count()).flat_map(fan).collect())
-            }
-        };
-        Solids {
-            solids: scene.objects.iter().enumerate().map(solid).collect(),
-            casts_shadow: scene.objects.iter().map(|o| o.casts_shadow).collect(),
-        }
-    }
-
-    /// The nearest hit of one object, with t > 0.
-    pub fn meet(&self, object: usize, ray: &Ray) -> Option<Hit> {
-        let hit = |(t, triangle)| Hit {
-            t,
-            object: object as u32,
-            triangle,
-        };
-        match &self.solids[object] {
-            Solid::Sphere { center, radius } => {
-                meet_ball(*center, *radius, ray).map(|t| hit((t, 0)))
-            }
-            Solid::Plane { point, normal } => {
-                let t = (*point - ray.origin).dot(*normal) / ray.direction.dot(*normal);
-                (t > 0.0 && t.is_finite()).then(|| hit((t, 0)))
-            }
-            Solid::Triangles(triangles) => {
-                let mut nearest: Option<(f64, u32)> = None;
-                for (index, &[a, b, c]) in triangles.iter().enumerate() {
-                    let (ab, ac) = (b - a, c - a);
-                    let p = ray.direction.cross(ac);
-                    let det = ab.dot(p);
-                    let s = ray.origin - a;
-                    let u = s.dot(p) / det;
-                    let q = s.cross(ab);
-                    let v = ray.direction.dot(q) / det;
-                    let t = ac.dot(q) / det;
-                    if u >= 0.0
-                        && v >= 0.0
-                        && u + v <= 1.0
-                        && t > 0.0
-                        && nearest.is_none_or(|(n, _)| t < n)
-                    {
-                        nearest = Some((t, index as u32));
+        let objects = scene.objects.iter().zip(&tessellation.meshes);
+        let solids: Vec<Solid> = objects
+            .map(|(object, mesh)| {
+                let is_textured = scene.materials[object.material].texture.is_some();
+                match &object.shape {
+                    &Shape::Sphere { center, radius } => Solid::Sphere { center, radius },
+                    &Shape::Plane { point, normal } => Solid::Plane(Plane { point, normal }),
+                    Shape::Polygon { vertices } => Solid::Faces {
+                        faces: Faces::new(mesh, false),
+                        vertices: vertices.clone(),
+                    },
+                    Shape::Cylinder { .. } | Shape::Bezier { .. } | Shape::Mesh(_) => {
+                        Solid::Faces {
+                            faces: Faces::new(mesh, is_textured),
+                            vertices: Vec::new(),
+                        }
                     }
                 }
-                nearest.map(hit)
+            })
+            .collect();
+        let (mut planes, mut finite, mut boxes) = (Vec::new(), Vec::new(), Vec::new());
+        for (object, solid) in (0..).zip(&solids) {
+            match solid.bounds() {
+                Some(bounds) => {
+                    finite.push(object);
+                    boxes.push(bounds);
+                }
+                None => planes.push(object),
             }
+        }
+        let low = boxes.iter().map(|&[low, _]| low).reduce(DVec3::min);
+        let high = boxes.iter().map(|&[_, high]| high).reduce(DVec3::max);
+        let frame = Frame::around(low.unwrap_or_default(), high.unwrap_or_default());
+        let boxes: Vec<[Vec3; 2]> = boxes
+            .into_iter()
+            .map(|bounds| bounds.map(|corner| frame.to_unit(corner)))
+            .collect();
+        let (hierarchy, leaves) = Hierarchy::new(&boxes, 1);
+        Solids {
+            finite: leaves
+                .iter()
+                .flatten()
+                .map(|&place| finite[place as usize])
+                .collect(),
+            casts_shadow: scene
+                .objects
+                .iter()
+                .map(|object| object.casts_shadow)
+                .collect(),
+            solids,
+            planes,
+            frame,
+            hierarchy,
         }
     }
 
-    /// The nearest hit of all objects.
+    /// The nearest hit of one object.
+    pub fn meet(&self, object: usize, ray: &Ray) -> Option<Hit> {
+        match &self.solids[object] {
+            Solid::Plane(plane) => plane.meet(ray).map(|t| Hit {
+                t,
+                object: object as u32,
+                triangle: 0,
+            }),
+            _ => self.meet_finite(object as u32, &self.frame.near(ray)?, f64::INFINITY),
+        }
+    }
+
+    /// The nearest hit of all objects; of equally near ones that of the lowest object, then triangle.
     pub fn nearest(&self, ray: &Ray) -> Option<Hit> {
-        let hits = (0..self.solids.len()).filter_map(|object| self.meet(object, ray));
-        hits.reduce(|nearest, hit| if hit.t < nearest.t { hit } else { nearest })
+        let mut nearest: Option<Hit> = None;
+        let mut meet = |hit: Option<Hit>| {
+            if let Some(hit) = hit
+                && nearest.is_none_or(|nearest| hit.is_before(&nearest))
+            {
+                nearest = Some(hit);
+            }
+            nearest.map_or(f64::INFINITY, |nearest| nearest.t)
+        };
+        let mut distance = f64::INFINITY;
+        for &plane in &self.planes {
+            distance = meet(self.meet(plane as usize, ray));
+        }
+        if let Some(near) = self.frame.near(ray) {
+            let unit = UnitRay::new(&self.frame, &near);
+            self.hierarchy.walk(&unit, unit.reach(distance), |leaf, _| {
+                distance = meet(self.meet_finite(self.finite[leaf], &near, distance));
+                unit.reach(distance)
+            });
+        }
+        nearest
     }
 
-    /// Whether an object that casts a shadow lies at 0 < t < `distance`.
+    /// Whether an object that casts a shadow is met at 0 < t < `distance`, which may be infinite.
     pub fn blocked(&self, ray: &Ray, distance: f64) -> bool {
-        (0..self.solids.len()).any(|object| {
-            self.casts_shadow[object] && self.meet(object, ray).is_some_and(|hit| hit.t < distance)
-        })
+        let casts_shadow = |object: u32| self.casts_shadow[object as usize];
+        let is_before = |hit: Option<Hit>| hit.is_some_and(|hit| hit.t < distance);
+        let mut planes = self.planes.iter().filter(|&&plane| casts_shadow(plane));
+        if planes.any(|&plane| is_before(self.meet(plane as usize, ray))) {
+            return true;
+        }
+        let Some(near) = self.frame.near(ray) else {
+            return false;
+        };
+        let unit = UnitRay::new(&self.frame, &near);
+        let mut is_blocked = false;
+        self.hierarchy
+            .walk(&unit, unit.reach(distance), |leaf, reach| {
+                let object = self.finite[leaf];
+                is_blocked = casts_shadow(object)
+                    && match &self.solids[object as usize] {
+                        Solid::Faces { faces, .. } => {
+                            let is_before = |t| near.moved + t < distance;
+                            faces.blocks(&near.ray, near.reach(distance), is_before)
+                        }
+                        _ => is_before(self.meet_finite(object, &near, distance)),
+                    };
+                if is_blocked { -1.0 } else { reach }
+            });
+        is_blocked
     }
 
+    /// The surface where `ray` met `hit`.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let position = ray.at(hit.t);
-        let normal = match &self.solids[hit.object as usize] {
-            Solid::Sphere { center, .. } => (position - *center).normalize(),
-            Solid::Plane { normal, .. } => *normal,
-            Solid::Triangles(triangles) => {
-                let [a, b, c] = triangles[hit.triangle as usize];
-                (b - a).cross(c - a).normalize()
+        match &self.solids[hit.object as usize] {
+            &Solid::Sphere { center, radius } => sphere::surface(center, radius, position),
+            Solid::Plane(plane) => plane.surface(position),
+            Solid::Faces { faces, .. } => {
+                let near = self.frame.near(ray).map_or(*ray, |near| near.ray);
+                faces.surface(&near, hit.triangle, position)
             }
-        };
-        Surface {
-            position,
-            normal,
-            error: 1e-12 * (1.0 + position.length()),
         }
     }
 
-    /// Texture coordinates.
-    pub fn uv(&self, _: &Hit, position: DVec3) -> DVec2 {
-        DVec2::new(position.x, position.z)
+    /// Texture coordinates (u, v) at the position of a hit. Those of meshes are kept only where their material has a texture.
+    ///
+    /// Planes: lengths from the plane's point along two axes (x and z on a floor). Polygons: [0, 1]², bilinear on four vertices. Spheres:
+    /// longitude/2π from z toward x, and latitude/π from the north pole (+y) down. Meshes: those of the file, else (0, 0). Bézier surfaces: those
+    /// of the patch. Cylinders: longitude/2π and the share of the height.
+    pub fn uv(&self, hit: &Hit, position: DVec3) -> DVec2 {
+        match &self.solids[hit.object as usize] {
+            Solid::Sphere { center, .. } => sphere::uv(*center, position),
+            Solid::Plane(plane) => plane.uv(position),
+            Solid::Faces { faces, vertices } if vertices.is_empty() => {
+                faces.uv(hit.triangle, position)
+            }
+            Solid::Faces { vertices, .. } => chart::polygon_uv(vertices, position),
+        }
     }
 
-    /// The closed objects that contain the point, outermost first.
+    /// The closed objects that contain a point, outermost first: spheres, and divided objects each edge of which is shared by
+    /// exactly two faces in opposite senses.
     pub fn around(&self, point: DVec3) -> Vec<u32> {
-        let inside = |solid: &Solid| matches!(solid, Solid::Sphere { center, radius } if point.distance(*center) < *radius);
-        (0..self.solids.len() as u32)
-            .filter(|&object| inside(&self.solids[object as usize]))
-            .collect()
+        // Any direction will do: what contains another thing is left after it.
+        let ray = Ray {
+            origin: point,
+            direction: DVec3::new(0.6, 0.48, 0.64),
+        };
+        let exit = |object: usize| self.meet(object, &ray).map_or(0.0, |hit| hit.t);
+        let mut around: Vec<u32> = (0..self.solids.len())
+            .filter(|&object| match &self.solids[object] {
+                Solid::Sphere { center, radius } => point.distance(*center) < *radius,
+                Solid::Plane(_) => false,
+                Solid::Faces { faces, .. } => faces.contains(point),
+            })
+            .map(|object| object as u32)
+            .collect();
+        around.sort_by(|&a, &b| exit(b as usize).total_cmp(&exit(a as usize)));
+        around
+    }
+
+    fn meet_finite(&self, object: u32, near: &Near, distance: f64) -> Option<Hit> {
+        let (t, triangle) = match &self.solids[object as usize] {
+            Solid::Sphere { center, radius } => (meet_ball(*center, *radius, &near.ray)?, 0),
+            Solid::Plane(_) => return None,
+            Solid::Faces { faces, .. } => faces.meet(&near.ray, near.reach(distance))?,
+        };
+        Some(Hit {
+            t: near.moved + t,
+            object,
+            triangle,
+        })
     }
 }
 
-/// Where a ray meets a ball, from outside or inside.
-pub fn meet_ball(center: DVec3, radius: f64, ray: &Ray) -> Option<f64> {
-    let to_center = center - ray.origin;
-    let b = to_center.dot(ray.direction);
-    let discriminant = radius * radius - (to_center - b * ray.direction).length_squared();
-    let root = (discriminant >= 0.0).then(|| discriminant.sqrt())?;
-    [b - root, b + root].into_iter().find(|&t| t > 0.0)
-}
-
-impl Texture {
-    pub fn color_at(&self, uv: DVec2) -> Rgb {
-        let Texture::Checker { colors, scale } = self;
-        let cell = (uv / *scale).floor();
-        colors[(cell.x + cell.y).rem_euclid(2.0) as usize]
+impl Solid {
+    /// The corners of the box around it, unless it is infinite.
+    fn bounds(&self) -> Option<[DVec3; 2]> {
+        match self {
+            &Solid::Sphere { center, radius } => Some([center - radius, center + radius]),
+            Solid::Plane(_) => None,
+            Solid::Faces { faces, .. } => Some([faces.low, faces.high]),
+        }
     }
 }

@@ -1,0 +1,79 @@
+//! Texture coordinates on polygons, in [0, 1]².
+
+use super::triangle;
+use glam::{DVec2, DVec3};
+
+/// (u, v) at a point of a polygon.
+///
+/// - Three vertices: u along v0→v1, v along v0→v2.
+/// - Four: the (u, v) whose bilinear mix of the vertices, u along v0→v1 and v along v0→v3, is the point.
+/// - More: shares of the smallest rectangle around it that has a side along v0→v1, u along that side, v across it.
+pub(super) fn polygon_uv(vertices: &[DVec3], point: DVec3) -> DVec2 {
+    match *vertices {
+        [a, b, c] => triangle::weights_at([a, b, c], point).into(),
+        [a, b, c, d] => inverse_bilinear([a, b, c, d], point),
+        _ => share_of_rectangle(vertices, point),
+    }
+    .clamp(DVec2::ZERO, DVec2::ONE)
+}
+
+/// Coordinates in the mean plane of a polygon, from its first vertex, in units of its extent. The first axis runs along v0→v1.
+fn flattened(vertices: &[DVec3]) -> impl Fn(DVec3) -> DVec2 {
+    let origin = vertices[0];
+    let extent = vertices
+        .iter()
+        .map(|&v| (v - origin).abs().max_element())
+        .fold(f64::MIN_POSITIVE, f64::max);
+    let place = move |point: DVec3| (point - origin) / extent;
+    let normal: DVec3 = vertices[1..]
+        .windows(2)
+        .map(|pair| place(pair[0]).cross(place(pair[1])))
+        .sum();
+    let normal = normal.normalize_or(DVec3::Y);
+    let along = vertices[1..]
+        .iter()
+        .map(|&v| place(v).reject_from_normalized(normal))
+        .find(|edge| *edge != DVec3::ZERO)
+        .unwrap_or(DVec3::X)
+        .normalize_or(DVec3::X);
+    let across = normal.cross(along);
+    move |point| DVec2::new(place(point).dot(along), place(point).dot(across))
+}
+
+/// p = h = u·e + v·f + u·v·g with e = b − a, f = d − a, g = a − b + c − d. Without u: (f × g)v² + (f × e − h × g)v… a quadratic in v.
+fn inverse_bilinear(vertices: [DVec3; 4], point: DVec3) -> DVec2 {
+    let flat = flattened(&vertices);
+    let [b, c, d] = [vertices[1], vertices[2], vertices[3]].map(&flat);
+    let (e, f, g, h) = (b, d, c - b - d, flat(point));
+    // h − v·f = u·(e + v·g), so their cross product is 0: (g × f)v² + (e × f + h × g)v + h × e = 0.
+    let k_2 = g.perp_dot(f);
+    let k_1 = e.perp_dot(f) + h.perp_dot(g);
+    let k_0 = h.perp_dot(e);
+    let q = -0.5 * (k_1 + (k_1 * k_1 - 4.0 * k_2 * k_0).max(0.0).sqrt().copysign(k_1));
+    let outside = |x: f64| (-x).max(x - 1.0).max(0.0);
+    [k_0 / q, q / k_2]
+        .into_iter()
+        .filter(|v| v.is_finite())
+        .filter_map(|v| {
+            let (along, rest) = (e + v * g, h - v * f);
+            let u = if along.x.abs() >= along.y.abs() {
+                rest.x / along.x
+            } else {
+                rest.y / along.y
+            };
+            u.is_finite().then_some(DVec2::new(u, v))
+        })
+        .min_by(|a, b| {
+            let off = |uv: &DVec2| outside(uv.x).max(outside(uv.y));
+            off(a).total_cmp(&off(b))
+        })
+        .unwrap_or_default()
+}
+
+fn share_of_rectangle(vertices: &[DVec3], point: DVec3) -> DVec2 {
+    let flat = flattened(vertices);
+    let places = || vertices.iter().map(|&v| flat(v));
+    let low = places().fold(DVec2::ZERO, DVec2::min);
+    let high = places().fold(DVec2::ZERO, DVec2::max);
+    (flat(point) - low) / (high - low).max(DVec2::splat(f64::MIN_POSITIVE))
+}

@@ -1,0 +1,240 @@
+//! A mesh as triangles under a hierarchy of its own.
+
+use super::super::Mesh;
+use super::frame::{Frame, Near};
+use super::hierarchy::{Hierarchy, UnitRay};
+use super::packet::{NONE, PACKET, Packet, UnitShear};
+use super::polygon::Polygon;
+use super::triangle::{self, Meeting, Shear};
+use super::{Ray, Surface};
+use glam::{DVec2, DVec3, Vec3};
+
+/// The triangles of a mesh. They are numbered from 0, face by face.
+#[derive(Clone, Debug)]
+pub(super) struct Faces {
+    vertices: Vec<DVec3>,
+    triangles: Vec<[u32; 3]>,
+    /// Texture coordinates at the corners of each triangle; none at all where they are not asked for.
+    uvs: Vec<[DVec2; 3]>,
+    /// The planar faces of more than four corners, in ascending order.
+    planes: Vec<FacePlane>,
+    pub low: DVec3,
+    pub high: DVec3,
+    pub is_closed: bool,
+    frame: Frame,
+    hierarchy: Hierarchy,
+    /// The leaves of the hierarchy.
+    packets: Vec<Packet>,
+}
+
+/// The plane that the triangles `start..end` share.
+#[derive(Clone, Copy, Debug)]
+struct FacePlane {
+    start: u32,
+    end: u32,
+    normal: DVec3,
+    off_plane: f64,
+}
+
+impl Faces {
+    pub fn new(mesh: &Mesh, is_textured: bool) -> Self {
+        let vertices: Vec<DVec3> = (0..mesh.vertex_count() as u32)
+            .map(|vertex| mesh.position(vertex))
+            .collect();
+        let mut triangles = Vec::with_capacity(mesh.face_count());
+        let mut uvs = Vec::new();
+        let mut planes = Vec::new();
+        for face in 0..mesh.face_count() {
+            let corners = mesh.face(face);
+            let face_uvs = mesh.face_uvs(face);
+            let start = triangles.len();
+            let mut add = |triangle: [u32; 3]| {
+                triangles.push(triangle.map(|corner| corners[corner as usize]));
+                if is_textured && !face_uvs.is_empty() {
+                    uvs.push(triangle.map(|corner| face_uvs[corner as usize]));
+                }
+            };
+            if corners.len() == 3 {
+                add([0, 1, 2]);
+                continue;
+            }
+            let polygon = Polygon::of_face(mesh, face);
+            polygon.triangles().into_iter().for_each(add);
+            if corners.len() > 4 && polygon.is_planar() {
+                planes.push(FacePlane {
+                    start: start as u32,
+                    end: triangles.len() as u32,
+                    normal: polygon.normal,
+                    off_plane: polygon.off_plane,
+                });
+            }
+        }
+        let low = vertices
+            .iter()
+            .copied()
+            .reduce(DVec3::min)
+            .unwrap_or_default();
+        let high = vertices
+            .iter()
+            .copied()
+            .reduce(DVec3::max)
+            .unwrap_or_default();
+        let frame = Frame::around(low, high);
+        let boxes: Vec<[Vec3; 2]> = triangles
+            .iter()
+            .map(|corners| {
+                let [a, b, c] = corners.map(|vertex| frame.to_unit(vertices[vertex as usize]));
+                [a.min(b).min(c), a.max(b).max(c)]
+            })
+            .collect();
+        let (hierarchy, leaves) = Hierarchy::new(&boxes, PACKET);
+        let packets = leaves
+            .iter()
+            .map(|leaf| {
+                Packet::new(leaf, |triangle| {
+                    triangles[triangle as usize]
+                        .map(|vertex: u32| frame.to_unit(vertices[vertex as usize]))
+                })
+            })
+            .collect();
+        Faces {
+            vertices,
+            triangles,
+            uvs,
+            planes,
+            low,
+            high,
+            is_closed: super::closed::is_closed(mesh),
+            frame,
+            hierarchy,
+            packets,
+        }
+    }
+
+    pub fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// The corners of a triangle.
+    #[inline]
+    pub fn corners(&self, triangle: u32) -> [DVec3; 3] {
+        self.triangles[triangle as usize].map(|vertex| self.vertices[vertex as usize])
+    }
+
+    /// The nearest meeting within `reach`, the first triangle of equally near ones: its t and the triangle.
+    pub fn meet(&self, ray: &Ray, reach: f64) -> Option<(f64, u32)> {
+        let near = self.frame.near(ray)?;
+        let mut best: Option<(f64, u32)> = None;
+        self.walk(&near, reach, |triangle, meeting, unit| {
+            let is_nearer =
+                best.is_none_or(|(t, first)| meeting.t < t || (meeting.t == t && triangle < first));
+            if !is_nearer {
+                return None;
+            }
+            best = Some((meeting.t, triangle));
+            Some(unit.reach(meeting.t + near.moved))
+        });
+        best.map(|(t, triangle)| (near.moved + t, triangle))
+    }
+
+    /// What [`Self::meet`] finds, by testing every triangle in turn.
+    #[cfg(test)]
+    pub fn meet_in_turn(&self, ray: &Ray) -> Option<(f64, u32)> {
+        let near = self.frame.near(ray)?;
+        let shear = Shear::of(&near.ray);
+        let mut best: Option<(f64, u32)> = None;
+        for triangle in 0..self.triangle_count() as u32 {
+            if let Some(meeting) = shear.meet(self.corners(triangle))
+                && best.is_none_or(|(t, _)| meeting.t < t)
+            {
+                best = Some((meeting.t, triangle));
+            }
+        }
+        best.map(|(t, triangle)| (near.moved + t, triangle))
+    }
+
+    /// Whether some triangle is met within `reach` at a t that is `near_enough`.
+    pub fn blocks(&self, ray: &Ray, reach: f64, near_enough: impl Fn(f64) -> bool) -> bool {
+        let Some(near) = self.frame.near(ray) else {
+            return false;
+        };
+        let mut is_blocked = false;
+        self.walk(&near, reach, |_, meeting, _| {
+            is_blocked = near_enough(near.moved + meeting.t);
+            is_blocked.then_some(-1.0)
+        });
+        is_blocked
+    }
+
+    /// Shows `met` every meeting of the exact test in the leaves within reach; it may tell a new reach.
+    #[inline]
+    fn walk(
+        &self,
+        near: &Near,
+        reach: f64,
+        mut met: impl FnMut(u32, Meeting, &UnitRay) -> Option<f32>,
+    ) {
+        let shear = Shear::of(&near.ray);
+        let unit = UnitRay::new(&self.frame, near);
+        let unit_shear = UnitShear::new(&shear, self.frame.to_unit(near.ray.origin));
+        self.hierarchy
+            .walk(&unit, unit.reach(reach), |leaf, mut reach| {
+                let packet = &self.packets[leaf];
+                let mut candidates = packet.candidates(&unit_shear);
+                while candidates != 0 {
+                    let triangle = packet.triangles[candidates.trailing_zeros() as usize];
+                    candidates &= candidates - 1;
+                    if triangle == NONE {
+                        break;
+                    }
+                    let shorter = shear
+                        .meet(self.corners(triangle))
+                        .and_then(|meeting| met(triangle, meeting, &unit));
+                    if let Some(shorter) = shorter {
+                        reach = shorter;
+                        if reach < 0.0 {
+                            break;
+                        }
+                    }
+                }
+                reach
+            });
+    }
+
+    /// The surface where a ray met a triangle, about at `position`.
+    pub fn surface(&self, ray: &Ray, triangle: u32, position: DVec3) -> Surface {
+        let corners = self.corners(triangle);
+        let near = self.frame.near(ray);
+        let meeting = near.and_then(|near| Shear::of(&near.ray).meet(corners));
+        let weights = meeting.map_or_else(
+            || triangle::weights_at(corners, position),
+            |meeting| meeting.weights,
+        );
+        let place = self.planes.partition_point(|plane| plane.end <= triangle);
+        let plane = self
+            .planes
+            .get(place)
+            .filter(|plane| plane.start <= triangle);
+        let mut surface = triangle::surface(corners, weights, plane.map(|plane| plane.normal));
+        if let Some(plane) = plane {
+            surface.error += DVec3::splat(2.0 * plane.off_plane);
+        }
+        surface
+    }
+
+    /// Texture coordinates at a point of a triangle; (0, 0) where the mesh has none.
+    pub fn uv(&self, triangle: u32, position: DVec3) -> DVec2 {
+        let Some([a, b, c]) = self.uvs.get(triangle as usize) else {
+            return DVec2::ZERO;
+        };
+        let [v, w] = triangle::weights_at(self.corners(triangle), position);
+        *a + v * (*b - *a) + w * (*c - *a)
+    }
+
+    /// Whether the surface is closed, and the point inside.
+    pub fn contains(&self, point: DVec3) -> bool {
+        let is_in_box = point.cmpge(self.low).all() && point.cmple(self.high).all();
+        let triangles = (0..self.triangle_count() as u32).map(|triangle| self.corners(triangle));
+        is_in_box && self.is_closed && super::closed::winds_around(triangles, point)
+    }
+}
