@@ -2,6 +2,7 @@
 
 mod key_sheet;
 mod keys;
+mod light_controls;
 mod main_window;
 mod narration;
 mod panel_view;

@@ -2,7 +2,7 @@
 
 use super::panel_view::{self, PanelView};
 use super::session::{Command, Session};
-use super::style;
+use super::{light_controls, style};
 use crate::panels::{Panel, step_at};
 use crate::picture::{Ink, Tag};
 use egui::{Rect, Ui, WidgetText};
@@ -148,45 +148,6 @@ pub struct Shown {
     pub under: Option<Tag>,
 }
 
-/// Moves the light that the pointer holds, once a frame; over one that it could hold, says so.
-fn drag_light(session: &Session, response: &Response, ui: &Ui) -> Option<Command> {
-    let id = response.id.with("grip");
-    let size = glam::Vec2::new(response.rect.width(), response.rect.height());
-    let place = |at: egui::Pos2| {
-        let at = at - response.rect.min;
-        glam::Vec2::new(at.x, at.y)
-    };
-    let movable = |at: egui::Pos2| {
-        let grip = grip(&session.show(), size, place(at))?;
-        let moved = Command::MoveLight {
-            light: grip.light,
-            position: grip.position(place(at)),
-        };
-        session.allows(&moved).is_ok().then_some(grip)
-    };
-    if response.drag_started() {
-        let origin = ui.input(|input| input.pointer.press_origin());
-        let held = origin.and_then(movable);
-        ui.data_mut(|data| data.insert_temp(id, held));
-    }
-    let held = ui.data(|data| data.get_temp::<Option<Grip>>(id)).flatten();
-    if response.drag_stopped() {
-        ui.data_mut(|data| data.remove::<Option<Grip>>(id));
-    }
-    if let (Some(grip), Some(at)) = (held, response.interact_pointer_pos()) {
-        ui.ctx().set_cursor_icon(egui::CursorIcon::Grabbing);
-        return (response.drag_delta() != egui::Vec2::ZERO).then(|| Command::MoveLight {
-            light: grip.light,
-            position: grip.position(place(at)),
-        });
-    }
-    if response.hover_pos().and_then(movable).is_some() {
-        ui.ctx().set_cursor_icon(egui::CursorIcon::Grab);
-        response.show_tooltip_text(session.say(words::DRAG_THE_LIGHT));
-    }
-    None
-}
-
 /// Shows a panel in `rect` and reads clicks: plain ones go there, with shift to the scan line, with Ctrl to the polygon.
 pub fn panel_on(
     session: &Session,
@@ -215,7 +176,7 @@ pub fn panel_on(
         command = (step != session.step()).then_some(Command::Seek(step));
     }
     if panel == Panel::Rays {
-        command = drag_light(session, &response, ui).or(command);
+        command = light_controls::dragged(session, &response, ui).or(command);
     }
     if panel == Panel::Image {
         // The menu is about the place where it was opened, not where the pointer went since.

@@ -74,11 +74,16 @@ words! {
     SCAN_LINE: "Scan line", "Garis scan";
     ACTIVE_EDGES: "Active edges", "Sisi aktif";
     VERTEX: "Vertex", "Titik sudut";
+    VECTORS: "Vectors at the hit", "Vektor di titik kena";
+    RAYS: "Rays in the scene", "Sinar dalam adegan";
+    RAY_TREE: "Ray tree", "Pohon sinar";
     INSPECTOR: "Inspector", "Inspektur";
     CODE: "Code", "Kode";
     FORMULA: "Formula", "Rumus";
     TIME_LINE: "Time line", "Garis waktu";
     CLICK_A_ROW: "click a row to light it up", "klik baris untuk menyorotnya";
+
+    DRAG_THE_LIGHT: "drag to move the light", "seret untuk memindahkan cahaya";
 
     LINE: "line", "garis";
     POLYGON: "polygon", "poligon";

@@ -88,7 +88,9 @@ fn a_light_follows_the_pointer_in_the_plane_of_its_view() {
             assert_eq!(grip.light, number);
             // Taken and not moved, it stays.
             let scale = f64::from(view.scale());
-            assert!(grip.position(at + Vec2::new(2.0, 1.0)).distance(position) < 1e-4 / scale.min(1.0));
+            assert!(
+                grip.position(at + Vec2::new(2.0, 1.0)).distance(position) < 1e-4 / scale.min(1.0)
+            );
             let moved = grip.position(at + Vec2::new(32.0, -19.0));
             let toward = view.toward_viewer();
             assert!((moved - position).dot(toward).abs() < 1e-9);
@@ -107,7 +109,10 @@ fn a_light_that_blocks_nothing_and_a_name_are_printed_once() {
     sample.go_to("Shadow", 0);
     let picture = draw(&sample.show(), Vec2::new(500.0, 380.0));
     for name in ["eye", "light 0", "light 1", "from the side"] {
-        let count = texts(&picture).iter().filter(|(text, _)| *text == name).count();
+        let count = texts(&picture)
+            .iter()
+            .filter(|(text, _)| *text == name)
+            .count();
         assert_eq!(count, 1, "{name}");
     }
 }

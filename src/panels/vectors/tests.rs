@@ -50,7 +50,10 @@ fn angles_are_those_that_the_steps_tell() {
         };
         let shown = format!("{}°", short(Value::Number(angle), 1));
         let picture = draw(&sample.show(), LARGE);
-        assert!(printed(&picture).contains(&shown.as_str()), "{name} = {shown}");
+        assert!(
+            printed(&picture).contains(&shown.as_str()),
+            "{name} = {shown}"
+        );
         assert!(picture.tagged_bounds(Tag::Field(name)).is_some());
     }
 }
@@ -63,7 +66,11 @@ fn where_nothing_passes_there_is_no_transmitted_ray() {
     let printed = printed(&picture);
     assert!(printed.contains(&"no T") && printed.contains(&"TIR"));
     assert!(!printed.contains(&"T"));
-    assert!(picture.alt.contains("total internal reflection"), "{}", picture.alt);
+    assert!(
+        picture.alt.contains("total internal reflection"),
+        "{}",
+        picture.alt
+    );
 }
 
 #[test]
@@ -75,7 +82,9 @@ fn a_mirrored_direction_leaves_at_the_angle_at_which_the_ray_came() {
     };
     let surface = SurfaceInSight::of(replay.state()).expect("the floor");
     let u = surface.project(surface.ray.ray.direction);
-    let sent = surface.ray.branches[0].and_then(|branch| branch.branch).expect("mirrored");
+    let sent = surface.ray.branches[0]
+        .and_then(|branch| branch.branch)
+        .expect("mirrored");
     let r = surface.project(sent.direction);
     // y is down: the ray comes from above and leaves upward.
     assert!(u.y > 0.0 && (u.x - r.x).abs() < 1e-6 && (u.y + r.y).abs() < 1e-6);
