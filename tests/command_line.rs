@@ -8,7 +8,6 @@ mod program;
 use broken::{BROKEN, GOOD, POT};
 use program::{lightwalk, refused, text};
 use std::fs;
-use std::path::Path;
 use std::process::{Command, Output};
 
 /// A folder with the unbroken scene and its mesh.

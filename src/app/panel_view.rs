@@ -5,7 +5,7 @@ use super::style;
 use super::words;
 use crate::algorithms::focus::Focus;
 use crate::panels::words::{Language, Words};
-use crate::panels::{Panel, draw};
+use crate::panels::{Panel, TreeView, draw};
 use crate::picture::{Ink, Picture, Tag, Theme, draw_over, rasterize};
 use crate::record::Value;
 use egui::{
@@ -27,6 +27,8 @@ struct Key {
     theme: Theme,
     language: Language,
     breakpoints: Vec<usize>,
+    /// Of the ray tree alone.
+    tree: Option<TreeView>,
 }
 
 /// What is kept of a panel from frame to frame.
@@ -74,6 +76,7 @@ impl PanelView {
             theme: session.look.theme,
             language: session.look.language,
             breakpoints: session.breakpoints().to_vec(),
+            tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
         };
         let mut highlighted: Vec<Tag> = session
             .hovered()
@@ -97,7 +100,7 @@ impl PanelView {
             self.upload(highlighted, panel, session.look.theme, scale, ui);
         }
 
-        let sense = if matches!(panel, Panel::TimeLine | Panel::Rays) {
+        let sense = if matches!(panel, Panel::TimeLine | Panel::RayTree | Panel::Rays) {
             Sense::click_and_drag()
         } else {
             Sense::click()
@@ -220,9 +223,9 @@ pub fn title(panel: Panel) -> Words {
         Panel::ScanLine => words::SCAN_LINE,
         Panel::ActiveEdges => words::ACTIVE_EDGES,
         Panel::Vertex => words::VERTEX,
+        Panel::RayTree => words::RAY_TREE,
         Panel::Vectors => words::VECTORS,
         Panel::Rays => words::RAYS,
-        Panel::RayTree => words::RAY_TREE,
         Panel::Inspector => words::INSPECTOR,
         Panel::Code => words::CODE,
         Panel::Formula => words::FORMULA,

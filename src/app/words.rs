@@ -74,9 +74,16 @@ words! {
     SCAN_LINE: "Scan line", "Garis scan";
     ACTIVE_EDGES: "Active edges", "Sisi aktif";
     VERTEX: "Vertex", "Titik sudut";
-    VECTORS: "Vectors at the hit", "Vektor di titik kena";
-    RAYS: "Rays in the scene", "Sinar dalam adegan";
+    LEFT_OUT: "Left out: not needed here", "Ditinggalkan: tidak diperlukan di sini";
+    NOTHING_LEFT_OUT: "Nothing", "Tidak ada";
     RAY_TREE: "Ray tree", "Pohon sinar";
+    VECTORS: "Vectors at the hit", "Vektor di titik temu";
+    RAYS: "Rays in the scene", "Sinar di dalam adegan";
+    TREE_FIT: "fit", "pas";
+    WHOLE_TREE: "show the whole tree", "tampilkan seluruh pohon";
+    LARGER_TREE: "larger tree", "perbesar pohon";
+    SMALLER_TREE: "smaller tree", "perkecil pohon";
+    TREE_AS_IT_IS: "The tree is already shown that way.", "Pohon sudah tampil demikian.";
     INSPECTOR: "Inspector", "Inspektur";
     CODE: "Code", "Kode";
     FORMULA: "Formula", "Rumus";

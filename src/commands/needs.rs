@@ -48,7 +48,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         return Ok(());
     }
     let needs = Needs::of(&scene);
-    for part in Part::ALL.into_iter().filter(|&part| concerns(method, part)) {
+    for part in Part::ALL.into_iter().filter(|&part| method.does(part)) {
         let left_out: Vec<_> = needs
             .left_out
             .iter()
@@ -76,11 +76,6 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 
 const INFINITE: &str = "an infinite plane has no polygons";
 
-/// Whether a way to draw would have done that part.
-fn concerns(method: Method, part: Part) -> bool {
-    method == Method::RayTracing || method == Method::RayCasting && part.concerns_primary_rays()
-}
-
 /// What was left out of a picture, for `render --stats`.
 pub fn left_out(stage: &Stage, method: Method) -> Vec<Json> {
     if method.follows_rays() {
@@ -88,7 +83,7 @@ pub fn left_out(stage: &Stage, method: Method) -> Vec<Json> {
             .needs()
             .left_out
             .iter()
-            .filter(|left_out| concerns(method, left_out.part));
+            .filter(|left_out| method.does(left_out.part));
         let told = |left_out: &crate::scene::LeftOut| {
             let mut told = json!({ "what": left_out.part.name(), "place": left_out.place, "why": left_out.part.why() });
             if let Some([some, all]) = left_out.share {

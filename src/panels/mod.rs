@@ -45,12 +45,12 @@ pub enum Panel {
     ActiveEdges,
     /// The vertex in hand: face normals, their mean, and the vectors of the illumination model.
     Vertex,
+    /// The binary ray tree of the pixel in hand.
+    RayTree,
     /// The vectors where the ray in hand meets a surface, in the plane of incidence.
     Vectors,
     /// The rays of the pixel among the objects, from the side and from above.
     Rays,
-    /// The binary ray tree of the pixel in hand.
-    RayTree,
     /// All values of the step, and where each came from.
     Inspector,
     /// The pseudocode, with the current line.
@@ -67,9 +67,9 @@ impl Panel {
         Panel::ScanLine,
         Panel::ActiveEdges,
         Panel::Vertex,
+        Panel::RayTree,
         Panel::Vectors,
         Panel::Rays,
-        Panel::RayTree,
         Panel::Inspector,
         Panel::Code,
         Panel::Formula,
@@ -83,9 +83,9 @@ impl Panel {
             Panel::ScanLine => "scan-line",
             Panel::ActiveEdges => "active-edges",
             Panel::Vertex => "vertex",
+            Panel::RayTree => "ray-tree",
             Panel::Vectors => "vectors",
             Panel::Rays => "rays",
-            Panel::RayTree => "ray-tree",
             Panel::Inspector => "inspector",
             Panel::Code => "code",
             Panel::Formula => "formula",
@@ -123,9 +123,9 @@ pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
         Panel::ScanLine => scan_line::draw(show, size),
         Panel::ActiveEdges => active_edges::draw(show, size),
         Panel::Vertex => vertex::draw(show, size),
+        Panel::RayTree => ray_tree::draw(show, size),
         Panel::Vectors => vectors::draw(show, size),
         Panel::Rays => rays::draw(show, size),
-        Panel::RayTree => ray_tree::draw(show, size),
         Panel::Inspector => inspector::draw(show, size),
         Panel::Code => code::draw(show, size),
         Panel::Formula => formula::draw(show, size),

@@ -57,7 +57,8 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     edges::draw(&mut picture, &rays, &arrangement, rising, places.tree);
     nodes(&mut picture, &speaker, &rays, &arrangement, places.tree);
     let said = said_of_tree(&speaker, &rays, &arrangement);
-    head(&mut picture, &said, places.head);
+    let branches = arrangement.tree.nodes.len() > 1;
+    head(&mut picture, &said, branches, places.head);
     if let Some(place) = places.card {
         picture.line(place.rule[0], place.rule[1], Ink::Rule.stroke(1.0));
         card::draw(&mut picture, &speaker, ray, (rising, returning), place.rect);
@@ -115,7 +116,11 @@ impl Places {
         let body = Rect::between((whole.x, head.bottom()), whole.max());
         let foot = Rect::new(body.x, body.bottom() - HEAD + 3.0, body.width, HEAD);
         if body.height >= 330.0 {
-            let height = (0.36 * body.height).clamp(124.0, 230.0);
+            let height = if body.width >= 620.0 {
+                (0.32 * body.height).clamp(124.0, 180.0)
+            } else {
+                (0.4 * body.height).clamp(124.0, 260.0)
+            };
             let tree = Rect::new(body.x, body.y, body.width, body.height - height - 14.0);
             let y = tree.bottom() + 4.0;
             let rect = Rect::new(
@@ -206,7 +211,7 @@ fn nodes(
             Some(_) => Standing::Open,
         };
         let add = |picture: &mut Picture| {
-            let seen_whole = area.encloses(&whole);
+            let seen_whole = area.grown(0.5).encloses(&whole);
             if detail > Detail::Dot || seen_whole {
                 node::frame(picture, rect, standing, ray, detail);
             }
@@ -235,6 +240,7 @@ fn sign(
     area: Rect,
 ) {
     let bottom = Vec2::new(rect.center().x, rect.bottom());
+    let center = bottom + Vec2::Y * (SIGN - 1.0);
     if node.hidden > 0 && detail == Detail::Dot {
         let tip = bottom + Vec2::new(0.0, 5.0);
         let points = [bottom - Vec2::X * 4.0, bottom + Vec2::X * 4.0, tip];
@@ -267,15 +273,15 @@ fn sign(
     if node.children == [None; 2] || detail == Detail::Dot {
         return;
     }
-    if !area.encloses(&Rect::between(bottom, bottom).grown(SIGN + 1.0)) {
+    if !area.encloses(&Rect::between(center, center).grown(SIGN + 1.0)) {
         return;
     }
     picture.tagged(Tag::Fold(ray.step), |picture| {
         let paint = Ink::Surface.fill().outlined(Ink::Muted.stroke(1.0));
-        picture.circle(bottom, SIGN, paint);
+        picture.circle(center, SIGN, paint);
     });
     let arm = Vec2::X * (SIGN - 3.0);
-    picture.line(bottom - arm, bottom + arm, Ink::Text.stroke(1.5));
+    picture.line(center - arm, center + arm, Ink::Text.stroke(1.5));
 }
 
 /// How large the tree is.
@@ -296,7 +302,7 @@ fn said_of_tree(speaker: &Speaker, rays: &Rays, arrangement: &Arrangement) -> St
 }
 
 /// What is said of the tree, and at the right the lines of its edges.
-fn head(picture: &mut Picture, said: &str, area: Rect) {
+fn head(picture: &mut Picture, said: &str, legend: bool, area: Rect) {
     let set = Style::Body.size(11.0).ink(Ink::Muted);
     let kinds = [
         RayKind::Reflected,
@@ -304,17 +310,17 @@ fn head(picture: &mut Picture, said: &str, area: Rect) {
         RayKind::TotalInternalReflection,
     ];
     let letters = Style::Bold.size(11.0);
-    let legend: f32 = kinds
+    let width: f32 = kinds
         .iter()
         .map(|&kind| letters.width(letter(kind)) + 42.0)
         .sum();
-    let room = set.width(said) + 16.0 + legend <= area.width;
+    let room = set.width(said) + 16.0 + width <= area.width;
     let text = elide(said, set.style, set.size, area.width);
     picture.text_in(area, text, set);
-    if !room {
+    if !(legend && room) {
         return;
     }
-    let mut x = area.right() - legend;
+    let mut x = area.right() - width;
     for kind in kinds {
         let y = area.center().y;
         picture.line((x, y), (x + 22.0, y), line(kind));
@@ -344,7 +350,7 @@ fn in_words(speaker: &Speaker, ray: &RayInHand) -> String {
     }
     match (ray.returned, ray.sum) {
         (Some((light, _)), _) => said + &format!("; I = {}", node::color(light)),
-        (None, Some(sum)) => said + &format!("; I_sum = {}", node::color(sum)),
+        (None, Some(sum)) => said + &format!("; I sum = {}", node::color(sum)),
         (None, None) => said,
     }
 }

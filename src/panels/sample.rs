@@ -55,12 +55,17 @@ impl Sample {
 
     /// A glass ball, a glass cube and a red ball on a mirroring checkered floor, under a light ball and a dim light; 640×480
     /// pixels, one of them recorded and none finished, which would take seconds.
-    pub fn rays(method: Method, (x, y): (u32, u32), depth: u32) -> Self {
+    pub fn rays(method: Method, pixel: (u32, u32), depth: u32) -> Self {
+        Sample::rays_of(rays_scene(), method, pixel, depth)
+    }
+
+    /// As [`Sample::rays`], of another scene.
+    pub fn rays_of(scene: Scene, method: Method, (x, y): (u32, u32), depth: u32) -> Self {
         let settings = Settings {
             depth: NonZeroU32::new(depth).expect("a depth is at least 1"),
             ..Settings::default()
         };
-        let stage = stage(rays_scene(), (640, 480)).with_settings(settings);
+        let stage = stage(scene, (640, 480)).with_settings(settings);
         let focus = Focus::Pixel { x, y };
         Sample {
             finished: Frame::new(640, 0..480, stage.scene.background),
@@ -123,7 +128,7 @@ pub(crate) const FLOOR: (u32, u32) = (480, 400);
 pub(crate) const SKY: (u32, u32) = (320, 20);
 
 /// The scene of [`Sample::rays`].
-fn rays_scene() -> Scene {
+pub(crate) fn rays_scene() -> Scene {
     let cube = include_bytes!("sample/cube.obj");
     let scene = include_bytes!("sample/rays.json");
     let read = scene::read(scene, &Limits::default(), &mut |_| Ok(cube.to_vec()));

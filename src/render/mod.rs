@@ -16,7 +16,7 @@ use crate::algorithms::stage::Stage;
 use crate::algorithms::visible::Hierarchy;
 use crate::algorithms::wireframe::wireframe;
 use crate::record::Unrecorded;
-use crate::scene::Needs;
+use crate::scene::{Needs, Part};
 use std::convert::Infallible;
 use std::num::NonZeroUsize;
 use tally::Totals;
@@ -59,6 +59,15 @@ impl Method {
         match self {
             Method::Wireframe | Method::Flat | Method::Gouraud => false,
             Method::RayCasting | Method::RayTracing => true,
+        }
+    }
+
+    /// Whether it does that part of following rays, where the scene needs it.
+    pub fn does(self, part: Part) -> bool {
+        match self {
+            Method::Wireframe | Method::Flat | Method::Gouraud => false,
+            Method::RayCasting => part.concerns_primary_rays(),
+            Method::RayTracing => true,
         }
     }
 

@@ -1,6 +1,7 @@
 //! What a user can ask of a session, and why it may be refused.
 
 use crate::algorithms::focus::Focus;
+use crate::panels::TreeView;
 use crate::panels::words::{Language, Words};
 use crate::picture::{Tag, Theme};
 use glam::DVec3;
@@ -53,6 +54,8 @@ pub enum Command {
     /// Goes to what a tag shows, looks at it, or lights it up.
     Click(Tag),
     Hover(Option<Tag>),
+    /// Another part of the ray tree, or at another size.
+    ViewTree(TreeView),
     Answer(Guess),
     Skip,
     /// Questions on or off.

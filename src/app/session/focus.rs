@@ -3,6 +3,7 @@
 use super::{Refused, Session};
 use crate::algorithms::focus::Focus;
 use crate::app::words;
+use crate::panels::TreeView;
 use crate::picture::Tag;
 use crate::record::{RecordingLimit, Value};
 use crate::replay::{Comparison, Condition, Operand, Query, Run, Walk, query};
@@ -65,6 +66,7 @@ impl Session {
         self.recording += 1;
         self.play = None;
         self.around = super::play::Loop::default();
+        self.tree = TreeView::WHOLE;
         self.seek(step.min(self.last_step()));
         let last = self.last_step();
         if let Some(breakpoints) = self.breakpoints.get_mut(&focus) {

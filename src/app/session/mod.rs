@@ -16,9 +16,10 @@ pub use play::Direction;
 pub use question::{Standing, read_number};
 
 use crate::algorithms::focus::Focus;
+use crate::algorithms::stage::Stage;
 use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson, builtins};
 use crate::panels::words::{Language, Words};
-use crate::panels::{Panel, Show};
+use crate::panels::{Panel, Show, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::replay::Walk;
 use play::{Loop, Play};
@@ -93,6 +94,8 @@ pub struct Session {
     /// An index into the speeds.
     speed: usize,
     around: Loop,
+    /// How much of the ray tree is looked at.
+    tree: TreeView,
     pub look: Look,
     hovered: Option<Tag>,
     /// Lit up by a click, until the next one.
@@ -122,6 +125,7 @@ impl Session {
             play: None,
             speed: play::NORMAL_SPEED,
             around: Loop::default(),
+            tree: TreeView::WHOLE,
             look: Look::new(),
             hovered: None,
             lit: None,
@@ -153,9 +157,15 @@ impl Session {
         self.breakpoints.clear();
         self.play = None;
         self.around = Loop::default();
+        self.tree = TreeView::WHOLE;
         self.hovered = None;
         self.lit = None;
         self.open.run.walk_mut().seek(0);
+    }
+
+    /// The scene in front of its camera.
+    pub fn stage(&self) -> &Stage {
+        &self.open.stage
     }
 
     pub fn lesson(&self) -> &Lesson {
@@ -225,6 +235,7 @@ impl Session {
             language: self.look.language,
             narrated: &self.narrated,
             breakpoints: self.breakpoints(),
+            tree: &self.tree,
         }
     }
 
@@ -246,6 +257,10 @@ impl Session {
     /// Ascending.
     pub fn breakpoints(&self) -> &[usize] {
         self.breakpoints.get(&self.focus).map_or(&[], |steps| steps)
+    }
+
+    pub fn tree(&self) -> &TreeView {
+        &self.tree
     }
 
     pub fn hovered(&self) -> Option<Tag> {

@@ -48,6 +48,7 @@ impl Session {
             Command::FocusOnPolygonAt { x, y } => return self.look_at_polygon(x, y),
             Command::Click(tag) => return self.click(tag),
             Command::Hover(tag) => self.hovered = tag,
+            Command::ViewTree(view) => self.tree = view,
             Command::Answer(guess) => return self.answer(&guess),
             Command::Skip => return self.skip(),
             Command::Questions => self.look.questions = !self.look.questions,
@@ -90,6 +91,7 @@ impl Session {
             Command::LoopOff if self.loop_ends() == (None, None) => Some(words::NO_LOOP),
             Command::Share => self.command_line().err(),
             Command::MoveLight { light, .. } => self.cannot_move(light),
+            Command::ViewTree(ref view) if *view == self.tree => Some(words::TREE_AS_IT_IS),
             _ => None,
         };
         refusal.map_or(Ok(()), |words| Err(words.into()))
@@ -188,6 +190,10 @@ impl Session {
     fn click(&mut self, tag: Tag) -> Result<(), Refused> {
         match tag {
             Tag::Pixel { x, y } if self.pixel_is_asked() => self.answer(&Guess::Pixel { x, y }),
+            Tag::Fold(step) => {
+                self.tree = self.tree.toggled(step);
+                Ok(())
+            }
             Tag::Step(step) | Tag::Scope(step) => self.update(Command::Seek(step)),
             Tag::Line(line) => {
                 let listing = self.walk().line(self.step()).listing;

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::panels::{Panel, draw};
+use crate::replay::Run;
 use crate::scene::Light;
 use egui::Role;
 use glam::DVec3;
@@ -25,7 +26,11 @@ fn ball() -> Screen {
 }
 
 fn lights(screen: &Screen) -> [DVec3; 2] {
-    let lights = &screen.session().stage().scene.lights;
+    let show = screen.session().show();
+    let Run::RayTracing(replay) = show.run else {
+        unreachable!("the lesson is on ray tracing")
+    };
+    let lights = &replay.state().stage.scene.lights;
     [0, 1].map(|number| match lights[number] {
         Light::Point { position, .. } => position,
         Light::Directional { .. } => unreachable!("both are point lights"),

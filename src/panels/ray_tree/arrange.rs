@@ -11,9 +11,13 @@ use glam::Vec2;
 pub(super) enum Detail {
     /// A disc of its colour.
     Dot,
-    /// Name and t.
+    /// Name and t in one line.
+    Line,
+    /// Name and t in two short lines.
+    Tiny,
+    /// And verdicts.
     Small,
-    /// And verdicts, sum and remarks.
+    /// And sum and remarks.
     Brief,
     /// And normal, local term, and who blocks.
     Full,
@@ -24,9 +28,11 @@ impl Detail {
     pub fn size(self) -> Vec2 {
         match self {
             Detail::Dot => Vec2::new(10.0, 10.0),
-            Detail::Small => Vec2::new(78.0, 33.0),
-            Detail::Brief => Vec2::new(132.0, 53.0),
-            Detail::Full => Vec2::new(198.0, 85.0),
+            Detail::Line => Vec2::new(142.0, 20.0),
+            Detail::Tiny => Vec2::new(92.0, 34.0),
+            Detail::Small => Vec2::new(134.0, 36.0),
+            Detail::Brief => Vec2::new(140.0, 53.0),
+            Detail::Full => Vec2::new(206.0, 85.0),
         }
     }
 
@@ -34,8 +40,10 @@ impl Detail {
     fn gap(self) -> Vec2 {
         match self {
             Detail::Dot => Vec2::new(4.0, 13.0),
-            Detail::Small => Vec2::new(8.0, 27.0),
-            Detail::Brief => Vec2::new(14.0, 34.0),
+            Detail::Line => Vec2::new(6.0, 18.0),
+            Detail::Tiny => Vec2::new(8.0, 28.0),
+            Detail::Small => Vec2::new(10.0, 30.0),
+            Detail::Brief => Vec2::new(14.0, 32.0),
             Detail::Full => Vec2::new(18.0, 38.0),
         }
     }
@@ -44,22 +52,9 @@ impl Detail {
 /// Height of a further line, in the same units.
 pub(super) const LINE: f32 = 16.0;
 /// Under the last level, for what hangs below a node.
-const FOOT: f32 = 20.0;
+const FOOT: f32 = 16.0;
 /// Trees of more rays are never drawn whole.
 const MOST_NODES: usize = 1500;
-/// What is named of a large tree, the most first: so many levels from the root down, and so many before the ray in hand.
-const NAMED: [(usize, usize); 10] = [
-    (8, 64),
-    (6, 64),
-    (5, 64),
-    (4, 64),
-    (3, 64),
-    (2, 64),
-    (1, 64),
-    (0, 64),
-    (0, 3),
-    (0, 0),
-];
 /// How far a tree is drawn apart to fill the room, when the whole is shown.
 const APART: f32 = 1.7;
 /// How much larger than needed texts become.
@@ -78,17 +73,17 @@ pub(super) struct Arrangement {
 
 /// Before it is stretched and put in place: centres, and the top and height of each level.
 struct Natural {
-    tree: Tree,
     details: Vec<Detail>,
     centers: Vec<f32>,
     rows: Vec<f32>,
-    gap: f32,
+    /// Below each row.
+    gaps: Vec<f32>,
     /// Left and right end.
     extent: (f32, f32),
 }
 
 impl Natural {
-    fn new(rays: &Rays, tree: Tree, detail: impl Fn(usize) -> Detail) -> Self {
+    fn new(rays: &Rays, tree: &Tree, detail: impl Fn(usize) -> Detail) -> Self {
         let details: Vec<Detail> = (0..tree.nodes.len()).map(detail).collect();
         let nodes: Vec<tidy::Node> = tree
             .nodes
@@ -99,23 +94,33 @@ impl Natural {
                 children: node.children,
             })
             .collect();
-        let most = details.iter().copied().max().unwrap_or(Detail::Dot);
         let least = details.iter().copied().min().unwrap_or(Detail::Dot);
         let centers = tidy::centers(&nodes, least.gap().x);
         let mut rows = Vec::new();
+        let mut most = Vec::new();
         let (mut left, mut right) = (0.0_f32, 0.0_f32);
         for (i, node) in tree.nodes.iter().enumerate() {
             if rows.len() <= node.level {
                 rows.resize(node.level + 1, 0.0_f32);
+                most.resize(node.level + 1, Detail::Dot);
             }
-            let height = height(rays, &tree, i, details[i]);
+            most[node.level] = most[node.level].max(details[i]);
+            let height = height(rays, tree, i, details[i]);
             rows[node.level] = rows[node.level].max(height);
             left = left.min(centers[i] - 0.5 * nodes[i].width);
             right = right.max(centers[i] + 0.5 * nodes[i].width);
         }
+        // Discs need no room for labels between them.
+        let mut gaps: Vec<f32> = most
+            .windows(2)
+            .map(|pair| match pair {
+                [above, Detail::Dot] if *above > Detail::Dot => Detail::Line.gap().y,
+                pair => pair[0].min(pair[1]).gap().y,
+            })
+            .collect();
+        gaps.push(FOOT);
         Natural {
-            gap: most.gap().y,
-            tree,
+            gaps,
             details,
             centers,
             rows,
@@ -124,8 +129,7 @@ impl Natural {
     }
 
     fn size(&self) -> Vec2 {
-        let gaps = self.gap * (self.rows.len() as f32 - 1.0);
-        let height = self.rows.iter().sum::<f32>() + gaps + FOOT;
+        let height = self.rows.iter().chain(&self.gaps).sum();
         Vec2::new(self.extent.1 - self.extent.0, height)
     }
 
@@ -146,65 +150,103 @@ pub(super) fn height(rays: &Rays, tree: &Tree, node: usize, detail: Detail) -> f
 pub(super) fn arrange(rays: &Rays, view: &TreeView, area: Rect) -> Arrangement {
     let size = Vec2::new(area.width, area.height);
     let room = view.zoom * size;
-    let natural = whole(rays, view, room).unwrap_or_else(|| in_part(rays, view, room));
-    place(rays, natural, view, area)
+    let (tree, natural) = whole(rays, view, room).unwrap_or_else(|| in_part(rays, view, room));
+    place(rays, tree, natural, view, area)
 }
 
 /// All of the tree in one detail, if it fits.
-fn whole(rays: &Rays, view: &TreeView, room: Vec2) -> Option<Natural> {
+fn whole(rays: &Rays, view: &TreeView, room: Vec2) -> Option<(Tree, Natural)> {
     if rays.len() > MOST_NODES {
         return None;
     }
     let tree = rays.pick(&view.collapsed, Room::ENDLESS);
-    [Detail::Full, Detail::Brief, Detail::Small]
+    const LEAST_FIRST: [Detail; 5] = [
+        Detail::Line,
+        Detail::Tiny,
+        Detail::Small,
+        Detail::Brief,
+        Detail::Full,
+    ];
+    let natural = LEAST_FIRST
         .into_iter()
-        .map(|detail| Natural::new(rays, tree.clone(), |_| detail))
-        .find(|natural| natural.fits(room))
+        .rev()
+        .map(|detail| Natural::new(rays, &tree, |_| detail))
+        .find(|natural| natural.fits(room))?;
+    Some((tree, natural))
 }
 
-/// Names along the way to the ray in hand and, where they fit, on the levels near the root; discs elsewhere; and no more of
-/// those than there is room for.
-fn in_part(rays: &Rays, view: &TreeView, room: Vec2) -> Natural {
-    let (dot, gap) = (Detail::Dot.size(), Detail::Dot.gap());
-    let mut leaves = (room.x / (dot.x + gap.x)).max(2.0) as usize;
-    let mut last = None;
-    for _ in 0..12 {
-        let levels = (room.y / (dot.y + gap.y)).max(2.0) as usize;
-        let within = Room {
-            leaves: leaves.min(MOST_NODES),
-            levels,
-        };
-        let tree = rays.pick(&view.collapsed, within);
-        let hand = tree.nodes[tree.in_hand].level;
-        for (named, before_hand) in NAMED {
-            let natural = Natural::new(rays, tree.clone(), |node| {
-                let at = &tree.nodes[node];
-                let sent_on = at.parent.is_some_and(|(parent, _)| parent == tree.in_hand);
-                let on_way = at.on_path && at.level + before_hand >= hand;
-                if on_way || at.level < named || named > 0 && sent_on {
-                    Detail::Small
-                } else {
-                    Detail::Dot
-                }
-            });
-            if natural.fits(room) {
-                return natural;
-            }
-            last = Some(natural);
-        }
-        if leaves <= 2 {
-            break;
-        }
-        leaves = (leaves * 2 / 3).max(2);
+/// What is named of a large tree.
+#[derive(Clone, Copy)]
+struct Named {
+    /// So many levels from the root down.
+    levels: usize,
+    /// So many levels before the ray in hand, on the way to it.
+    before_hand: usize,
+    detail: Detail,
+}
+
+impl Named {
+    /// The ray in hand alone.
+    const LEAST: Named = Named {
+        levels: 0,
+        before_hand: 0,
+        detail: Detail::Line,
+    };
+
+    /// All choices, the most first.
+    fn choices() -> impl Iterator<Item = Named> {
+        let from_root = (0..=6).rev().map(|levels| (levels, usize::MAX));
+        from_root
+            .chain([(0, 3), (0, 0)])
+            .flat_map(|(levels, before_hand)| {
+                [Detail::Tiny, Detail::Line].map(|detail| Named {
+                    levels,
+                    before_hand,
+                    detail,
+                })
+            })
     }
-    last.unwrap_or_else(|| {
-        Natural::new(rays, rays.pick(&view.collapsed, Room::ENDLESS), |_| {
-            Detail::Dot
+
+    fn lay_out(self, rays: &Rays, tree: &Tree) -> Natural {
+        let hand = tree.nodes[tree.in_hand].level;
+        Natural::new(rays, tree, |node| {
+            let at = &tree.nodes[node];
+            let sent_on = at.parent.is_some_and(|(parent, _)| parent == tree.in_hand);
+            let on_way = at.on_path && hand - at.level <= self.before_hand;
+            if on_way || at.level < self.levels || self.levels > 0 && sent_on {
+                self.detail
+            } else {
+                Detail::Dot
+            }
         })
-    })
+    }
 }
 
-fn place(rays: &Rays, natural: Natural, view: &TreeView, area: Rect) -> Arrangement {
+/// As many rays as there is room for as discs; names along the way to the ray in hand and on the levels near the root, where
+/// they fit.
+fn in_part(rays: &Rays, view: &TreeView, room: Vec2) -> (Tree, Natural) {
+    let (dot, gap) = (Detail::Dot.size(), Detail::Dot.gap());
+    let levels = (room.y / (dot.y + gap.y)).max(2.0) as usize;
+    let pick = |leaves| rays.pick(&view.collapsed, Room { leaves, levels });
+    // Subtrees reach under each other, so there may be room for more leaves than side by side.
+    let (mut fitting, mut too_many) = (2, MOST_NODES.min(2 * (room.x / dot.x) as usize + 4));
+    while too_many - fitting > 1 + fitting / 16 {
+        let leaves = fitting.midpoint(too_many);
+        if Named::LEAST.lay_out(rays, &pick(leaves)).fits(room) {
+            fitting = leaves;
+        } else {
+            too_many = leaves;
+        }
+    }
+    let tree = pick(fitting);
+    let natural = Named::choices()
+        .map(|named| named.lay_out(rays, &tree))
+        .find(|natural| natural.fits(room))
+        .unwrap_or_else(|| Named::LEAST.lay_out(rays, &tree));
+    (tree, natural)
+}
+
+fn place(rays: &Rays, tree: Tree, natural: Natural, view: &TreeView, area: Rect) -> Arrangement {
     let size = Vec2::new(area.width, area.height);
     let room = view.zoom * size;
     let needed = natural.size();
@@ -215,27 +257,27 @@ fn place(rays: &Rays, natural: Natural, view: &TreeView, area: Rect) -> Arrangem
         spare.clamp(1.0, LARGER * view.zoom.sqrt())
     };
     let apart = (room.x / (scale * needed.x)).clamp(1.0, APART * view.zoom);
-    let gaps = (natural.rows.len() as f32 - 1.0).max(1.0);
-    let more = (room.y - scale * needed.y).max(0.0) / gaps;
-    let gap = scale * natural.gap + more.min(APART * view.zoom * natural.gap);
+    // The levels are drawn apart alike; what height is left then goes above and below.
+    let between: f32 = scale * natural.gaps.iter().sum::<f32>();
+    let spread = (1.0 + (room.y - scale * needed.y) / between).clamp(1.0, APART * view.zoom);
+    let left_over = room.y - scale * needed.y - (spread - 1.0) * between;
 
     let (left, right) = natural.extent;
     let center_x = 0.5 * room.x - 0.5 * scale * apart * (left + right);
     let mut tops = Vec::with_capacity(natural.rows.len());
-    let mut y = 0.0;
-    for row in &natural.rows {
+    let mut y = (0.25 * left_over).max(0.0);
+    for (row, gap) in natural.rows.iter().zip(&natural.gaps) {
         tops.push(y);
-        y += scale * row + gap;
+        y += scale * (row + spread * gap);
     }
-    let mut rects: Vec<Rect> = natural
-        .tree
+    let mut rects: Vec<Rect> = tree
         .nodes
         .iter()
         .enumerate()
         .map(|(i, node)| {
             let detail = natural.details[i];
             let width = scale * detail.size().x;
-            let height = scale * height(rays, &natural.tree, i, detail);
+            let height = scale * height(rays, &tree, i, detail);
             let x = center_x + scale * apart * natural.centers[i] - 0.5 * width;
             Rect::new(x, tops[node.level], width, height)
         })
@@ -244,10 +286,10 @@ fn place(rays: &Rays, natural: Natural, view: &TreeView, area: Rect) -> Arrangem
     // What is in the middle: the viewer's choice, else the ray in hand; and nothing beyond the tree.
     let overhang = (0.5 * (scale * apart * (right - left) - room.x)).max(0.0);
     let low = Vec2::new(-overhang, 0.0) + 0.5 * size;
-    let high = Vec2::new(room.x + overhang, room.y.max(y - gap + FOOT)) - 0.5 * size;
+    let high = Vec2::new(room.x + overhang, room.y.max(y)) - 0.5 * size;
     let wanted = match view.center {
         Some(center) => center * room,
-        None => rects[natural.tree.in_hand].center(),
+        None => rects[tree.in_hand].center(),
     };
     let middle = wanted.clamp(low, high.max(low));
     let offset = area.center() - middle;
@@ -255,7 +297,7 @@ fn place(rays: &Rays, natural: Natural, view: &TreeView, area: Rect) -> Arrangem
         .iter_mut()
         .for_each(|rect| *rect = rect.shifted(offset));
     Arrangement {
-        tree: natural.tree,
+        tree,
         details: natural.details,
         rects,
         scale,

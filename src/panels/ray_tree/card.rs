@@ -1,12 +1,12 @@
 //! All about the ray in hand beside its tree: what it met, what stands before each light, and the light that comes back up.
 
-use super::node::{Speaker, color, ink, letter, mark, nothing_passes, number};
+use super::node::{Speaker, bracketed, color, ink, letter, mark, nothing_passes, number};
 use super::words::*;
 use crate::algorithms::ray_tree::End;
 use crate::algorithms::visible::Met;
 use crate::color::Rgb;
 use crate::panels::values::short;
-use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide, symbol};
 use crate::record::Value;
 use crate::replay::rays::{Outcome, RayInHand, Target};
 
@@ -105,7 +105,7 @@ pub(super) fn line(picture: &mut Picture, speaker: &Speaker, ray: &RayInHand, ar
     parts.extend(verdicts);
     match (ray.returned, ray.sum) {
         (Some((returned, _)), _) => parts.insert(1, format!("I {}", color(returned))),
-        (None, Some(sum)) => parts.insert(1, format!("I_sum {}", color(sum))),
+        (None, Some(sum)) => parts.insert(1, format!("{} {}", symbol("I_sum"), color(sum))),
         _ => {}
     }
     let set = Style::Label.size(11.0);
@@ -378,12 +378,7 @@ pub(super) fn sum(speaker: &Speaker, ray: &RayInHand) -> Vec<String> {
     let mut parts = vec![format!("{name} → {}", bracketed(local))];
     for branch in ray.branches.iter().flatten() {
         let Some(sent) = branch.branch else { continue };
-        let k = color(sent.coefficient);
-        let k = if sent.coefficient.is_grey() {
-            k
-        } else {
-            format!("({k})")
-        };
+        let k = bracketed(sent.coefficient);
         let back = match branch.outcome {
             Outcome::Ray(index) => speaker.state.rays.get(index).and_then(|ray| ray.returned),
             _ => None,
@@ -409,14 +404,4 @@ pub(super) fn sum(speaker: &Speaker, ray: &RayInHand) -> Vec<String> {
         (None, None) => {}
     }
     parts
-}
-
-/// A colour in brackets, a grey as one number.
-fn bracketed(light: Rgb) -> String {
-    let text = color(light);
-    if light.is_grey() {
-        text
-    } else {
-        format!("({text})")
-    }
 }

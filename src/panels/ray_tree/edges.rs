@@ -26,7 +26,8 @@ pub(super) fn draw(
         .filter(|rect| !rect.is_empty())
         .collect();
     let mut labels = Vec::new();
-    for (node, rect) in arrangement.tree.nodes.iter().zip(&arrangement.rects) {
+    let nodes = arrangement.tree.nodes.iter().zip(&arrangement.rects);
+    for ((node, rect), &detail) in nodes.zip(&arrangement.details) {
         let Some((parent, side)) = node.parent else {
             continue;
         };
@@ -55,7 +56,11 @@ pub(super) fn draw(
             } else {
                 (1.5, Ink::Muted)
             };
-            let band = if rises { 1.6 * BAND } else { BAND };
+            let band = match detail {
+                _ if rises => 1.6 * BAND,
+                Detail::Dot => 0.6 * BAND,
+                _ => BAND,
+            };
             picture.line(top, bottom, ink.stroke(band + rim));
             picture.line(
                 top,
@@ -72,10 +77,7 @@ pub(super) fn draw(
             }
             None => add(picture),
         }
-        let detail = arrangement.details[parent].min(
-            arrangement.details[arrangement.tree.nodes[parent].children[side].unwrap_or(parent)],
-        );
-        if detail > Detail::Dot {
+        if detail.min(arrangement.details[parent]) > Detail::Dot {
             labels.push((branch, ends, arrangement.scale));
         }
     }
@@ -103,27 +105,34 @@ fn label(
     let coefficient = branch.branch.map(|branch| color(branch.coefficient));
     let full = coefficient.map(|coefficient| format!("{letter} {coefficient}"));
     let left = branch.kind == RayKind::Reflected;
+    let along = bottom - top;
+    let flat = along.x.abs() > 1.2 * along.y;
+    // Off the line, toward the outer side.
+    let out = if left { Vec2::NEG_X } else { Vec2::X };
+    let away = along.perp().normalize_or_zero();
+    let away = (BAND + 3.0) * if away.dot(out) < 0.0 { -away } else { away };
     for text in full.into_iter().chain([letter.to_owned()]) {
-        let width = set.width(&text) + 2.0;
-        for share in [0.5, 0.62, 0.4, 0.72] {
-            for outward in [true, false] {
-                let at = top.lerp(bottom, share);
-                let height = 14.0 * scale;
-                // As far beside the line as it leans within the label's height.
-                let lean = 0.5 * height * ((bottom.x - top.x) / (bottom.y - top.y).max(1.0)).abs();
-                let aside = 5.0 + lean.min(40.0);
-                let x = if left == outward {
-                    at.x - aside - width
-                } else {
-                    at.x + aside
-                };
-                let place = Rect::new(x, at.y - 0.5 * height, width, height);
+        let size = Vec2::new(set.width(&text) + 2.0, 14.0 * scale);
+        for share in [0.5, 0.62, 0.4, 0.72, 0.82, 0.9] {
+            for away in [away, -away] {
+                let near = top.lerp(bottom, share) + away;
+                // Beside a steep line in mid-height; of a flat one with the corner that is nearest.
+                let corner = Vec2::new(
+                    if away.x < 0.0 { size.x } else { 0.0 },
+                    match flat {
+                        false => 0.5 * size.y,
+                        true if away.y < 0.0 => size.y,
+                        true => 0.0,
+                    },
+                );
+                let place = near - corner;
+                let place = Rect::new(place.x, place.y, size.x, size.y);
                 let free = area.encloses(&place)
                     && !taken
                         .iter()
                         .any(|taken| !taken.intersection(&place).is_empty());
                 if free {
-                    picture.text_in(place, text, set.ink(Ink::Text));
+                    picture.text_in(place, text, set);
                     taken.push(place);
                     return;
                 }

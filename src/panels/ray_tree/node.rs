@@ -7,7 +7,7 @@ use crate::algorithms::visible::Met;
 use crate::color::Rgb;
 use crate::panels::values::short;
 use crate::panels::words::Language;
-use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, Text, elide};
+use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, Text, elide, symbol};
 use crate::record::Value;
 use crate::replay::rays::{Outcome, RayInHand, State};
 
@@ -54,12 +54,12 @@ impl Speaker<'_> {
         words.in_language(self.language).to_owned()
     }
 
-    /// Where the ray met it, or why it has no t.
-    fn place(&self, ray: &RayInHand) -> String {
+    /// Where the ray met it, or why it has no t; and the same in short.
+    fn place(&self, ray: &RayInHand) -> [String; 2] {
         match ray.met {
-            None => String::new(),
-            Some(Met::Nothing) => self.say(LEAVES),
-            Some(met) => format!("t {}", number(met.t())),
+            None => [String::new(), String::new()],
+            Some(Met::Nothing) => [self.say(LEAVES), self.say(LEAVES_SHORT)],
+            Some(met) => [(); 2].map(|()| format!("t {}", number(met.t()))),
         }
     }
 }
@@ -69,9 +69,24 @@ pub(super) fn number(value: f64) -> String {
     short(Value::Number(value), 2)
 }
 
-/// A colour with two decimals.
+/// A colour with two decimals; one number where its channels read alike.
 pub(super) fn color(value: Rgb) -> String {
-    short(Value::Rgb(value), 2)
+    let channels = value.channels().map(number);
+    if channels.iter().all(|channel| *channel == channels[0]) {
+        channels[0].clone()
+    } else {
+        channels.join(" ")
+    }
+}
+
+/// A colour as a factor or term: three numbers in brackets, one without.
+pub(super) fn bracketed(value: Rgb) -> String {
+    let text = color(value);
+    if text.contains(' ') {
+        format!("({text})")
+    } else {
+        text
+    }
 }
 
 /// The letter of an edge.
@@ -114,7 +129,7 @@ pub(super) fn too_deep(ray: &RayInHand) -> Vec<&'static str> {
 pub(super) fn further_lines(ray: &RayInHand, detail: Detail) -> usize {
     let remarks = usize::from(nothing_passes(ray)) + usize::from(!too_deep(ray).is_empty());
     match detail {
-        Detail::Dot | Detail::Small => 0,
+        Detail::Dot | Detail::Line | Detail::Tiny | Detail::Small => 0,
         Detail::Brief => remarks,
         Detail::Full => remarks + ray.shadows.len(),
     }
@@ -190,40 +205,49 @@ pub(super) fn write(
     detail: Detail,
     scale: f32,
 ) {
+    let (line, size) = match detail {
+        Detail::Line | Detail::Tiny => (14.0, 11.0),
+        _ => (LINE, 12.0),
+    };
     let mut writer = Writer {
         left: rect.x + INSET + STRIP + 1.0,
         right: rect.right() - INSET,
         y: rect.y + 3.0 * scale,
         scale,
-        line: if detail == Detail::Small { 14.0 } else { LINE } * scale,
+        line: line * scale,
         picture,
     };
-    let size = if detail == Detail::Small { 11.0 } else { 12.0 };
-    let (bold, body) = (
-        Style::Bold.size(size * scale),
-        Style::Body.size(11.0 * scale),
-    );
+    let bold = Style::Bold.size(size * scale);
+    let body = Style::Body.size(11.0 * scale);
     let muted = body.ink(Ink::Muted);
     let Some(ray) = ray else {
-        writer.line(&[speaker.say(NOT_TRACED)], muted);
+        writer.line(&[speaker.say(NOT_TRACED), speaker.say(ASKED)], muted);
         return;
     };
     let name = speaker.name(ray);
+    let place = speaker.place(ray);
     let marks: Vec<bool> = ray.shadows.iter().map(|verdict| !verdict.blocked).collect();
+    if detail == Detail::Line {
+        writer.end(&place[1], muted);
+    }
     writer.line(&name, bold);
     match detail {
-        Detail::Dot => {}
-        Detail::Small => writer.line(&[speaker.place(ray)], muted),
+        Detail::Dot | Detail::Line => {}
+        Detail::Tiny => writer.line(&place, muted),
+        Detail::Small => {
+            writer.marks(&marks);
+            writer.line(&place, body);
+        }
         Detail::Brief => {
             writer.marks(&marks);
-            writer.line(&[speaker.place(ray)], body);
+            writer.line(&place, body);
             writer.light(ray);
             writer.remarks(speaker, ray);
         }
         Detail::Full => {
             let facing = ray.surface.and_then(|surface| surface.facing);
             let cosine = facing.map(|(_, cosine, _)| format!("   cos θ_i {}", number(cosine)));
-            let place = speaker.place(ray) + &cosine.unwrap_or_default();
+            let place = place[0].clone() + &cosine.unwrap_or_default();
             writer.line(&[place], Style::Label.size(11.0 * scale));
             if let Some((normal, ..)) = facing {
                 let normal = short(Value::Vector(normal), 2);
@@ -242,7 +266,7 @@ pub(super) fn write(
             }
             if let Some(local) = ray.local {
                 writer.line(
-                    &[format!("I_local {}", color(local))],
+                    &[format!("{} {}", symbol("I_local"), color(local))],
                     Style::Label.size(11.0 * scale),
                 );
             }
@@ -291,6 +315,13 @@ impl Writer<'_> {
         self.y += self.line;
     }
 
+    /// At the right end of the line to come, which becomes so much shorter.
+    fn end(&mut self, text: &str, set: Text) {
+        let place = Rect::new(self.left, self.y, self.right - self.left, self.line);
+        self.picture.text_in(place, text, set.end());
+        self.right -= set.width(text) + 5.0;
+    }
+
     /// Verdicts at the right end of the line to come.
     fn marks(&mut self, marks: &[bool]) {
         const MOST: usize = 4;
@@ -321,7 +352,10 @@ impl Writer<'_> {
             (Some((returned, _)), _) => {
                 self.line(&[format!("I  {}", color(returned)), color(returned)], set);
             }
-            (None, Some(sum)) => self.line(&[format!("I_sum  {}", color(sum)), color(sum)], set),
+            (None, Some(sum)) => self.line(
+                &[format!("{}  {}", symbol("I_sum"), color(sum)), color(sum)],
+                set,
+            ),
             (None, None) => {}
         }
     }

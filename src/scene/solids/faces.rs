@@ -138,7 +138,6 @@ impl Faces {
     }
 
     /// What [`Self::meet`] finds, by testing every triangle in turn.
-    #[cfg(test)]
     pub fn meet_in_turn(&self, ray: &Ray) -> Option<(f64, u32)> {
         let near = self.frame.near(ray)?;
         let shear = Shear::of(&near.ray);

@@ -181,6 +181,30 @@ impl Solids {
         nearest
     }
 
+    /// What [`Self::nearest`] finds, to the bit, with no hierarchy: every object and every triangle in turn.
+    pub fn nearest_in_turn(&self, ray: &Ray) -> Option<Hit> {
+        let mut nearest: Option<Hit> = None;
+        for hit in (0..self.solids.len()).filter_map(|object| self.meet_in_turn(object, ray)) {
+            if nearest.is_none_or(|nearest| hit.t < nearest.t) {
+                nearest = Some(hit);
+            }
+        }
+        nearest
+    }
+
+    fn meet_in_turn(&self, object: usize, ray: &Ray) -> Option<Hit> {
+        let Solid::Faces { faces, .. } = &self.solids[object] else {
+            return self.meet(object, ray);
+        };
+        let near = self.frame.near(ray)?;
+        let (t, triangle) = faces.meet_in_turn(&near.ray)?;
+        Some(Hit {
+            t: near.moved + t,
+            object: object as u32,
+            triangle,
+        })
+    }
+
     /// Whether an object that casts a shadow is met at 0 < t < `distance`, which may be infinite.
     pub fn blocked(&self, ray: &Ray, distance: f64) -> bool {
         let casts_shadow = |object: u32| self.casts_shadow[object as usize];
@@ -278,7 +302,11 @@ impl Solid {
     /// The corners of the box around it, unless it is infinite.
     fn bounds(&self) -> Option<[DVec3; 2]> {
         match self {
-            &Solid::Sphere { center, radius } => Some([center - radius, center + radius]),
+            // A step outward, where the radius is lost against the centre's coordinates
+            &Solid::Sphere { center, radius } => Some([
+                (center - radius).map(f64::next_down),
+                (center + radius).map(f64::next_up),
+            ]),
             Solid::Plane(_) => None,
             Solid::Faces { faces, .. } => Some([faces.low, faces.high]),
         }

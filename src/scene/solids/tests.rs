@@ -43,31 +43,6 @@ pub fn solids(shapes: impl IntoIterator<Item = Shape>) -> Solids {
 }
 
 impl Solids {
-    /// What [`Self::nearest`] finds, by testing every object and every triangle in turn.
-    fn nearest_in_turn(&self, ray: &Ray) -> Option<Hit> {
-        let mut nearest: Option<Hit> = None;
-        for (object, solid) in self.solids.iter().enumerate() {
-            let hit = match solid {
-                Solid::Faces { faces, .. } => self.frame.near(ray).and_then(|near| {
-                    let (t, triangle) = faces.meet_in_turn(&near.ray)?;
-                    Some(Hit {
-                        t: near.moved + t,
-                        object: object as u32,
-                        triangle,
-                    })
-                }),
-                _ => self.meet(object, ray),
-            };
-            assert_eq!(hit, self.meet(object, ray));
-            if let Some(hit) = hit
-                && nearest.is_none_or(|nearest| hit.t < nearest.t)
-            {
-                nearest = Some(hit);
-            }
-        }
-        nearest
-    }
-
     fn blocked_in_turn(&self, ray: &Ray, distance: f64) -> bool {
         (0..self.solids.len()).any(|object| {
             self.casts_shadow[object] && self.meet(object, ray).is_some_and(|hit| hit.t < distance)
@@ -202,6 +177,9 @@ proptest! {
                 }
             }
             let nearest = solids.nearest(&ray);
+            for object in 0..scene.objects.len() {
+                prop_assert_eq!(solids.meet(object, &ray), solids.meet_in_turn(object, &ray));
+            }
             prop_assert_eq!(nearest, solids.nearest_in_turn(&ray));
             let distance = nearest.filter(|_| distance == 1.0).map_or(distance * scale, |hit| hit.t);
             prop_assert_eq!(solids.blocked(&ray, distance), solids.blocked_in_turn(&ray, distance));

@@ -2,8 +2,8 @@
 //! Intersection", Journal of Computer Graphics Techniques 2.1).
 //!
 //! Space is sheared so that the ray runs along an axis from the origin. A corner becomes the same point in all triangles that share it,
-//! and the sign of the area that the ray makes with an edge is right or zero: rounding is monotonic. Zero counts as
-//! inside on both sides. So no ray passes between two triangles.
+//! and the sign of the area that the ray makes with an edge is exact. Zero counts as inside on both sides. So no ray passes between two
+//! triangles, and none meets a triangle that it does not pass.
 
 use super::error::gamma;
 use super::{Ray, Surface};
@@ -38,6 +38,18 @@ fn turned(vector: DVec3, axis: usize) -> [f64; 3] {
     }
 }
 
+/// a·b − c·d, of the right sign: rounding is monotonic, so it could only be lost to zero. There the errors of the two products decide, which
+/// a fused multiplication tells exactly.
+#[inline]
+fn area(a: f64, b: f64, c: f64, d: f64) -> f64 {
+    let (ab, cd) = (a * b, c * d);
+    if ab == cd {
+        a.mul_add(b, -ab) - c.mul_add(d, -cd)
+    } else {
+        ab - cd
+    }
+}
+
 impl Shear {
     pub fn of(ray: &Ray) -> Self {
         let axis = ray.direction.abs().max_position();
@@ -63,9 +75,9 @@ impl Shear {
         let [a, b, c] = corners.map(|corner| turned(corner - self.origin, self.axis));
         let sheared = |[x, y, z]: [f64; 3]| [x - self.x * z, y - self.y * z];
         let ([ax, ay], [bx, by], [cx, cy]) = (sheared(a), sheared(b), sheared(c));
-        let u = cx * by - cy * bx;
-        let v = ax * cy - ay * cx;
-        let w = bx * ay - by * ax;
+        let u = area(cx, by, cy, bx);
+        let v = area(ax, cy, ay, cx);
+        let w = area(bx, ay, by, ax);
         let is_inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
         if !is_inside {
             return None;
