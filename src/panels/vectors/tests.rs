@@ -1,4 +1,5 @@
 use super::super::crowd::{self, SIZES, assert_legible, texts};
+use super::super::names;
 use super::super::sample::{self, Sample};
 use super::super::values::short;
 use super::super::words::Language;
