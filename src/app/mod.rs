@@ -3,6 +3,7 @@
 mod key_sheet;
 mod keys;
 mod left_out;
+mod light_controls;
 mod main_window;
 mod narration;
 mod panel_view;

@@ -100,7 +100,7 @@ impl PanelView {
             self.upload(highlighted, panel, session.look.theme, scale, ui);
         }
 
-        let sense = if matches!(panel, Panel::TimeLine | Panel::RayTree) {
+        let sense = if matches!(panel, Panel::TimeLine | Panel::RayTree | Panel::Rays) {
             Sense::click_and_drag()
         } else {
             Sense::click()

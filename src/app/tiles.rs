@@ -2,7 +2,7 @@
 
 use super::panel_view::{self, PanelView};
 use super::session::{Command, Session};
-use super::{style, tree_controls};
+use super::{light_controls, style, tree_controls};
 use crate::panels::{Panel, step_at};
 use crate::picture::{Ink, Tag};
 use egui::{Rect, Ui, WidgetText};
@@ -183,6 +183,9 @@ pub fn panel_on(
         let size = glam::Vec2::new(response.rect.width(), response.rect.height());
         let step = step_at(&session.show(), size, at);
         command = (step != session.step()).then_some(Command::Seek(step));
+    }
+    if panel == Panel::Rays {
+        command = light_controls::dragged(session, &response, ui).or(command);
     }
     if panel == Panel::RayTree {
         command = tree_controls::pointed(session, &response, ui).or(command);

@@ -90,6 +90,8 @@ words! {
     TIME_LINE: "Time line", "Garis waktu";
     CLICK_A_ROW: "click a row to light it up", "klik baris untuk menyorotnya";
 
+    DRAG_THE_LIGHT: "drag to move the light", "seret untuk memindahkan cahaya";
+
     LINE: "line", "garis";
     POLYGON: "polygon", "poligon";
     PIXEL: "pixel", "piksel";

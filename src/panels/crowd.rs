@@ -209,6 +209,12 @@ pub fn rays(method: Method, samples: u32) -> Sample {
         ],
     );
     scene.objects[4].casts_shadow = false;
+    if method == Method::RayCasting {
+        // A scene without highlights tells less of its lights.
+        for material in &mut scene.materials {
+            material.specular = Rgb::BLACK;
+        }
+    }
     scene.path_attenuation = [1.0, 0.05, 0.01];
     let settings = Settings {
         samples: NonZeroU32::new(samples).expect("one sample or more"),

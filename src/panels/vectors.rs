@@ -11,6 +11,7 @@ use super::Show;
 use super::message::{NO_RAYS, NO_STEPS, message};
 use super::values::told_in_words;
 use super::words::Words;
+use crate::algorithms::visible::Met;
 use crate::picture::{Picture, Rect};
 use crate::replay::Run;
 use crate::replay::rays::State;
@@ -58,7 +59,8 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
 
 /// Whether the ray in hand has found out that it meets no surface.
 fn over(state: &State) -> bool {
-    state.ray().is_some_and(|ray| ray.met.is_some())
+    let met = state.ray().and_then(|ray| ray.met);
+    matches!(met, Some(Met::Nothing | Met::Light { .. }))
 }
 
 /// Size of the text of the list.
