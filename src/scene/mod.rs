@@ -148,3 +148,28 @@ impl Texture {
         colors[usize::from(is_odd)]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_checker_changes_at_every_multiple_of_its_scale_also_below_zero() {
+        let checker = Texture::Checker {
+            colors: [Rgb::WHITE, Rgb::BLACK],
+            scale: 0.5,
+        };
+        for (u, v, expected) in [
+            (0.25, 0.25, Rgb::WHITE),
+            (0.75, 0.25, Rgb::BLACK),
+            (0.75, 0.75, Rgb::WHITE),
+            (-0.25, 0.25, Rgb::BLACK),
+            (-0.25, -0.75, Rgb::BLACK),
+            (-0.25, -0.25, Rgb::WHITE),
+            (0.5, 0.0, Rgb::BLACK),
+            (1e300, 0.0, Rgb::WHITE),
+        ] {
+            assert_eq!(checker.color_at(DVec2::new(u, v)), expected, "({u}, {v})");
+        }
+    }
+}

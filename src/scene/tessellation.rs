@@ -1,7 +1,7 @@
 //! Polygons for the scan-line methods: every object but the infinite planes as a mesh.
 
 use super::{Mesh, Scene, Shape};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
 const SPHERE_LONGITUDES: u32 = 32;
@@ -123,6 +123,7 @@ fn sphere(center: DVec3, radius: f64) -> Mesh {
     Mesh::new(&positions, faces, &[])
 }
 
+/// Texture coordinates: u = longitude/2π, v = the share of the height.
 fn cylinder(base: DVec3, axis: DVec3, radius: f64, height: f64, capped: bool) -> Mesh {
     let sides = CYLINDER_SIDES;
     let (u, v) = axis.any_orthonormal_pair();
@@ -145,10 +146,17 @@ fn cylinder(base: DVec3, axis: DVec3, radius: f64, height: f64, capped: bool) ->
         faces.push((0..sides).rev().collect());
         faces.push((sides..2 * sides).collect());
     }
-    Mesh::new(&positions, faces, &[])
+    let at = |i: u32, v: f64| DVec2::new(f64::from(i) / f64::from(sides), v);
+    let around = (0..sides).flat_map(|i| [at(i, 0.0), at(i + 1, 0.0), at(i + 1, 1.0), at(i, 1.0)]);
+    let caps = (0..sides)
+        .rev()
+        .map(|i| at(i, 0.0))
+        .chain((0..sides).map(|i| at(i, 1.0)));
+    let uvs: Vec<DVec2> = around.chain(caps.filter(|_| capped)).collect();
+    Mesh::new(&positions, faces, &uvs)
 }
 
-/// With u along the rows of control points and v from row to row, the front is where ∂P/∂u × ∂P/∂v points.
+/// With u along the rows of control points and v from row to row, the front is where ∂P/∂u × ∂P/∂v points. Texture coordinates: (u, v).
 fn bezier(patches: &[[DVec3; 16]], divisions: u32) -> Mesh {
     let n = divisions;
     let weights: Vec<[f64; 4]> = (0..=n).map(|i| bernstein(i, n)).collect();
@@ -173,7 +181,13 @@ fn bezier(patches: &[[DVec3; 16]], divisions: u32) -> Mesh {
             (0..n).map(move |j| [at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)])
         })
     });
-    Mesh::new(&positions, faces, &[])
+    let share = |i: u32| f64::from(i) / f64::from(n);
+    let uv = |i: u32, j: u32| DVec2::new(share(j), share(i));
+    let uvs: Vec<DVec2> = (0..patches.len())
+        .flat_map(|_| (0..n).flat_map(|i| (0..n).map(move |j| (i, j))))
+        .flat_map(|(i, j)| [uv(i, j), uv(i, j + 1), uv(i + 1, j + 1), uv(i + 1, j)])
+        .collect();
+    Mesh::new(&positions, faces, &uvs)
 }
 
 /// The cubic Bernstein polynomials at i/n.
@@ -317,6 +331,30 @@ mod tests {
             assert!(mesh.position(v).distance(expected) < 30.0 * f64::EPSILON);
         }
         assert!((0..36).all(|face| mesh.normal(face).distance(DVec3::Z) < 1e-12));
+    }
+
+    #[test]
+    fn texture_coordinates_of_divided_shapes_follow_their_parameters() {
+        let mesh = bezier(&[flat(DVec3::X, DVec3::X, DVec3::Y); 2], 3);
+        for face in 0..mesh.face_count() {
+            for (&vertex, &uv) in mesh.face(face).iter().zip(mesh.face_uvs(face)) {
+                let place = (mesh.position(vertex) - DVec3::X) / 3.0;
+                assert!(place.truncate().distance(uv) < 1e-14);
+            }
+        }
+        for capped in [true, false] {
+            let mesh = cylinder(DVec3::ZERO, DVec3::Y, 1.0, 2.0, capped);
+            let first = mesh.position(0);
+            for face in 0..mesh.face_count() {
+                for (&vertex, &uv) in mesh.face(face).iter().zip(mesh.face_uvs(face)) {
+                    let place = mesh.position(vertex);
+                    assert!((place.y - 2.0 * uv.y).abs() < 1e-14);
+                    let turned = glam::DQuat::from_axis_angle(DVec3::Y, TAU * uv.x) * first;
+                    assert!(turned.distance(place.with_y(0.0)) < 1e-14);
+                }
+            }
+            assert_eq!(mesh.face_uvs(31)[1], DVec2::new(1.0, 0.0));
+        }
     }
 
     #[test]

@@ -77,3 +77,98 @@ fn share_of_rectangle(vertices: &[DVec3], point: DVec3) -> DVec2 {
     let high = places().fold(DVec2::ZERO, DVec2::max);
     (flat(point) - low) / (high - low).max(DVec2::splat(f64::MIN_POSITIVE))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::solids;
+    use super::super::{Hit, Solids};
+    use super::*;
+    use crate::scene::Shape;
+
+    fn is_near(a: DVec2, b: DVec2) -> bool {
+        a.distance(b) < 1e-12
+    }
+
+    #[test]
+    fn four_vertices_are_undone_bilinearly() {
+        let at = |[x, y, z]: [f64; 3]| DVec3::new(x, y, z);
+        let quadrilaterals = [
+            [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]],
+            [[1., 0., 2.], [5., 0., 2.], [4., 0., -1.], [2., 0., 0.]],
+            [[0., 0., 0.], [0., 3., 1.], [0., 3., 3.], [0., 0., 1.]],
+            [[1e7, 0., 0.], [1e7, 1., 0.], [1e7, 2., 2.], [1e7, 0., 1.]],
+        ];
+        for vertices in quadrilaterals {
+            let [a, b, c, d] = vertices.map(at);
+            for (u, v) in [
+                (0.0, 0.0),
+                (1.0, 0.0),
+                (1.0, 1.0),
+                (0.25, 0.75),
+                (0.5, 0.0),
+                (0.9, 0.1),
+            ] {
+                let point = a.lerp(b, u).lerp(d.lerp(c, u), v);
+                let found = polygon_uv(&[a, b, c, d], point);
+                assert!(is_near(found, DVec2::new(u, v)), "{found} for ({u}, {v})");
+            }
+        }
+    }
+
+    #[test]
+    fn triangles_by_their_edges_and_others_by_their_rectangle() {
+        let triangle = [DVec3::ZERO, DVec3::X * 2.0, DVec3::Z * 4.0];
+        assert!(is_near(
+            polygon_uv(&triangle, DVec3::new(0.5, 0.0, 1.0)),
+            DVec2::new(0.25, 0.25)
+        ));
+        let house =
+            [[0., 0.], [2., 0.], [2., 1.], [1., 2.], [0., 1.]].map(|[x, y]| DVec3::new(x, y, 5.0));
+        assert!(is_near(
+            polygon_uv(&house, DVec3::new(1.0, 0.5, 5.0)),
+            DVec2::new(0.5, 0.25)
+        ));
+    }
+
+    fn uv(solids: &Solids, position: [f64; 3]) -> DVec2 {
+        let hit = Hit {
+            t: 1.0,
+            object: 0,
+            triangle: 0,
+        };
+        solids.uv(&hit, position.into())
+    }
+
+    #[test]
+    fn planes_measure_lengths_along_axes() {
+        let plane = |normal: DVec3| {
+            solids([Shape::Plane {
+                point: DVec3::new(1.0, 2.0, 3.0),
+                normal,
+            }])
+        };
+        let place = [2.0, 4.0, 7.0];
+        assert_eq!(uv(&plane(DVec3::Y), place), DVec2::new(1.0, 4.0));
+        assert_eq!(uv(&plane(DVec3::NEG_Y), place), DVec2::new(1.0, 4.0));
+        assert_eq!(uv(&plane(DVec3::Z), place), DVec2::new(1.0, 2.0));
+        assert_eq!(uv(&plane(DVec3::X), place), DVec2::new(2.0, 4.0));
+        let slope = plane(DVec3::new(0.0, 1.0, 1.0).normalize());
+        assert!(is_near(
+            uv(&slope, [5.0, 1.0, 4.0]),
+            DVec2::new(4.0, 2_f64.sqrt())
+        ));
+    }
+
+    #[test]
+    fn spheres_have_their_poles_on_y_and_longitudes_from_z_toward_x() {
+        let sphere = solids([Shape::Sphere {
+            center: DVec3::ZERO,
+            radius: 2.0,
+        }]);
+        assert_eq!(uv(&sphere, [0.0, 0.0, 2.0]), DVec2::new(0.0, 0.5));
+        assert_eq!(uv(&sphere, [2.0, 0.0, 0.0]), DVec2::new(0.25, 0.5));
+        assert_eq!(uv(&sphere, [-2.0, 0.0, 0.0]), DVec2::new(0.75, 0.5));
+        assert_eq!(uv(&sphere, [0.0, 2.0, 0.0]).y, 0.0);
+        assert_eq!(uv(&sphere, [0.0, -2.0, 0.0]).y, 1.0);
+    }
+}

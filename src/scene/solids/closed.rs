@@ -41,3 +41,68 @@ pub(super) fn winds_around(triangles: impl Iterator<Item = [DVec3; 3]>, point: D
         .sum();
     half_angles.abs() > PI
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{scene, solids};
+    use super::*;
+    use crate::scene::{Scene, Shape, Tessellation};
+
+    fn mesh(scene: &Scene) -> Mesh {
+        Tessellation::of(scene).meshes.swap_remove(0)
+    }
+
+    fn cylinder(capped: bool) -> Shape {
+        let (base, axis) = (DVec3::ZERO, DVec3::Y);
+        Shape::Cylinder {
+            base,
+            axis,
+            radius: 1.0,
+            height: 2.0,
+            capped,
+        }
+    }
+
+    #[test]
+    fn caps_close_a_cylinder_and_one_turned_face_opens_it() {
+        let closed = mesh(&scene([cylinder(true)]));
+        assert!(is_closed(&closed));
+        assert!(!is_closed(&mesh(&scene([cylinder(false)]))));
+        let positions: Vec<DVec3> = (0..closed.vertex_count() as u32)
+            .map(|v| closed.position(v))
+            .collect();
+        let mut faces: Vec<Vec<u32>> = (0..closed.face_count())
+            .map(|f| closed.face(f).to_vec())
+            .collect();
+        faces[3].reverse();
+        assert!(!is_closed(&Mesh::new(&positions, &faces, &[])));
+        faces[3].reverse();
+        faces.push(faces[3].clone());
+        assert!(!is_closed(&Mesh::new(&positions, &faces, &[])));
+        assert!(!is_closed(&Mesh::default()));
+    }
+
+    #[test]
+    fn what_contains_a_point_is_told_from_outside_in() {
+        let sphere = |x: f64, radius| Shape::Sphere {
+            center: DVec3::new(x, 1.0, 0.0),
+            radius,
+        };
+        let solids = solids([
+            sphere(0.0, 0.5),
+            cylinder(true),
+            sphere(0.1, 0.9),
+            Shape::Plane {
+                point: DVec3::ZERO,
+                normal: DVec3::Y,
+            },
+            sphere(0.0, 10.0),
+            cylinder(false),
+            sphere(5.0, 1.0),
+        ]);
+        assert_eq!(solids.around(DVec3::new(0.0, 1.0, 0.0)), [4, 1, 2, 0]);
+        assert_eq!(solids.around(DVec3::new(0.0, 1.99, 0.0)), [4, 1]);
+        assert_eq!(solids.around(DVec3::new(0.0, 2.01, 0.0)), [4]);
+        assert_eq!(solids.around(DVec3::new(0.0, 20.0, 0.0)), [0; 0]);
+    }
+}

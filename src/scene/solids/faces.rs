@@ -1,10 +1,12 @@
 //! A mesh as triangles under a hierarchy of its own.
 
 use super::super::Mesh;
+use super::aim::Aim;
 use super::frame::{Frame, Near};
 use super::hierarchy::{Hierarchy, UnitRay};
 use super::packet::{NONE, PACKET, Packet, UnitShear};
 use super::polygon::Polygon;
+use super::stack::Stack;
 use super::triangle::{self, Meeting, Shear};
 use super::{Ray, Surface};
 use glam::{DVec2, DVec3, Vec3};
@@ -88,12 +90,15 @@ impl Faces {
             })
             .collect();
         let (hierarchy, leaves) = Hierarchy::new(&boxes, PACKET);
+        let vertices = in_order_of_use(vertices, &mut triangles, leaves.iter().flatten());
         let packets = leaves
             .iter()
             .map(|leaf| {
                 Packet::new(leaf, |triangle| {
-                    triangles[triangle as usize]
-                        .map(|vertex: u32| frame.to_unit(vertices[vertex as usize]))
+                    let vertex_indices = triangles[triangle as usize];
+                    let corners =
+                        vertex_indices.map(|vertex| frame.to_unit(vertices[vertex as usize]));
+                    (vertex_indices, corners)
                 })
             })
             .collect();
@@ -122,10 +127,10 @@ impl Faces {
     }
 
     /// The nearest meeting within `reach`, the first triangle of equally near ones: its t and the triangle.
-    pub fn meet(&self, ray: &Ray, reach: f64) -> Option<(f64, u32)> {
+    pub fn meet(&self, ray: &Ray, aim: &Aim, reach: f64, stack: &mut Stack) -> Option<(f64, u32)> {
         let near = self.frame.near(ray)?;
         let mut best: Option<(f64, u32)> = None;
-        self.walk(&near, reach, |triangle, meeting, unit| {
+        self.walk(&near, aim, reach, stack, |triangle, meeting, unit| {
             let is_nearer =
                 best.is_none_or(|(t, first)| meeting.t < t || (meeting.t == t && triangle < first));
             if !is_nearer {
@@ -140,7 +145,8 @@ impl Faces {
     /// What [`Self::meet`] finds, by testing every triangle in turn.
     pub fn meet_in_turn(&self, ray: &Ray) -> Option<(f64, u32)> {
         let near = self.frame.near(ray)?;
-        let shear = Shear::of(&near.ray);
+        let aim = Aim::of(ray.direction);
+        let shear = Shear::new(&near.ray, &aim);
         let mut best: Option<(f64, u32)> = None;
         for triangle in 0..self.triangle_count() as u32 {
             if let Some(meeting) = shear.meet(self.corners(triangle))
@@ -153,12 +159,19 @@ impl Faces {
     }
 
     /// Whether some triangle is met within `reach` at a t that is `near_enough`.
-    pub fn blocks(&self, ray: &Ray, reach: f64, near_enough: impl Fn(f64) -> bool) -> bool {
+    pub fn blocks(
+        &self,
+        ray: &Ray,
+        aim: &Aim,
+        reach: f64,
+        stack: &mut Stack,
+        near_enough: impl Fn(f64) -> bool,
+    ) -> bool {
         let Some(near) = self.frame.near(ray) else {
             return false;
         };
         let mut is_blocked = false;
-        self.walk(&near, reach, |_, meeting, _| {
+        self.walk(&near, aim, reach, stack, |_, meeting, _| {
             is_blocked = near_enough(near.moved + meeting.t);
             is_blocked.then_some(-1.0)
         });
@@ -170,14 +183,16 @@ impl Faces {
     fn walk(
         &self,
         near: &Near,
+        aim: &Aim,
         reach: f64,
+        stack: &mut Stack,
         mut met: impl FnMut(u32, Meeting, &UnitRay) -> Option<f32>,
     ) {
-        let shear = Shear::of(&near.ray);
-        let unit = UnitRay::new(&self.frame, near);
-        let unit_shear = UnitShear::new(&shear, self.frame.to_unit(near.ray.origin));
+        let shear = Shear::new(&near.ray, aim);
+        let unit = UnitRay::new(&self.frame, near, aim);
+        let unit_shear = UnitShear::new(self.frame.to_unit(near.ray.origin), aim);
         self.hierarchy
-            .walk(&unit, unit.reach(reach), |leaf, mut reach| {
+            .walk(&unit, unit.reach(reach), stack, |leaf, mut reach, _| {
                 let packet = &self.packets[leaf];
                 let mut candidates = packet.candidates(&unit_shear);
                 while candidates != 0 {
@@ -204,7 +219,8 @@ impl Faces {
     pub fn surface(&self, ray: &Ray, triangle: u32, position: DVec3) -> Surface {
         let corners = self.corners(triangle);
         let near = self.frame.near(ray);
-        let meeting = near.and_then(|near| Shear::of(&near.ray).meet(corners));
+        let aim = Aim::of(ray.direction);
+        let meeting = near.and_then(|near| Shear::new(&near.ray, &aim).meet(corners));
         let weights = meeting.map_or_else(
             || triangle::weights_at(corners, position),
             |meeting| meeting.weights,
@@ -236,4 +252,27 @@ impl Faces {
         let triangles = (0..self.triangle_count() as u32).map(|triangle| self.corners(triangle));
         is_in_box && self.is_closed && super::closed::winds_around(triangles, point)
     }
+}
+
+/// The vertices in the order in which the triangles use them, so that those of one leaf lie together in memory. The triangles index the
+/// new order afterwards.
+fn in_order_of_use<'a>(
+    vertices: Vec<DVec3>,
+    triangles: &mut [[u32; 3]],
+    order: impl Iterator<Item = &'a u32>,
+) -> Vec<DVec3> {
+    const UNUSED: u32 = u32::MAX;
+    let mut place = vec![UNUSED; vertices.len()];
+    let mut in_order = Vec::with_capacity(vertices.len());
+    for &triangle in order {
+        for vertex in &mut triangles[triangle as usize] {
+            let place = &mut place[*vertex as usize];
+            if *place == UNUSED {
+                *place = in_order.len() as u32;
+                in_order.push(vertices[*vertex as usize]);
+            }
+            *vertex = *place;
+        }
+    }
+    in_order
 }

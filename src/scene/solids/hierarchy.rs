@@ -7,6 +7,7 @@
 //!
 //! Boxes are f32, in the unit box of a [`Frame`], and conservative: a box that holds a hit of the exact test is never passed over.
 
+use super::aim::Aim;
 use super::frame::{Frame, Near};
 use super::stack::Stack;
 use glam::{Vec3, Vec3A, Vec4};
@@ -23,9 +24,6 @@ const PAD: f32 = 1.0 / (1 << 21) as f32;
 
 /// Products of rounded differences with rounded inverses: four roundings of 2⁻²⁴ each, four times.
 const WIDER: f32 = 1.0 + 1.0 / (1 << 20) as f32;
-
-/// A direction's component below this is taken for it: at that slope a ray leaves no slab within the unit box.
-const FLATTEST: f64 = 1e-20;
 
 /// Marks a child that is a leaf.
 const LEAF: u32 = 1 << 31;
@@ -46,31 +44,26 @@ pub(super) struct Hierarchy {
 }
 
 /// A ray in the unit frame of a hierarchy.
-pub(super) struct UnitRay {
+pub(super) struct UnitRay<'a> {
     origin: [Vec4; 3],
-    inverse: [Vec4; 3],
-    /// Which side of a box is nearer, by axis.
-    near_side: [usize; 3],
-    frame: Frame,
-    moved: Near,
+    aim: &'a Aim,
+    frame: &'a Frame,
+    near: &'a Near,
 }
 
-impl UnitRay {
-    pub fn new(frame: &Frame, near: &Near) -> Self {
-        let direction = near.ray.direction.to_array();
-        let steep = direction.map(|x| x.abs().max(FLATTEST).copysign(x));
+impl<'a> UnitRay<'a> {
+    pub fn new(frame: &'a Frame, near: &'a Near, aim: &'a Aim) -> Self {
         UnitRay {
             origin: frame.to_unit(near.ray.origin).to_array().map(Vec4::splat),
-            inverse: steep.map(|x| Vec4::splat((1.0 / x) as f32)),
-            near_side: steep.map(|x| usize::from(x < 0.0)),
-            frame: *frame,
-            moved: *near,
+            aim,
+            frame,
+            near,
         }
     }
 
     /// A distance along the ray in the unit frame, rounded up so far that nothing at this distance is passed over.
     pub fn reach(&self, distance: f64) -> f32 {
-        let reach = self.frame.length_to_unit(self.moved.reach(distance));
+        let reach = self.frame.length_to_unit(self.near.reach(distance));
         (reach * WIDER + PAD) * WIDER
     }
 }
@@ -121,17 +114,24 @@ impl Hierarchy {
     }
 
     /// Visits the leaves whose boxes the ray passes within `reach`, roughly from front to back. `visit` tells how far the ray
-    /// reaches from then on; below 0 ends the walk.
+    /// reaches from then on; below 0 ends the walk. `stack` is as before afterwards, unless the walk was ended; `visit` may use it
+    /// for a walk of its own.
     #[inline]
-    pub fn walk(&self, ray: &UnitRay, mut reach: f32, mut visit: impl FnMut(usize, f32) -> f32) {
+    pub fn walk(
+        &self,
+        ray: &UnitRay,
+        mut reach: f32,
+        stack: &mut Stack,
+        mut visit: impl FnMut(usize, f32, &mut Stack) -> f32,
+    ) {
         if self.nodes.is_empty() {
             return;
         }
-        let mut stack = Stack::new();
+        let bottom = stack.len();
         let mut current = 0;
         loop {
             if current & LEAF != 0 {
-                reach = visit((current & !LEAF) as usize, reach);
+                reach = visit((current & !LEAF) as usize, reach, stack);
                 if reach < 0.0 {
                     return;
                 }
@@ -158,7 +158,7 @@ impl Hierarchy {
                 }
             }
             loop {
-                match stack.pop() {
+                match stack.pop(bottom) {
                     None => return,
                     Some((_, near)) if near > reach => {}
                     Some((next, _)) => {
@@ -183,9 +183,9 @@ impl Node {
     #[inline]
     fn meet(&self, ray: &UnitRay, reach: f32) -> (Vec4, u32) {
         let to = |side: usize, axis: usize| {
-            (self.bounds[side & 1][axis] - ray.origin[axis]) * ray.inverse[axis]
+            (self.bounds[side & 1][axis] - ray.origin[axis]) * ray.aim.inverse[axis]
         };
-        let [x, y, z] = ray.near_side;
+        let [x, y, z] = ray.aim.near_side;
         let near = to(x, 0).max(to(y, 1)).max(to(z, 2).max(Vec4::ZERO));
         let far = to(x ^ 1, 0).min(to(y ^ 1, 1)).min(to(z ^ 1, 2));
         let far = (far * WIDER).min(Vec4::splat(reach));

@@ -4,6 +4,7 @@
 //! boxes of all finite objects. Infinite planes are tested apart. A run that tests object by object with [`Solids::meet`] gets
 //! the same bits as [`Solids::nearest`].
 
+mod aim;
 mod chart;
 mod closed;
 mod error;
@@ -24,11 +25,13 @@ pub use ray::{Ray, leaving};
 pub use sphere::meet_ball;
 
 use super::{Scene, Shape, Tessellation};
+use aim::Aim;
 use faces::Faces;
 use frame::{Frame, Near};
 use glam::{DVec2, DVec3, Vec3};
 use hierarchy::{Hierarchy, UnitRay};
 use plane::Plane;
+use stack::Stack;
 
 /// Where a ray meets an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,7 +155,12 @@ impl Solids {
                 object: object as u32,
                 triangle: 0,
             }),
-            _ => self.meet_finite(object as u32, &self.frame.near(ray)?, f64::INFINITY),
+            _ => {
+                let near = self.frame.near(ray)?;
+                let aim = Aim::of(ray.direction);
+                let stack = &mut Stack::new();
+                self.meet_finite(object as u32, &near, &aim, f64::INFINITY, stack)
+            }
         }
     }
 
@@ -172,11 +180,15 @@ impl Solids {
             distance = meet(self.meet(plane as usize, ray));
         }
         if let Some(near) = self.frame.near(ray) {
-            let unit = UnitRay::new(&self.frame, &near);
-            self.hierarchy.walk(&unit, unit.reach(distance), |leaf, _| {
-                distance = meet(self.meet_finite(self.finite[leaf], &near, distance));
-                unit.reach(distance)
-            });
+            let aim = Aim::of(ray.direction);
+            let unit = UnitRay::new(&self.frame, &near, &aim);
+            let stack = &mut Stack::new();
+            self.hierarchy
+                .walk(&unit, unit.reach(distance), stack, |leaf, _, stack| {
+                    let object = self.finite[leaf];
+                    distance = meet(self.meet_finite(object, &near, &aim, distance, stack));
+                    unit.reach(distance)
+                });
         }
         nearest
     }
@@ -216,18 +228,20 @@ impl Solids {
         let Some(near) = self.frame.near(ray) else {
             return false;
         };
-        let unit = UnitRay::new(&self.frame, &near);
+        let aim = Aim::of(ray.direction);
+        let unit = UnitRay::new(&self.frame, &near, &aim);
+        let stack = &mut Stack::new();
         let mut is_blocked = false;
         self.hierarchy
-            .walk(&unit, unit.reach(distance), |leaf, reach| {
+            .walk(&unit, unit.reach(distance), stack, |leaf, reach, stack| {
                 let object = self.finite[leaf];
                 is_blocked = casts_shadow(object)
                     && match &self.solids[object as usize] {
                         Solid::Faces { faces, .. } => {
                             let is_before = |t| near.moved + t < distance;
-                            faces.blocks(&near.ray, near.reach(distance), is_before)
+                            faces.blocks(&near.ray, &aim, near.reach(distance), stack, is_before)
                         }
-                        _ => is_before(self.meet_finite(object, &near, distance)),
+                        _ => is_before(self.meet_finite(object, &near, &aim, distance, stack)),
                     };
                 if is_blocked { -1.0 } else { reach }
             });
@@ -284,11 +298,20 @@ impl Solids {
         around
     }
 
-    fn meet_finite(&self, object: u32, near: &Near, distance: f64) -> Option<Hit> {
+    fn meet_finite(
+        &self,
+        object: u32,
+        near: &Near,
+        aim: &Aim,
+        distance: f64,
+        stack: &mut Stack,
+    ) -> Option<Hit> {
         let (t, triangle) = match &self.solids[object as usize] {
             Solid::Sphere { center, radius } => (meet_ball(*center, *radius, &near.ray)?, 0),
             Solid::Plane(_) => return None,
-            Solid::Faces { faces, .. } => faces.meet(&near.ray, near.reach(distance))?,
+            Solid::Faces { faces, .. } => {
+                faces.meet(&near.ray, aim, near.reach(distance), stack)?
+            }
         };
         Some(Hit {
             t: near.moved + t,

@@ -3,7 +3,7 @@
 //! It is the test of [`super::triangle`] with a margin for all that rounding to f32 does to it, so what it passes over the exact
 //! test misses too.
 
-use super::triangle::Shear;
+use super::aim::Aim;
 use glam::{Vec3, Vec4};
 
 /// How many triangles are in a packet at most.
@@ -19,44 +19,45 @@ const TWICE_ERROR: f32 = 1.0 / (1 << 18) as f32;
 
 /// Up to four triangles in a unit frame.
 #[derive(Clone, Debug)]
-#[repr(align(32))]
 pub(super) struct Packet {
     /// By corner and axis. Places that are not taken repeat the last triangle.
     corners: [[Vec4; 3]; 3],
     /// By place; [`NONE`] where it is not taken.
     pub triangles: [u32; PACKET],
+    /// Their exact corners, as indices, by place.
+    pub vertices: [[u32; 3]; PACKET],
 }
 
 /// A ray in the unit frame, and the shear that turns it along the last axis.
 pub(super) struct UnitShear {
     origin: [Vec4; 3],
-    /// The axes in cyclic order, the ray's main one last.
     axes: [usize; 3],
     slopes: [Vec4; 2],
 }
 
 impl UnitShear {
-    pub fn new(shear: &Shear, origin: Vec3) -> Self {
-        let axes = [1, 2, 3].map(|i| (shear.axis + i) % 3);
+    pub fn new(origin: Vec3, aim: &Aim) -> Self {
         UnitShear {
-            origin: axes.map(|axis| Vec4::splat(origin[axis])),
-            axes,
-            slopes: shear.slopes().map(|slope| Vec4::splat(slope as f32)),
+            origin: aim.axes.map(|axis| Vec4::splat(origin[axis])),
+            axes: aim.axes,
+            slopes: aim.slopes.map(|slope| Vec4::splat(slope as f32)),
         }
     }
 }
 
 impl Packet {
-    /// Of one triangle or more, up to [`PACKET`].
-    pub fn new(triangles: &[u32], corners_of: impl Fn(u32) -> [Vec3; 3]) -> Self {
+    /// Of one triangle or more, up to [`PACKET`]; `corners_of` tells a triangle's corners as indices and in the unit frame.
+    pub fn new(triangles: &[u32], corners_of: impl Fn(u32) -> ([u32; 3], [Vec3; 3])) -> Self {
         let mut packet = Packet {
             corners: [[Vec4::ZERO; 3]; 3],
             triangles: [NONE; PACKET],
+            vertices: [[0; 3]; PACKET],
         };
         packet.triangles[..triangles.len()].copy_from_slice(triangles);
         for place in 0..PACKET {
-            let triangle = triangles[place.min(triangles.len() - 1)];
-            for (to, corner) in packet.corners.iter_mut().zip(corners_of(triangle)) {
+            let (vertices, corners) = corners_of(triangles[place.min(triangles.len() - 1)]);
+            packet.vertices[place] = vertices;
+            for (to, corner) in packet.corners.iter_mut().zip(corners) {
                 for axis in 0..3 {
                     to[axis][place] = corner[axis];
                 }
@@ -68,15 +69,17 @@ impl Packet {
     /// The places of the triangles that the ray may meet.
     #[inline]
     pub fn candidates(&self, ray: &UnitShear) -> u32 {
-        let [kx, ky, kz] = ray.axes;
-        let [(ax, ay), (bx, by), (cx, cy)] = [0, 1, 2].map(|corner| {
-            let corner = &self.corners[corner];
-            let z = corner[kz] - ray.origin[2];
+        let sheared = |corner: &[Vec4; 3]| {
+            let [x, y, z] = ray.axes.map(|axis| corner[axis]);
+            let z = z - ray.origin[2];
             (
-                corner[kx] - ray.origin[0] - ray.slopes[0] * z,
-                corner[ky] - ray.origin[1] - ray.slopes[1] * z,
+                x - ray.origin[0] - ray.slopes[0] * z,
+                y - ray.origin[1] - ray.slopes[1] * z,
             )
-        });
+        };
+        let (ax, ay) = sheared(&self.corners[0]);
+        let (bx, by) = sheared(&self.corners[1]);
+        let (cx, cy) = sheared(&self.corners[2]);
         let u = cx * by - cy * bx;
         let v = ax * cy - ay * cx;
         let w = bx * ay - by * ax;

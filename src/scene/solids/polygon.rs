@@ -105,3 +105,91 @@ impl Polygon {
             .collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn triangles(corners: &[[f64; 3]]) -> Vec<[u32; 3]> {
+        let positions: Vec<DVec3> = corners.iter().copied().map(DVec3::from).collect();
+        let face: Vec<u32> = (0..corners.len() as u32).collect();
+        let mesh = Mesh::new(&positions, [face], &[]);
+        let polygon = Polygon::of_face(&mesh, 0);
+        let triangles = polygon.triangles();
+        let area = |[a, b, c]: [u32; 3]| {
+            let [a, b, c] = [a, b, c].map(|i| polygon.corners[i as usize]);
+            (b - a).cross(c - a).dot(polygon.normal)
+        };
+        // The same way round as the polygon, and of its area where it is planar
+        assert!(triangles.iter().all(|&triangle| area(triangle) >= 0.0));
+        if polygon.is_planar() {
+            let whole: DVec3 = (2..corners.len())
+                .map(|i| {
+                    let from_first = |i: usize| polygon.corners[i] - polygon.corners[0];
+                    from_first(i - 1).cross(from_first(i))
+                })
+                .sum();
+            let sum: f64 = triangles.iter().map(|&triangle| area(triangle)).sum();
+            assert!((sum - whole.length()).abs() < 1e-12 * sum);
+        }
+        triangles
+    }
+
+    #[test]
+    fn four_corners_are_split_at_0_and_2_unless_that_runs_outside() {
+        let usual = [[0, 1, 2], [0, 2, 3]];
+        let square = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
+        assert_eq!(triangles(&square), usual);
+        let bent = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.5], [0., 1., 0.]];
+        assert_eq!(triangles(&bent), usual);
+        let dart_at_2 = [[0., 0., 0.], [4., 0., 0.], [1., 1., 0.], [0., 4., 0.]];
+        assert_eq!(triangles(&dart_at_2), usual);
+        let dart_at_1 = [[0., 4., 0.], [3., 3., 0.], [4., 0., 0.], [4., 4., 0.]];
+        assert_eq!(triangles(&dart_at_1), [[1, 2, 3], [1, 3, 0]]);
+        let dart_at_3 = [[4., 0., 0.], [4., 4., 0.], [0., 4., 0.], [3., 3., 0.]];
+        assert_eq!(triangles(&dart_at_3), [[1, 2, 3], [1, 3, 0]]);
+    }
+
+    #[test]
+    fn more_corners_make_a_fan_or_ears() {
+        let house = [
+            [0., 0., 0.],
+            [2., 0., 0.],
+            [2., 1., 0.],
+            [1., 2., 0.],
+            [0., 1., 0.],
+        ];
+        assert_eq!(triangles(&house), [[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
+        let letter = [
+            [0., 0., 0.],
+            [0., 0., 3.],
+            [0., 1., 3.],
+            [0., 1., 1.],
+            [0., 3., 1.],
+            [0., 3., 0.],
+        ];
+        assert_eq!(triangles(&letter).len(), 4);
+        // A square with a hole, joined to the rim by a bridge
+        let hole = [
+            [0., 0., 7.],
+            [9., 0., 7.],
+            [9., 9., 7.],
+            [0., 9., 7.],
+            [0., 0., 7.],
+            [2., 2., 7.],
+            [2., 5., 7.],
+            [5., 2., 7.],
+            [2., 2., 7.],
+        ];
+        assert_eq!(triangles(&hole).len(), 7);
+        // No area at all
+        let line = [
+            [0., 0., 0.],
+            [1., 0., 0.],
+            [2., 0., 0.],
+            [3., 0., 0.],
+            [1.5, 0., 0.],
+        ];
+        triangles(&line);
+    }
+}

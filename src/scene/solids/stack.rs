@@ -52,9 +52,13 @@ impl Stack {
         self.len += 1;
     }
 
+    /// The entry on top, if it is above `bottom`.
     #[inline]
-    pub fn pop(&mut self) -> Option<Entry> {
-        self.len = self.len.checked_sub(1)?;
+    pub fn pop(&mut self, bottom: usize) -> Option<Entry> {
+        if self.len == bottom {
+            return None;
+        }
+        self.len -= 1;
         if self.len < SHORT {
             Some(self.short[self.len])
         } else {

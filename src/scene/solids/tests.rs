@@ -194,3 +194,170 @@ proptest! {
         }
     }
 }
+
+/// xorshift64* (Vigna 2016), to [-1, 1).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+    }
+
+    fn point(&mut self) -> DVec3 {
+        DVec3::new(self.next(), self.next(), self.next())
+    }
+
+    fn direction(&mut self) -> DVec3 {
+        self.point().normalize_or(DVec3::X)
+    }
+}
+
+/// Directions to either side of a surface: anywhere, mirrored, straight on, and grazing down to a slope of 10⁻¹⁷.
+fn departures(random: &mut Random, surface: &Surface, incoming: DVec3) -> [DVec3; 8] {
+    let n = surface.normal;
+    let tangent = n.cross(random.direction()).normalize_or(DVec3::X);
+    let slope = 10_f64.powf(-17.0 * random.next().abs());
+    let mirrored = incoming - 2.0 * incoming.dot(n) * n;
+    let grazing = (tangent + slope * n).normalize();
+    let anywhere = random.direction();
+    [
+        anywhere,
+        -anywhere,
+        mirrored,
+        incoming,
+        grazing,
+        (tangent - slope * n).normalize(),
+        n,
+        -n,
+    ]
+}
+
+#[test]
+fn no_ray_meets_the_surface_that_it_leaves_at_any_scale() {
+    let count = if cfg!(debug_assertions) { 300 } else { 20_000 };
+    let mut random = Random(7);
+    for scale in [1e-70, 1e-7, 1.0, 1e7, 1e70] {
+        for away in [0.0, 1.0, 1e3, 1e7] {
+            for i in 0..count {
+                let center = away * scale * random.point();
+                let shape = match i % 3 {
+                    0 => Shape::Sphere {
+                        center,
+                        radius: scale * 10_f64.powf(random.next()),
+                    },
+                    1 => Shape::Plane {
+                        point: center,
+                        normal: if i % 2 == 0 {
+                            random.direction()
+                        } else {
+                            DVec3::Y
+                        },
+                    },
+                    _ => {
+                        let mut corner = || center + scale * random.point();
+                        Shape::Polygon {
+                            vertices: vec![corner(), corner(), corner()],
+                        }
+                    }
+                };
+                let is_sphere = matches!(shape, Shape::Sphere { .. });
+                let solids = solids([shape]);
+                let target = match &solids.solids[0] {
+                    Solid::Faces { faces, .. } => {
+                        let [a, b, c] = faces.corners(0);
+                        let (u, v) = (random.next().abs(), random.next().abs());
+                        a + u * (1.0 - v) * (b - a) + u * v * (c - a)
+                    }
+                    _ => center + 0.5 * scale * random.point(),
+                };
+                let origin = center + 3.0 * scale * random.point();
+                let ray = Ray {
+                    origin,
+                    direction: ((target - origin) / scale).normalize(),
+                };
+                let Some(hit) = solids.meet(0, &ray) else {
+                    continue;
+                };
+                let surface = solids.surface(&ray, &hit);
+                for direction in departures(&mut random, &surface, ray.direction) {
+                    let leaving = leaving(&surface, direction);
+                    let again = solids.meet(0, &leaving);
+                    let is_inward = is_sphere && direction.dot(surface.normal) < 0.0;
+                    let Some(again) = again else {
+                        continue;
+                    };
+                    // A chord through the sphere is as long as its direction is steep
+                    let Solid::Sphere { radius, .. } = solids.solids[0] else {
+                        panic!(
+                            "{:?} met again at {again:?} toward {direction}",
+                            solids.solids[0]
+                        );
+                    };
+                    let chord = -2.0 * radius * direction.dot(surface.normal);
+                    assert!(is_inward, "left outward, met at {again:?}");
+                    assert!(again.t > 0.25 * chord, "{again:?} on a chord of {chord:e}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn ties_go_to_the_lower_object_then_triangle() {
+    let sphere = Shape::Sphere {
+        center: DVec3::ZERO,
+        radius: 1.0,
+    };
+    let square = [[-1., -1.], [1., -1.], [1., 1.], [-1., 1.]].map(|[x, y]| DVec3::new(x, y, 1.0));
+    let wall = Shape::Plane {
+        point: DVec3::Z,
+        normal: DVec3::Z,
+    };
+    let solids = solids([
+        Shape::Polygon {
+            vertices: square.to_vec(),
+        },
+        sphere.clone(),
+        wall,
+        sphere,
+        Shape::Polygon {
+            vertices: square.to_vec(),
+        },
+    ]);
+    let ray = Ray {
+        origin: DVec3::new(0.0, 0.0, 3.0),
+        direction: DVec3::NEG_Z,
+    };
+    let hit = Hit {
+        t: 2.0,
+        object: 0,
+        triangle: 0,
+    };
+    assert_eq!(solids.nearest(&ray), Some(hit));
+    for object in 1..5 {
+        assert_eq!(
+            solids.meet(object, &ray),
+            Some(Hit {
+                object: object as u32,
+                ..hit
+            })
+        );
+    }
+    assert!(!solids.blocked(&ray, 2.0));
+    assert!(solids.blocked(&ray, 2.0_f64.next_up()));
+}
+
+#[test]
+fn an_empty_scene_is_met_nowhere() {
+    let solids = solids([]);
+    let ray = Ray {
+        origin: DVec3::ZERO,
+        direction: DVec3::X,
+    };
+    assert_eq!(solids.nearest(&ray), None);
+    assert!(!solids.blocked(&ray, f64::INFINITY));
+    assert!(solids.around(DVec3::ZERO).is_empty());
+}

@@ -5,19 +5,16 @@
 //! and the sign of the area that the ray makes with an edge is exact. Zero counts as inside on both sides. So no ray passes between two
 //! triangles, and none meets a triangle that it does not pass.
 
+use super::aim::Aim;
 use super::error::gamma;
 use super::{Ray, Surface};
 use glam::DVec3;
 
 /// A ray, and the shear that turns it along the last axis.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Shear {
+pub(super) struct Shear<'a> {
     origin: DVec3,
-    /// The axis along which the ray runs the most, which becomes the last.
-    pub axis: usize,
-    x: f64,
-    y: f64,
-    z: f64,
+    aim: &'a Aim,
 }
 
 /// Where a ray meets a triangle.
@@ -50,30 +47,43 @@ fn area(a: f64, b: f64, c: f64, d: f64) -> f64 {
     }
 }
 
-impl Shear {
-    pub fn of(ray: &Ray) -> Self {
-        let axis = ray.direction.abs().max_position();
-        let [x, y, z] = turned(ray.direction, axis);
+/// A bound on the error of t, from the sheared corners, their distances along the ray and twice the area that the ray sees of the triangle
+/// (Pharr, Jakob & Humphreys 2016, §3.9.6).
+fn error_of_t(sheared: [[f64; 2]; 3], z: [f64; 3], determinant: f64) -> f64 {
+    let largest = |values: [f64; 3]| values.into_iter().map(f64::abs).fold(0.0, f64::max);
+    let (x, y, z) = (
+        largest(sheared.map(|[x, _]| x)),
+        largest(sheared.map(|[_, y]| y)),
+        largest(z),
+    );
+    let (error_of_x, error_of_y, error_of_z) =
+        (gamma(5) * (x + z), gamma(5) * (y + z), gamma(3) * z);
+    let error_of_area = 2.0 * (gamma(2) * x * y + error_of_y * x + error_of_x * y);
+    let area = determinant.abs();
+    3.0 * (gamma(3) * z + error_of_z + error_of_area / area * z)
+}
+
+impl<'a> Shear<'a> {
+    /// `aim` is that of the ray.
+    pub fn new(ray: &Ray, aim: &'a Aim) -> Self {
         Shear {
             origin: ray.origin,
-            axis,
-            x: x / z,
-            y: y / z,
-            z: 1.0 / z,
+            aim,
         }
-    }
-
-    /// The slopes of the ray against its main axis, in cyclic order.
-    pub fn slopes(&self) -> [f64; 2] {
-        [self.x, self.y]
     }
 
     /// Where the ray meets a triangle, on either side, its edges and corners included. None where it runs along the triangle's
     /// plane, or the triangle has no area.
     #[inline]
     pub fn meet(&self, corners: [DVec3; 3]) -> Option<Meeting> {
-        let [a, b, c] = corners.map(|corner| turned(corner - self.origin, self.axis));
-        let sheared = |[x, y, z]: [f64; 3]| [x - self.x * z, y - self.y * z];
+        let Aim {
+            axes,
+            slopes,
+            length,
+            ..
+        } = self.aim;
+        let [a, b, c] = corners.map(|corner| turned(corner - self.origin, axes[2]));
+        let sheared = |[x, y, z]: [f64; 3]| [x - slopes[0] * z, y - slopes[1] * z];
         let ([ax, ay], [bx, by], [cx, cy]) = (sheared(a), sheared(b), sheared(c));
         let u = area(cx, by, cy, bx);
         let v = area(ax, cy, ay, cx);
@@ -84,8 +94,13 @@ impl Shear {
         }
         let determinant = u + v + w;
         let [u, v, w] = [u, v, w].map(|area| area / determinant);
-        let t = self.z * (u * a[2] + v * b[2] + w * c[2]);
-        (t > 0.0 && t.is_finite()).then_some(Meeting { t, weights: [v, w] })
+        let z = [a[2], b[2], c[2]].map(|z| length * z);
+        let t = u * z[0] + v * z[1] + w * z[2];
+        let nearest = z[0].min(z[1]).min(z[2]);
+        // Only a triangle that reaches back to the origin can be met there by an error.
+        let is_ahead =
+            nearest > 0.0 || t > error_of_t([[ax, ay], [bx, by], [cx, cy]], z, determinant);
+        (is_ahead && t > 0.0 && t.is_finite()).then_some(Meeting { t, weights: [v, w] })
     }
 }
 
@@ -112,6 +127,7 @@ fn normal_of(ab: DVec3, ac: DVec3) -> DVec3 {
 pub(super) fn weights_at(corners: [DVec3; 3], point: DVec3) -> [f64; 2] {
     let [a, b, c] = corners;
     let longest = (b - a).abs().max((c - a).abs()).max_element();
+    let longest = longest.max(f64::MIN_POSITIVE);
     let [ab, ac, ap] = [b, c, point].map(|corner| (corner - a) / longest);
     let axis = ab.cross(ac).abs().max_position();
     let [ab, ac, ap] = [ab, ac, ap].map(|edge| turned(edge, axis));
@@ -121,4 +137,144 @@ pub(super) fn weights_at(corners: [DVec3; 3], point: DVec3) -> [f64; 2] {
         return [0.0, 0.0];
     }
     [area(ap, ac) / whole, area(ab, ap) / whole]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The usual test, without the care (Möller & Trumbore 1997, "Fast, Minimum Storage Ray-Triangle Intersection").
+    fn moller_trumbore(ray: &Ray, [a, b, c]: [DVec3; 3]) -> bool {
+        let (ab, ac, ao) = (b - a, c - a, ray.origin - a);
+        let p = ray.direction.cross(ac);
+        let q = ao.cross(ab);
+        let determinant = ab.dot(p);
+        let u = ao.dot(p) / determinant;
+        let v = ray.direction.dot(q) / determinant;
+        u >= 0.0 && v >= 0.0 && u + v <= 1.0 && ac.dot(q) / determinant > 0.0
+    }
+
+    fn woop(ray: &Ray, corners: [DVec3; 3]) -> bool {
+        Shear::new(ray, &Aim::of(ray.direction))
+            .meet(corners)
+            .is_some()
+    }
+
+    /// Of rays aimed exactly at an edge that two triangles share, the share that passes between them.
+    fn leaks(meets: fn(&Ray, [DVec3; 3]) -> bool) -> f64 {
+        const COUNT: u32 = 20_000;
+        let mut state = 1_u64;
+        let mut random = || {
+            // SplitMix64 (Steele, Lea & Flood 2014)
+            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        let mut point = |z: f64| DVec3::new(random(), random(), z + 0.1 * random());
+        let leaked = (0..COUNT).filter(|&i| {
+            let (from, to) = (point(0.0), point(0.0));
+            let across = (to - from).cross(DVec3::Z);
+            let middle = 0.5 * (from + to);
+            let (left, right) = (middle + across, middle - 1.5 * across);
+            let share = (f64::from(i) + 0.5) / f64::from(COUNT);
+            let origin = point(5.0);
+            let aimed_at = from + share * (to - from);
+            let ray = Ray {
+                origin,
+                direction: (aimed_at - origin).normalize(),
+            };
+            !meets(&ray, [from, to, left]) && !meets(&ray, [to, from, right])
+        });
+        leaked.count() as f64 / f64::from(COUNT)
+    }
+
+    #[test]
+    fn no_ray_leaks_through_a_shared_edge() {
+        let careless = leaks(moller_trumbore);
+        assert!((0.03..0.09).contains(&careless), "{careless}");
+        assert_eq!(leaks(woop), 0.0);
+    }
+
+    #[test]
+    fn no_ray_leaks_through_a_corner_that_many_triangles_share() {
+        let center = DVec3::new(0.1, 0.7, -0.3);
+        let rim = |i: i32| {
+            let (sin, cos) = (f64::from(i % 7) * 0.897_597_901_025_655).sin_cos();
+            center + DVec3::new(1.3 * cos, 0.9 * sin, 0.2 * sin * cos)
+        };
+        for i in 0..2000 {
+            let (sin, cos) = f64::from(i).sin_cos();
+            let origin = center + DVec3::new(sin, 0.3 * cos, 3.0);
+            let ray = Ray {
+                origin,
+                direction: (center - origin).normalize(),
+            };
+            assert!((0..7).any(|i| woop(&ray, [center, rim(i), rim(i + 1)])));
+        }
+    }
+
+    #[test]
+    fn a_ray_meets_both_sides_and_the_rim() {
+        let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        let toward = |x: f64, y: f64, down: f64| {
+            let ray = Ray {
+                origin: DVec3::new(x, y, 2.0 * down),
+                direction: DVec3::NEG_Z * down,
+            };
+            Shear::new(&ray, &Aim::of(ray.direction))
+                .meet(corners)
+                .map(|meeting| meeting.t)
+        };
+        for down in [1.0, -1.0] {
+            for (x, y) in [(0.25, 0.25), (0.0, 0.0), (0.5, 0.0), (0.5, 0.5), (0.0, 1.0)] {
+                assert_eq!(toward(x, y, down), Some(2.0));
+            }
+            for (x, y) in [
+                (0.5 + 1e-15, 0.5),
+                (-1e-300, 0.5),
+                (0.5, -1e-300),
+                (2.0, 2.0),
+            ] {
+                assert_eq!(toward(x, y, down), None);
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_degenerate_is_met() {
+        let (o, x, y) = (DVec3::ZERO, DVec3::X, DVec3::Y);
+        let rays = [
+            (DVec3::new(-1.0, 0.25, 0.0), x),
+            (DVec3::new(0.25, 0.25, 1.0), DVec3::NEG_Z),
+            (o, x),
+            (DVec3::new(-1.0, 0.0, 0.0), x),
+        ];
+        for (origin, direction) in rays {
+            let ray = Ray { origin, direction };
+            assert!(!woop(&ray, [o, o, o]));
+            assert!(!woop(&ray, [o, x, x]));
+            assert!(!woop(&ray, [o, x, 2.0 * x]));
+        }
+        // In the plane
+        assert!(!woop(
+            &Ray {
+                origin: DVec3::new(-1.0, 0.25, 0.0),
+                direction: x
+            },
+            [o, x, y]
+        ));
+    }
+
+    #[test]
+    fn weights_come_back_from_the_position() {
+        let corners = [
+            DVec3::new(1e7, 2.0, 3.0),
+            DVec3::new(1e7 + 1.0, 2.5, 3.0),
+            DVec3::new(1e7, 2.0, 5.0),
+        ];
+        let [v, w] = weights_at(corners, surface(corners, [0.25, 0.5], None).position);
+        assert!((v - 0.25).abs() < 1e-8 && (w - 0.5).abs() < 1e-8);
+        assert_eq!(weights_at([DVec3::ONE; 3], DVec3::ONE), [0.0, 0.0]);
+    }
 }
