@@ -33,6 +33,15 @@ const BUILTINS: &[Builtin] = &[
         "refraction",
         include_str!("../../lessons/14-refraction.json"),
     ),
+    lesson("ray-tree", include_str!("../../lessons/15-ray-tree.json")),
+    lesson(
+        "depth-attenuation",
+        include_str!("../../lessons/16-depth-attenuation.json"),
+    ),
+    lesson(
+        "texture-transparency",
+        include_str!("../../lessons/17-texture-transparency.json"),
+    ),
 ];
 
 /// What those lessons name, by its path relative to them.
