@@ -362,7 +362,18 @@ fn lessons_are_listed_and_their_frames_drawn() {
         .iter()
         .map(|lesson| lesson["id"].as_str().unwrap())
         .collect();
-    assert_eq!(ids, ["gouraud-triangle", "gouraud-teapot"]);
+    let expected = [
+        "gouraud-triangle",
+        "gouraud-teapot",
+        "ray-casting",
+        "shadows",
+        "reflection",
+        "refraction",
+        "ray-tree",
+        "depth-attenuation",
+        "texture-transparency",
+    ];
+    assert_eq!(ids, expected);
     assert!(listed[0]["steps"].as_u64().unwrap() > 1000);
     let output = lightwalk(
         folder.path(),

@@ -105,6 +105,15 @@ fn the_steps_of_a_pixel_tell_its_tree() {
         .rfind(|step| step["kind"] == "Returned")
         .unwrap();
     assert_eq!(pixel["color"], root["I"]);
+    // What was tested on the way is not told by what comes of it.
+    for step in steps.iter().filter(|step| step["kind"] == "Found") {
+        assert_eq!(
+            step["met"] == "object",
+            step.get("object").is_some(),
+            "{step}"
+        );
+        assert!(step.get("t").is_none(), "{step}");
+    }
     assert!(steps.iter().enumerate().all(|(i, step)| step["step"] == i));
 }
 

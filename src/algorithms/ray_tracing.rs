@@ -387,6 +387,10 @@ impl record::Event for Event {
         }
     }
 
+    fn holds_on(&self) -> bool {
+        !matches!(self, Event::Visible(event) if event.tests_one())
+    }
+
     fn fields(&self, fields: &mut Fields) {
         match self {
             Event::Stage(event) => event.fields(fields),

@@ -255,6 +255,11 @@ impl Event {
         )
     }
 
+    /// Whether it is about one object or light of several.
+    pub fn tests_one(&self) -> bool {
+        !matches!(self, Event::Search { .. } | Event::Found { .. })
+    }
+
     pub fn kind(&self) -> &'static str {
         match self {
             Event::Search { .. } => "Search",
