@@ -388,7 +388,12 @@ impl record::Event for Event {
     }
 
     fn holds_on(&self) -> bool {
-        !matches!(self, Event::Visible(event) if event.tests_one())
+        match self {
+            // A pixel of several samples goes through several points.
+            Event::Primary(primary::Event::Through { .. }) => false,
+            Event::Visible(event) => !event.tests_one(),
+            _ => true,
+        }
     }
 
     fn fields(&self, fields: &mut Fields) {
