@@ -13,9 +13,9 @@
 //! | --- | --- |
 //! | [`color`], [`numeric`] | linear RGB and the one place of clamping and sRGB; interpolation, direct and incremental |
 //! | [`record`] | what an algorithm tells its steps to, and the tree of scopes over them |
-//! | [`scene`] | scene files and their checks, camera, lights, materials, meshes, division into polygons |
-//! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud |
-//! | [`render`] | a whole frame, unrecorded, on all cores |
+//! | [`scene`] | scene files and their checks, camera, lights, materials, meshes, division into polygons; where rays meet them ([`scene::solids`]), and what rays need of them |
+//! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud, ray casting, ray tracing |
+//! | [`render`] | a whole frame, unrecorded, on all cores, all at once or coarse first |
 //! | [`replay`] | timelines with checkpoints, walking, searching; the state of each algorithm at a step |
 //! | [`picture`] | display lists with tags, text, themes, and their rasteriser; uses [`color`] alone |
 //! | [`panels`] | one file a panel: what it draws of a run at its step |

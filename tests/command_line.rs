@@ -2,27 +2,13 @@
 
 #[path = "common/broken.rs"]
 mod broken;
+#[path = "common/program.rs"]
+mod program;
 
 use broken::{BROKEN, GOOD, POT};
+use program::{lightwalk, refused, text};
 use std::fs;
-use std::path::Path;
 use std::process::{Command, Output};
-
-/// Runs the program in `folder`.
-fn lightwalk(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_lightwalk"))
-        .current_dir(folder)
-        .args(arguments)
-        .env_remove("DISPLAY")
-        .env_remove("WAYLAND_DISPLAY")
-        .env_remove("WAYLAND_SOCKET")
-        .output()
-        .unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
 
 /// A folder with the unbroken scene and its mesh.
 fn folder() -> tempfile::TempDir {
@@ -31,13 +17,6 @@ fn folder() -> tempfile::TempDir {
     fs::write(folder.path().join("meshes/pot.obj"), POT).unwrap();
     fs::write(folder.path().join("scene.json"), GOOD).unwrap();
     folder
-}
-
-fn refused(output: &Output, case: &str) -> String {
-    let message = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{case}: {message}");
-    assert!(!message.contains("panicked"), "{case}: {message}");
-    message
 }
 
 #[test]
@@ -83,7 +62,7 @@ fn every_broken_scene_is_refused_without_a_file() {
 const LESSON: &str = r#"{ "schema": 1, "id": "my-lesson", "number": 1,
   "title": { "en": "A title", "id": "Judul" }, "summary": { "en": "Why", "id": "Mengapa" }, "topics": ["gouraud"],
   "scene_file": "scene.json", "method": "gouraud", "size": [64, 48], "focus": { "polygon": 0 },
-  "panels": ["image", "scan-line"],
+  "movable_lights": [0], "panels": ["image", "scan-line"],
   "steps": [
     { "at": { "kind": "VertexLit" }, "say": { "en": "It has {I_v:2}.", "id": "Nilainya {I_v:2}." },
       "question": { "ask": { "en": "How bright?", "id": "Seberapa terang?" }, "at": { "kind": "VertexLit" },
@@ -111,6 +90,10 @@ const BROKEN_LESSONS: &[(&str, &str, &[&str])] = &[
     ("{ \"polygon\": 0 }", "{ \"polygon\": 99999 }", &["focus.polygon: found polygon 99999"]),
     ("{ \"polygon\": 0 }", "{ \"scan_line\": 48 }", &["focus: found ScanLine(48); the picture has 64 columns and 48 rows"]),
     ("{ \"polygon\": 0 }", "{ \"circle\": 0 }", &["focus", "unknown variant `circle`"]),
+    ("\"movable_lights\": [0]", "\"movable_lights\": [1]", &["movable_lights[0]: found 1, a directional light; only point"]),
+    ("\"movable_lights\": [0]", "\"movable_lights\": [0, 7]", &["movable_lights[1]: found 7; the scene has 2 lights"]),
+    ("\"movable_lights\": [0]", "\"movable_lights\": [-1]", &["movable_lights[0]", "line 4"]),
+    ("\"movable_lights\": [0]", "\"movable_lights\": null", &["movable_lights", "null"]),
     ("\"scan-line\"", "\"scanline\"", &["panels[1]: found \"scanline\"; allowed are image"]),
     ("[\"image\", \"scan-line\"]", "[]", &["panels: found an empty list"]),
     ("\"kind\": \"EdgeTable\"", "\"kind\": \"EdgeTabel\"", &["steps[1].at: no step from", "EdgeTable"]),
@@ -379,7 +362,18 @@ fn lessons_are_listed_and_their_frames_drawn() {
         .iter()
         .map(|lesson| lesson["id"].as_str().unwrap())
         .collect();
-    assert_eq!(ids, ["gouraud-triangle", "gouraud-teapot"]);
+    let expected = [
+        "gouraud-triangle",
+        "gouraud-teapot",
+        "ray-casting",
+        "shadows",
+        "reflection",
+        "refraction",
+        "ray-tree",
+        "depth-attenuation",
+        "texture-transparency",
+    ];
+    assert_eq!(ids, expected);
     assert!(listed[0]["steps"].as_u64().unwrap() > 1000);
     let output = lightwalk(
         folder.path(),
@@ -458,6 +452,35 @@ fn an_interruption_leaves_no_file_and_says_130() {
     assert_eq!(running.wait().unwrap().code(), Some(130));
     assert!(!unfinished());
     assert!(!folder.path().join("steps.jsonl").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_long_render_is_interrupted_at_once() {
+    let folder = folder();
+    // Fifty thousand times the whole picture: longer than anybody waits.
+    let wall = "v -9 -9 1\nv 9 -9 1\nv 9 9 1\nv -9 9 1\nvt 0 0\n".to_owned();
+    let mesh = wall + &"f 1/1 2/1 3/1 4/1\n".repeat(50_000);
+    fs::write(folder.path().join("meshes/pot.obj"), mesh).unwrap();
+    let mut running = Command::new(env!("CARGO_BIN_EXE_lightwalk"))
+        .current_dir(folder.path())
+        .args(["render", "scene.json", "--method", "flat", "--threads", "1"])
+        .args(["--out", "x.png"])
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_secs(1));
+    assert!(running.try_wait().unwrap().is_none(), "it was not long");
+    let interrupted = std::time::Instant::now();
+    let kill = Command::new("kill")
+        .args(["-INT", &running.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(kill.success());
+    assert_eq!(running.wait().unwrap().code(), Some(130));
+    assert!(interrupted.elapsed().as_secs() < 5);
+    // The scene and the folder of its mesh, and nothing begun.
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
 }
 
 #[cfg(target_os = "linux")]

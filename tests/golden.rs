@@ -4,7 +4,7 @@
 use lightwalk::color::png_rgba8;
 use lightwalk::lesson::builtins;
 use lightwalk::panels::words::Language;
-use lightwalk::panels::{Panel, Show, draw};
+use lightwalk::panels::{Panel, Show, TreeView, draw};
 use lightwalk::picture::{Theme, rasterize, to_png};
 use lightwalk::render::render;
 use std::fs;
@@ -120,6 +120,7 @@ fn every_panel_of_every_narrated_step_looks_as_before() {
                 language: Language::ALL[index % 2],
                 narrated: &narrated,
                 breakpoints: &[],
+                tree: TreeView::whole(),
             };
             for &panel in &panels {
                 let size = if panel == Panel::TimeLine {

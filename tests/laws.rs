@@ -7,10 +7,13 @@ use lightwalk::algorithms::flat::flat;
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::gouraud::gouraud;
+use lightwalk::algorithms::ray_casting::{RayCaster, ray_casting};
+use lightwalk::algorithms::ray_tracing::{RayTracer, ray_tracing};
 use lightwalk::algorithms::stage::Stage;
+use lightwalk::algorithms::visible::InTurn;
 use lightwalk::algorithms::wireframe::wireframe;
 use lightwalk::record::{Recording, RecordingLimit, Unrecorded};
-use lightwalk::render::{Method, render};
+use lightwalk::render::{Cancelled, Method, preview, render};
 use lightwalk::replay::{Canvas, Run, Walk};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -47,6 +50,18 @@ fn recorded(
         Method::Gouraud => {
             let mut recording = Recording::new(limit);
             gouraud(stage, focus, &mut frame, &mut recording);
+            (frame, recording.len(), recording.truncated())
+        }
+        Method::RayCasting => {
+            let mut recording = Recording::new(limit);
+            let caster = RayCaster::new(stage, stage.needs(), InTurn);
+            ray_casting(&caster, focus, &mut frame, &mut recording);
+            (frame, recording.len(), recording.truncated())
+        }
+        Method::RayTracing => {
+            let mut recording = Recording::new(limit);
+            let tracer = RayTracer::new(stage, stage.needs(), InTurn);
+            ray_tracing(&tracer, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
     }
@@ -87,6 +102,12 @@ fn any_number_of_threads_draws_the_same_picture() {
                 &|_, _| {},
             );
             assert!(many == one, "{} on {threads} threads", method.name());
+            let threads = NonZeroUsize::new(threads).unwrap();
+            let grown = preview(&stage, method, threads, |_, _| Ok(()), &mut |_| {});
+            assert!(grown == Ok(one.clone()), "preview: {}", method.name());
+            let called_off = |_, _| Err(Cancelled);
+            let nothing = preview(&stage, method, threads, called_off, &mut |_| {});
+            assert_eq!(nothing, Err(Cancelled));
         }
     }
 }
@@ -170,6 +191,8 @@ fn canvas_of(run: &Run) -> Vec<lightwalk::color::Rgb> {
         Run::Wireframe(replay) => colors(&replay.state().canvas),
         Run::Flat(replay) => colors(&replay.state().canvas),
         Run::Gouraud(replay) => colors(&replay.state().canvas),
+        Run::RayCasting(replay) => colors(&replay.state().canvas),
+        Run::RayTracing(replay) => colors(&replay.state().canvas),
     }
 }
 

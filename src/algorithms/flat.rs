@@ -50,10 +50,11 @@ pub fn flat<R: Recorder<Event>>(stage: &Stage, focus: Focus, frame: &mut Frame, 
         let point = SurfacePoint {
             position,
             normal,
+            to_eye: (stage.view.eye - position).normalize_or_zero(),
             material: polygon.material,
             diffuse: polygon.material.diffuse,
         };
-        let intensity = illuminate(&point, &lighting, recorder);
+        let intensity = illuminate(&point, &lighting, recorder, |_, _| true);
 
         corners.clear();
         corners.extend(polygon.corners().map(|(_, place)| Corner {

@@ -67,10 +67,11 @@ pub fn gouraud<R: Recorder<Event>>(
                 let point = SurfacePoint {
                     position,
                     normal,
+                    to_eye: (stage.view.eye - position).normalize_or_zero(),
                     material: polygon.material,
                     diffuse: polygon.material.diffuse,
                 };
-                let intensity = illuminate(&point, &lighting, recorder);
+                let intensity = illuminate(&point, &lighting, recorder, |_, _| true);
                 recorder.leave(|| Event::VertexLit { vertex, intensity });
                 intensity
             });

@@ -34,27 +34,42 @@ pub struct SurfacePoint<'a> {
     pub position: DVec3,
     /// Unit, on either side: it is turned toward the eye.
     pub normal: DVec3,
+    /// V, unit.
+    pub to_eye: DVec3,
     pub material: &'a Material,
     /// k_d with the texture already applied.
     pub diffuse: Rgb,
 }
 
-/// The lights of a scene and the eye that looks at it.
+/// The light of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Lighting<'a> {
     /// A, the ambient light.
     pub ambient: Rgb,
     pub lights: &'a [Light],
-    pub eye: DVec3,
+    /// Whether any surface has a highlight. Without one, no cosine is raised to a power.
+    pub specular: bool,
 }
 
-/// Intensity at `point`, unclamped.
-pub fn illuminate<E: From<Event>>(
+/// A light as seen from the point that is lit.
+#[derive(Clone, Copy, Debug)]
+pub struct ToLight {
+    /// Index of the light.
+    pub light: usize,
+    /// L, unit.
+    pub direction: DVec3,
+    /// Infinite for a directional light.
+    pub distance: f64,
+}
+
+/// Intensity at `point`, unclamped. Light arrives where `arrives` says so; it is asked only where N·L > 0.
+pub fn illuminate<E: From<Event>, R: Recorder<E>>(
     point: &SurfacePoint,
     lighting: &Lighting,
-    recorder: &mut impl Recorder<E>,
+    recorder: &mut R,
+    mut arrives: impl FnMut(&ToLight, &mut R) -> bool,
 ) -> Rgb {
-    let to_eye = (lighting.eye - point.position).normalize_or_zero();
+    let to_eye = point.to_eye;
     let turned = point.normal.dot(to_eye) < 0.0;
     let normal = if turned { -point.normal } else { point.normal };
     recorder.enter(|| {
@@ -76,28 +91,29 @@ pub fn illuminate<E: From<Event>>(
     });
 
     let mut intensity = ambient;
-    for (number, light) in lighting.lights.iter().enumerate() {
-        intensity += illuminate_by(number, light, point, normal, to_eye, recorder);
+    for light in 0..lighting.lights.len() {
+        intensity += illuminate_by(light, lighting, point, normal, recorder, &mut arrives);
     }
     recorder.leave(|| Event::Illuminated { intensity }.into());
     intensity
 }
 
 /// The diffuse and the specular term of one light at `point`, whose unit `normal` is on the side of the eye.
-pub fn illuminate_by<E: From<Event>>(
+fn illuminate_by<E: From<Event>, R: Recorder<E>>(
     number: usize,
-    light: &Light,
+    lighting: &Lighting,
     point: &SurfacePoint,
     normal: DVec3,
-    to_eye: DVec3,
-    recorder: &mut impl Recorder<E>,
+    recorder: &mut R,
+    arrives: &mut impl FnMut(&ToLight, &mut R) -> bool,
 ) -> Rgb {
+    let to_eye = point.to_eye;
     let Incidence {
         to_light,
         distance,
         attenuation,
         color,
-    } = incidence(light, point.position);
+    } = incidence(&lighting.lights[number], point.position);
     let n_dot_l = normal.dot(to_light);
     recorder.enter(|| {
         Event::Light {
@@ -110,6 +126,15 @@ pub fn illuminate_by<E: From<Event>>(
         .into()
     });
     recorder.step(|| Event::ToLight { to_light, n_dot_l }.into());
+    let source = ToLight {
+        light: number,
+        direction: to_light,
+        distance,
+    };
+    if n_dot_l > 0.0 && !arrives(&source, recorder) {
+        recorder.leave(|| Event::LightAdded { term: Rgb::BLACK }.into());
+        return Rgb::BLACK;
+    }
 
     let k_d = point.diffuse;
     let diffuse = if n_dot_l > 0.0 {
@@ -119,6 +144,10 @@ pub fn illuminate_by<E: From<Event>>(
     };
     recorder.step(|| Event::Diffuse { k_d, term: diffuse }.into());
 
+    if !lighting.specular {
+        recorder.leave(|| Event::LightAdded { term: diffuse }.into());
+        return diffuse;
+    }
     let Material {
         specular: k_s,
         shininess,

@@ -8,6 +8,9 @@
 //! | [`wireframe`] | the edges alone | DDA, Foley et al. 1990 §3.2.1 |
 //! | [`flat`] | one intensity a polygon | Bouknight 1970 |
 //! | [`gouraud`] | intensity interpolated from the vertices | Gouraud 1971 |
+//! | [`primary`], [`visible`], [`surface`] | a ray a pixel, the nearest object that it meets, the point that is lit | Appel 1968 |
+//! | [`ray_casting`] | the visible surface, lit | Appel 1968, Roth 1982 |
+//! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays that tells them | Whitted 1980 |
 //!
 //! [`stage`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
 
@@ -16,7 +19,13 @@ pub mod focus;
 pub mod frame;
 pub mod gouraud;
 pub mod illumination;
+pub mod primary;
+pub mod ray_casting;
+pub mod ray_tracing;
+pub mod ray_tree;
 pub mod scan_line;
 pub mod stage;
+pub mod surface;
 pub mod vertex_normal;
+pub mod visible;
 pub mod wireframe;

@@ -2,10 +2,13 @@
 
 use super::focus::{Focus, Region};
 use super::illumination::Lighting;
+use super::primary::Settings;
 use crate::color::Rgb;
 use crate::record::Fields;
-use crate::scene::{Material, Mesh, Scene, Tessellation, View};
+use crate::scene::solids::Solids;
+use crate::scene::{Light, Material, Mesh, Needs, Scene, Tessellation, View};
 use glam::{DVec2, DVec3};
+use std::sync::OnceLock;
 
 /// Everything that stays the same from one focus to the next.
 #[derive(Clone, Debug)]
@@ -13,8 +16,13 @@ pub struct Stage {
     pub scene: Scene,
     pub tessellation: Tessellation,
     pub view: View,
+    /// How far the ray methods go.
+    pub settings: Settings,
     /// By object, then by vertex of its mesh.
     vertices: Vec<Vec<StageVertex>>,
+    /// Made when the first ray asks for them.
+    solids: OnceLock<Solids>,
+    needs: OnceLock<Needs>,
 }
 
 /// A vertex as the camera sees it.
@@ -78,8 +86,40 @@ impl Stage {
             scene,
             tessellation,
             view,
+            settings: Settings::default(),
             vertices,
+            solids: OnceLock::new(),
+            needs: OnceLock::new(),
         }
+    }
+
+    /// The same stage, on which the ray methods go so far.
+    pub fn with_settings(self, settings: Settings) -> Self {
+        Stage { settings, ..self }
+    }
+
+    /// The same stage under other lights.
+    pub fn with_lights(self, lights: Vec<Light>) -> Self {
+        let scene = Scene {
+            lights,
+            ..self.scene
+        };
+        Stage {
+            scene,
+            needs: OnceLock::new(),
+            ..self
+        }
+    }
+
+    /// The objects as rays meet them.
+    pub fn solids(&self) -> &Solids {
+        self.solids
+            .get_or_init(|| Solids::of(&self.scene, &self.tessellation))
+    }
+
+    /// What rays need of the scene.
+    pub fn needs(&self) -> &Needs {
+        self.needs.get_or_init(|| Needs::of(&self.scene))
     }
 
     pub fn entered(&self) -> Event {
@@ -90,11 +130,12 @@ impl Stage {
         }
     }
 
+    /// Without shadows, and with every term.
     pub fn lighting(&self) -> Lighting<'_> {
         Lighting {
             ambient: self.scene.ambient,
             lights: &self.scene.lights,
-            eye: self.view.eye,
+            specular: true,
         }
     }
 

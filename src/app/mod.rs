@@ -2,6 +2,8 @@
 
 mod key_sheet;
 mod keys;
+mod left_out;
+mod light_controls;
 mod main_window;
 mod narration;
 mod panel_view;
@@ -11,6 +13,7 @@ mod style;
 mod tiles;
 mod top_bar;
 mod transport;
+mod tree_controls;
 pub mod window;
 mod words;
 

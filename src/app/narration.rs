@@ -79,6 +79,12 @@ fn say(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut
             commands.push(Command::Focus(session.lesson().focus));
         }
     }
+    if session.is_unsaid() {
+        ui.label(RichText::new(session.say(words::UNSAID)).color(muted));
+        if ui.button(session.say(words::PUT_BACK)).clicked() {
+            commands.push(Command::Reset);
+        }
+    }
     if let Some(said) = session.said_here() {
         ui.label(prose(session, said.say(language), 15.0, Ink::Text));
         if let Some(slide) = said.slide(language) {
@@ -90,7 +96,7 @@ fn say(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut
         ui.label(style::strong(session.walk().kind(session.step()), 14.0));
     }
     ui.label(prose(session, in_words(session, window), 15.0, Ink::Text));
-    if session.follows_lesson() && session.said_last().is_none() {
+    if session.follows_lesson() && session.said_last().is_none() && !session.is_unsaid() {
         let summary = session.lesson().summary.in_language(language);
         ui.label(prose(session, summary, 14.0, Ink::Muted));
         if ui.link(session.say(words::NEXT_SAID)).clicked() {

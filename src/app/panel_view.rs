@@ -5,7 +5,7 @@ use super::style;
 use super::words;
 use crate::algorithms::focus::Focus;
 use crate::panels::words::{Language, Words};
-use crate::panels::{Panel, draw};
+use crate::panels::{Panel, TreeView, draw};
 use crate::picture::{Ink, Picture, Tag, Theme, draw_over, rasterize};
 use crate::record::Value;
 use egui::{
@@ -17,6 +17,8 @@ use tiny_skia::Pixmap;
 #[derive(Clone, PartialEq)]
 struct Key {
     recording: u64,
+    /// Of the whole picture; always 0 where a panel does not show it.
+    pictures: u64,
     step: usize,
     /// In physical pixels.
     size: [u32; 2],
@@ -25,6 +27,8 @@ struct Key {
     theme: Theme,
     language: Language,
     breakpoints: Vec<usize>,
+    /// Of the ray tree alone.
+    tree: Option<TreeView>,
 }
 
 /// What is kept of a panel from frame to frame.
@@ -62,12 +66,17 @@ impl PanelView {
         let rect = Rect::from_min_size(corner.to_pos2(), size / scale);
         let key = Key {
             recording: session.recording(),
+            pictures: match panel {
+                Panel::Image => session.pictures(),
+                _ => 0,
+            },
             step: session.step(),
             size: [size.x as u32, size.y as u32],
             scale,
             theme: session.look.theme,
             language: session.look.language,
             breakpoints: session.breakpoints().to_vec(),
+            tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
         };
         let mut highlighted: Vec<Tag> = session
             .hovered()
@@ -91,7 +100,7 @@ impl PanelView {
             self.upload(highlighted, panel, session.look.theme, scale, ui);
         }
 
-        let sense = if panel == Panel::TimeLine {
+        let sense = if matches!(panel, Panel::TimeLine | Panel::RayTree | Panel::Rays) {
             Sense::click_and_drag()
         } else {
             Sense::click()
@@ -214,6 +223,9 @@ pub fn title(panel: Panel) -> Words {
         Panel::ScanLine => words::SCAN_LINE,
         Panel::ActiveEdges => words::ACTIVE_EDGES,
         Panel::Vertex => words::VERTEX,
+        Panel::RayTree => words::RAY_TREE,
+        Panel::Vectors => words::VECTORS,
+        Panel::Rays => words::RAYS,
         Panel::Inspector => words::INSPECTOR,
         Panel::Code => words::CODE,
         Panel::Formula => words::FORMULA,
@@ -232,6 +244,10 @@ pub fn caption(session: &Session, panel: Panel) -> String {
         },
     };
     match panel {
+        Panel::Image => session
+            .picture_percent()
+            .map(|percent| format!("{} {percent} %", session.say(words::MAKING_THE_PICTURE)))
+            .unwrap_or_default(),
         Panel::ScanLine => whole("y").map(|y| format!("y = {y}")).unwrap_or_default(),
         Panel::ActiveEdges => session.say(words::CLICK_A_ROW).to_owned(),
         Panel::Vertex => whole("vertex")

@@ -2,7 +2,7 @@
 
 use super::panel_view::{self, PanelView};
 use super::session::{Command, Session};
-use super::style;
+use super::{light_controls, style, tree_controls};
 use crate::panels::{Panel, step_at};
 use crate::picture::{Ink, Tag};
 use egui::{Rect, Ui, WidgetText};
@@ -95,7 +95,7 @@ impl Behavior<Panel> for Cards<'_> {
         style::card(theme, rect, ui);
         let title = Rect::from_min_size(rect.min, egui::vec2(rect.width(), TITLE))
             .shrink2(egui::vec2(12.0, 4.0));
-        card_title(self.session, *panel, title, ui);
+        card_title(self.session, *panel, self.commands, title, ui);
         let mut inside = rect.shrink(MARGIN);
         inside.min.y = rect.min.y + TITLE;
         let view = self.views.entry(*panel).or_default();
@@ -126,7 +126,13 @@ impl Behavior<Panel> for Cards<'_> {
 }
 
 /// The title at the left; the caption at the right, as much of it as there is room for.
-fn card_title(session: &Session, panel: Panel, rect: Rect, ui: &mut Ui) {
+fn card_title(
+    session: &Session,
+    panel: Panel,
+    commands: &mut Vec<Command>,
+    rect: Rect,
+    ui: &mut Ui,
+) {
     let mut ui = ui.new_child(
         egui::UiBuilder::new()
             .max_rect(rect)
@@ -135,6 +141,9 @@ fn card_title(session: &Session, panel: Panel, rect: Rect, ui: &mut Ui) {
     ui.label(style::strong(session.say(panel_view::title(panel)), 15.0));
     let muted = style::color(session.look.theme, Ink::Muted);
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        if panel == Panel::RayTree {
+            tree_controls::buttons(session, commands, ui);
+        }
         let caption = egui::RichText::new(panel_view::caption(session, panel))
             .size(13.0)
             .color(muted);
@@ -174,6 +183,12 @@ pub fn panel_on(
         let size = glam::Vec2::new(response.rect.width(), response.rect.height());
         let step = step_at(&session.show(), size, at);
         command = (step != session.step()).then_some(Command::Seek(step));
+    }
+    if panel == Panel::Rays {
+        command = light_controls::dragged(session, &response, ui).or(command);
+    }
+    if panel == Panel::RayTree {
+        command = tree_controls::pointed(session, &response, ui).or(command);
     }
     if panel == Panel::Image {
         // The menu is about the place where it was opened, not where the pointer went since.

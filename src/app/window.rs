@@ -10,6 +10,9 @@ use egui::{CursorIcon, Frame, Id, Margin, Popup, Rect, Sense, Stroke, Ui, Viewpo
 use std::collections::HashMap;
 use std::time::Duration;
 
+/// How long to wait before looking whether more of the whole picture has come in.
+const LOOK_AGAIN: Duration = Duration::from_millis(30);
+
 /// What the window keeps that the session need not know: textures, tile borders, half-typed texts.
 #[derive(Default)]
 pub struct Window {
@@ -40,6 +43,10 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     }
     close_menus(&ctx);
     window.play_on(session, &ctx);
+    session.take_picture();
+    if session.awaits_picture() {
+        ctx.request_repaint_after(LOOK_AGAIN);
+    }
     window.keep_up(session, &ctx);
 
     let mut commands = Vec::new();

@@ -49,6 +49,10 @@ words! {
     BREAKPOINT: "breakpoint", "titik henti";
     TRUNCATED: "Only the beginning of this run fits in memory; the picture is whole all the same.", "Hanya awal dari proses ini yang muat di memori; gambarnya tetap utuh.";
 
+    MAKING_THE_PICTURE: "whole picture:", "seluruh gambar:";
+    UNSAID: "With the light there, some of what this lesson explains does not happen.", "Dengan lampu di sana, sebagian dari yang dijelaskan pelajaran ini tidak terjadi.";
+    PUT_BACK: "Start again with the light in its place", "Mulai lagi dengan lampu di tempatnya";
+
     SLIDE: "As on the slide", "Seperti pada salindia";
     LAST_SAID: "Said before, at step", "Sebelumnya, pada langkah";
     NEXT_SAID: "next explained step", "langkah berikut yang dijelaskan";
@@ -70,11 +74,23 @@ words! {
     SCAN_LINE: "Scan line", "Garis scan";
     ACTIVE_EDGES: "Active edges", "Sisi aktif";
     VERTEX: "Vertex", "Titik sudut";
+    LEFT_OUT: "Left out: not needed here", "Ditinggalkan: tidak diperlukan di sini";
+    NOTHING_LEFT_OUT: "Nothing", "Tidak ada";
+    RAY_TREE: "Ray tree", "Pohon sinar";
+    VECTORS: "Vectors at the hit", "Vektor di titik temu";
+    RAYS: "Rays in the scene", "Sinar di dalam adegan";
+    TREE_FIT: "fit", "pas";
+    WHOLE_TREE: "show the whole tree", "tampilkan seluruh pohon";
+    LARGER_TREE: "larger tree", "perbesar pohon";
+    SMALLER_TREE: "smaller tree", "perkecil pohon";
+    TREE_AS_IT_IS: "The tree is already shown that way.", "Pohon sudah tampil demikian.";
     INSPECTOR: "Inspector", "Inspektur";
     CODE: "Code", "Kode";
     FORMULA: "Formula", "Rumus";
     TIME_LINE: "Time line", "Garis waktu";
     CLICK_A_ROW: "click a row to light it up", "klik baris untuk menyorotnya";
+
+    DRAG_THE_LIGHT: "drag to move the light", "seret untuk memindahkan cahaya";
 
     LINE: "line", "garis";
     POLYGON: "polygon", "poligon";
@@ -103,6 +119,9 @@ words! {
     LARGEST: "The text is as large as it gets.", "Teks sudah terbesar.";
     SMALLEST: "The text is as small as it gets.", "Teks sudah terkecil.";
     NO_SUCH_LESSON: "There is no such lesson.", "Tidak ada pelajaran itu.";
+    LIGHT_STAYS: "The lesson keeps this light where it is.", "Pelajaran ini membiarkan lampu itu di tempatnya.";
+    TOO_FAR: "That is too far away.", "Itu terlalu jauh.";
+    SHARE_AS_LIT_ONLY: "A light was moved: r puts it back, and then this step can be shared.", "Sebuah lampu dipindahkan: r mengembalikannya, lalu langkah ini dapat dibagikan.";
     SHARE_LESSON_ONLY: "Only steps of the lesson itself can be shared; r leads back to it.", "Hanya langkah pelajaran yang dapat dibagikan; r kembali ke pelajaran.";
 }
 

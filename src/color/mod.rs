@@ -45,6 +45,11 @@ impl Rgb {
         self.r.max(self.g).max(self.b)
     }
 
+    /// Channels that overflowed to infinity become the largest number, so that no later product with 0 is NaN.
+    pub fn finite(self) -> Self {
+        Rgb::from(self.channels().map(|channel| channel.min(f64::MAX)))
+    }
+
     /// 8-bit sRGB: each channel clamped to [0, 1], encoded, rounded to nearest.
     pub fn to_srgb8(self) -> [u8; 3] {
         encode::srgb8(self.channels())

@@ -1,6 +1,7 @@
 //! Reading scenes and lessons from files, and writing files that appear whole or not at all.
 
 use super::{Failure, interrupt, progress, tell};
+use crate::algorithms::primary::Settings;
 use crate::algorithms::stage::Stage;
 use crate::lesson::{Lesson, builtin};
 use crate::render::Method;
@@ -59,11 +60,11 @@ pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
     })
 }
 
-/// Reads a scene file, or the scene of a lesson file.
-pub fn scene(path: &Path, limits: &Limits) -> Result<Scene, Failure> {
+/// Reads a scene file, or the scene of a lesson file, and how far ray methods go in it.
+pub fn scene(path: &Path, limits: &Limits) -> Result<(Scene, Settings), Failure> {
     match document(path, limits)? {
-        Document::Scene(scene) => Ok(*scene),
-        Document::Lesson(lesson) => Ok(lesson.scene),
+        Document::Scene(scene) => Ok((*scene, Settings::default())),
+        Document::Lesson(lesson) => Ok((lesson.scene, lesson.settings)),
     }
 }
 
@@ -96,6 +97,9 @@ pub fn stage(
     let stage = progress::named("dividing the scene into polygons", || {
         Stage::new(scene, view)
     });
+    if method.follows_rays() {
+        return Ok(stage);
+    }
     for &object in &stage.tessellation.left_out {
         let object = &stage.scene.objects[object].name;
         tell(format_args!(

@@ -1,9 +1,10 @@
 //! `lightwalk frames`: the panels of a lesson as PNG files, without a display.
 
 use super::files::{self, Document};
+use super::progress::Progress;
 use super::{Failure, LimitArguments, parse_range, parse_size};
 use crate::panels::words::Language;
-use crate::panels::{Panel, Show, draw};
+use crate::panels::{Panel, Show, TreeView, draw};
 use crate::picture::{Theme, rasterize, to_png};
 use crate::render::render;
 use glam::Vec2;
@@ -69,11 +70,15 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         None => open.lesson.panels.clone(),
     };
     let threads = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
-    let finished = render(&open.stage, open.lesson.method, threads, &|_, _| {});
+    let rendering = Progress::new("rendering");
+    let finished = render(&open.stage, open.lesson.method, threads, &|done, all| {
+        rendering.show(done, all)
+    });
+    drop(rendering);
 
     std::fs::create_dir_all(&arguments.out)
         .map_err(|error| Failure::Wrong(format!("--out {}: {error}", arguments.out.display())))?;
-    let progress = super::progress::Progress::new("drawing");
+    let progress = Progress::new("drawing");
     for (done, &step) in steps.iter().enumerate() {
         open.run.walk_mut().seek(step);
         let show = Show {
@@ -83,6 +88,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             language: Language::English,
             narrated: &narrated,
             breakpoints: &[],
+            tree: TreeView::whole(),
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

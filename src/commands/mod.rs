@@ -7,14 +7,17 @@ mod files;
 mod frames;
 mod interrupt;
 mod list;
+mod needs;
 mod open;
 mod progress;
 mod render;
 mod steps;
 
+use crate::algorithms::primary::Settings;
 use clap::{Args, Parser, Subcommand};
 use std::ffi::OsString;
 use std::io::Write;
+use std::num::NonZeroU32;
 use std::process::ExitCode;
 
 /// Walk through classic rendering, step by step, forward and back.
@@ -35,6 +38,8 @@ enum Command {
     Check(check::Arguments),
     /// Renders a scene to an image file
     Render(render::Arguments),
+    /// Says what a scene needs of ray tracing, what is left out, and why
+    Needs(needs::Arguments),
     /// Prints every step of a lesson, or of a scene, as JSON lines
     Steps(steps::Arguments),
     /// Draws the panels of a lesson to PNG files, without a display
@@ -50,6 +55,34 @@ struct LimitArguments {
     /// The most triangles that its meshes may have
     #[arg(long, value_name = "N", default_value_t = crate::scene::Limits::default().max_triangles)]
     max_triangles: u64,
+}
+
+/// How far the ray methods go.
+#[derive(Args, Clone, Copy)]
+struct RayArguments {
+    /// Ray tracing shades rays up to this level; the primary ray is level 1
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::DEEPEST)))]
+    depth: Option<u32>,
+    /// A pixel is the mean of N×N rays
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_SAMPLES)))]
+    samples: Option<u32>,
+}
+
+impl RayArguments {
+    /// What was asked for, and for the rest what `unless` says.
+    fn or(self, unless: Settings) -> Settings {
+        Settings {
+            depth: self.depth.and_then(NonZeroU32::new).unwrap_or(unless.depth),
+            samples: self
+                .samples
+                .and_then(NonZeroU32::new)
+                .unwrap_or(unless.samples),
+        }
+    }
+
+    fn is_given(self) -> bool {
+        self.depth.is_some() || self.samples.is_some()
+    }
 }
 
 impl From<LimitArguments> for crate::scene::Limits {
@@ -117,6 +150,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::List(arguments) => list::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::Render(arguments) => render::run(arguments),
+        Command::Needs(arguments) => needs::run(arguments),
         Command::Steps(arguments) => steps::run(arguments),
         Command::Frames(arguments) => frames::run(arguments),
     };

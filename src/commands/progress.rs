@@ -1,7 +1,8 @@
 //! A word on standard error about work that takes longer than a second.
 
 use std::io::{IsTerminal, Write};
-use std::sync::{Mutex, mpsc};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc;
 use web_time::{Duration, Instant};
 
 /// How long a user waits without a word.
@@ -23,11 +24,15 @@ pub fn named<T>(what: &str, work: impl FnOnce() -> T) -> T {
     })
 }
 
-/// Silent for a second, then one line that is written over four times a second; without a terminal, a line every ten.
+/// Silent for a second, then one line that is written over four times a second; without a terminal, a line every ten seconds.
+///
+/// It costs little to tell it more than anybody reads.
 pub struct Progress {
     what: &'static str,
     start: Instant,
-    shown: Mutex<Option<Instant>>,
+    terminal: bool,
+    /// When the next word is due, in milliseconds from the start.
+    due: AtomicU64,
 }
 
 impl Progress {
@@ -35,28 +40,24 @@ impl Progress {
         Progress {
             what,
             start: Instant::now(),
-            shown: Mutex::new(None),
+            terminal: std::io::stderr().is_terminal(),
+            due: AtomicU64::new(PATIENCE.as_millis() as u64),
         }
     }
 
     /// Hears that `done` of `all` parts are done.
     pub fn show(&self, done: usize, all: usize) {
-        let now = Instant::now();
-        let terminal = std::io::stderr().is_terminal();
-        let pause = if terminal {
-            Duration::from_millis(250)
-        } else {
-            Duration::from_secs(10)
+        let now = self.start.elapsed().as_millis() as u64;
+        let due = self.due.load(Ordering::Relaxed);
+        let (pause, start, end) = match self.terminal {
+            true => (250, "\r", ""),
+            false => (10_000, "", "\n"),
         };
-        // A poisoned lock means that another thread panicked: then there is nothing more to say here.
-        let Ok(mut shown) = self.shown.lock() else {
-            return;
-        };
-        let due = shown.map_or(now - self.start >= PATIENCE, |last| now - last >= pause);
-        if due {
-            *shown = Some(now);
+        // Of several threads that come at once, one speaks.
+        let relaxed = Ordering::Relaxed;
+        let exchanged = |next| self.due.compare_exchange(due, next, relaxed, relaxed);
+        if now >= due && exchanged(now + pause).is_ok() {
             let percent = 100 * done / all.max(1);
-            let (start, end) = if terminal { ("\r", "") } else { ("", "\n") };
             // A terminal that is gone needs no progress.
             let mut terminal = std::io::stderr();
             let _ = write!(terminal, "{start}{}: {percent} %{end}", self.what);
@@ -68,7 +69,8 @@ impl Progress {
 impl Drop for Progress {
     /// Ends the line that was written over.
     fn drop(&mut self) {
-        if std::io::stderr().is_terminal() && matches!(self.shown.lock().as_deref(), Ok(Some(_))) {
+        let spoken = self.due.load(Ordering::Relaxed) > PATIENCE.as_millis() as u64;
+        if self.terminal && spoken {
             super::tell(format_args!(""));
         }
     }

@@ -1,9 +1,9 @@
 //! `lightwalk render`: a picture of a scene.
 
 use super::progress::Progress;
-use super::{Failure, LimitArguments, files, parse_size};
+use super::{Failure, LimitArguments, RayArguments, files, needs, parse_size};
 use crate::color::{Rgb, pfm, png_rgb8};
-use crate::render::{Method, render};
+use crate::render::{Method, RayCounts, render, render_counted};
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use web_time::Instant;
@@ -34,6 +34,8 @@ pub struct Arguments {
     /// Prints seconds by phase, what was drawn and what was left out, as one JSON object
     #[arg(long)]
     stats: bool,
+    #[command(flatten)]
+    rays: RayArguments,
     #[command(flatten)]
     limits: LimitArguments,
 }
@@ -66,18 +68,22 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     files::check_output(out)?;
 
     let start = Instant::now();
-    let scene = files::scene(&arguments.scene, &arguments.limits.into())?;
+    let (scene, settings) = files::scene(&arguments.scene, &arguments.limits.into())?;
     let read = start.elapsed();
-    let stage = files::stage(scene, arguments.size, method, &arguments.scene.display())?;
+    let settings = arguments.rays.or(settings);
+    let stage = files::stage(scene, arguments.size, method, &arguments.scene.display())?
+        .with_settings(settings);
     let staged = start.elapsed();
     let threads = match arguments.threads {
         Some(threads) => NonZeroUsize::new(threads.into()).unwrap_or(NonZeroUsize::MIN),
         None => std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN),
     };
     let progress = Progress::new("rendering");
-    let frame = render(&stage, method, threads, &|done, all| {
-        progress.show(done, all)
-    });
+    let show = |done, all| progress.show(done, all);
+    let (frame, rays) = match arguments.stats {
+        true => render_counted(&stage, method, stage.needs(), threads, &show),
+        false => (render(&stage, method, threads, &show), RayCounts::default()),
+    };
     drop(progress);
     let rendered = start.elapsed();
     let bytes = match format {
@@ -96,12 +102,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let written = start.elapsed();
 
     if arguments.stats {
-        let left_out: Vec<_> = stage
-            .tessellation
-            .left_out
-            .iter()
-            .map(|&object| serde_json::json!({ "object": stage.scene.objects[object].name, "why": "an infinite plane has no polygons" }))
-            .collect();
+        let left_out = needs::left_out(&stage, method);
         let stats = serde_json::json!({
             "method": method.name(),
             "size": [width, height],
@@ -113,7 +114,13 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
                 "write": (written - rendered).as_secs_f64(),
             },
             "polygons": stage.tessellation.polygon_count(),
-            "rays": { "primary": 0, "shadow": 0, "reflected": 0, "transmitted": 0, "total_internal_reflection": 0 },
+            "rays": {
+                "primary": rays.primary,
+                "shadow": rays.shadow,
+                "reflected": rays.reflected,
+                "transmitted": rays.transmitted,
+                "total_internal_reflection": rays.total_internal_reflection,
+            },
             "left_out": left_out,
         });
         use std::io::Write;

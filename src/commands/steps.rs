@@ -3,8 +3,9 @@
 use super::files::{self, Document};
 use super::progress::{self, Progress};
 use super::render::{method, method_names};
-use super::{Failure, LimitArguments, parse_size, tell};
+use super::{Failure, LimitArguments, RayArguments, parse_size, tell};
 use crate::algorithms::focus::Focus;
+use crate::algorithms::primary::Settings;
 use crate::record::{RecordingLimit, Value};
 use crate::render::Method;
 use crate::replay::{Run, Walk};
@@ -31,6 +32,8 @@ pub struct Arguments {
     /// Standard output unless given
     #[arg(long, value_name = "FILE.jsonl")]
     out: Option<PathBuf>,
+    #[command(flatten)]
+    rays: RayArguments,
     #[command(flatten)]
     limits: LimitArguments,
 }
@@ -92,7 +95,10 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
     let method = arguments.method.as_deref().map(method).transpose()?;
     match files::lesson_or_scene(&arguments.name, &arguments.limits.into())? {
         Document::Lesson(lesson)
-            if method.is_none() && focus.is_none() && arguments.size.is_none() =>
+            if method.is_none()
+                && focus.is_none()
+                && arguments.size.is_none()
+                && !arguments.rays.is_given() =>
         {
             Ok(lesson
                 .open()
@@ -103,6 +109,7 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
             lesson.scene,
             method.unwrap_or(lesson.method),
             arguments.size.unwrap_or(lesson.size),
+            arguments.rays.or(lesson.settings),
             focus.unwrap_or(lesson.focus),
             &arguments.name,
         ),
@@ -114,6 +121,7 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
                 *scene,
                 method,
                 arguments.size.unwrap_or([640, 480]),
+                arguments.rays.or(Settings::default()),
                 focus.unwrap_or(Focus::Frame),
                 &arguments.name,
             )
@@ -125,10 +133,11 @@ fn record_scene(
     scene: Scene,
     method: Method,
     [width, height]: [u32; 2],
+    settings: Settings,
     focus: Focus,
     name: &str,
 ) -> Result<Run, Failure> {
-    let stage = files::stage(scene, [width, height], method, &name)?;
+    let stage = files::stage(scene, [width, height], method, &name)?.with_settings(settings);
     let within = |value: usize, size: usize, option: &str, what: &str| {
         if value < size {
             Ok(())
@@ -140,6 +149,12 @@ fn record_scene(
     };
     match focus {
         Focus::Frame => {}
+        Focus::Polygon(_) if method.follows_rays() => {
+            let name = method.name();
+            return Err(Failure::Wrong(format!(
+                "--polygon: {name} goes pixel by pixel; choose --pixel or --scan-line"
+            )));
+        }
         Focus::Polygon(number) => within(
             number,
             stage.tessellation.polygon_count(),

@@ -10,31 +10,64 @@ pub struct Builtin {
     json: &'static str,
 }
 
-const BUILTINS: [Builtin; 2] = [
-    Builtin {
-        id: "gouraud-triangle",
-        json: include_str!("../../lessons/04-gouraud-triangle.json"),
-    },
-    Builtin {
-        id: "gouraud-teapot",
-        json: include_str!("../../lessons/05-gouraud-teapot.json"),
-    },
+/// By their ids, in the order of their numbers.
+const BUILTINS: &[Builtin] = &[
+    lesson(
+        "gouraud-triangle",
+        include_str!("../../lessons/04-gouraud-triangle.json"),
+    ),
+    lesson(
+        "gouraud-teapot",
+        include_str!("../../lessons/05-gouraud-teapot.json"),
+    ),
+    lesson(
+        "ray-casting",
+        include_str!("../../lessons/11-ray-casting.json"),
+    ),
+    lesson("shadows", include_str!("../../lessons/12-shadows.json")),
+    lesson(
+        "reflection",
+        include_str!("../../lessons/13-reflection.json"),
+    ),
+    lesson(
+        "refraction",
+        include_str!("../../lessons/14-refraction.json"),
+    ),
+    lesson("ray-tree", include_str!("../../lessons/15-ray-tree.json")),
+    lesson(
+        "depth-attenuation",
+        include_str!("../../lessons/16-depth-attenuation.json"),
+    ),
+    lesson(
+        "texture-transparency",
+        include_str!("../../lessons/17-texture-transparency.json"),
+    ),
 ];
 
 /// What those lessons name, by its path relative to them.
-const FILES: [(&str, &[u8]); 1] = [(
-    "meshes/teapot.obj",
-    include_bytes!("../../lessons/meshes/teapot.obj"),
-)];
+const FILES: &[(&str, &[u8])] = &[
+    (
+        "meshes/teapot.obj",
+        include_bytes!("../../lessons/meshes/teapot.obj"),
+    ),
+    (
+        "meshes/prism.obj",
+        include_bytes!("../../lessons/meshes/prism.obj"),
+    ),
+];
+
+const fn lesson(id: &'static str, json: &'static str) -> Builtin {
+    Builtin { id, json }
+}
 
 /// All of them, in the order of their numbers.
 pub fn builtins() -> &'static [Builtin] {
-    &BUILTINS
+    BUILTINS
 }
 
 /// The lesson of this id.
 pub fn builtin(id: &str) -> Option<Builtin> {
-    BUILTINS.into_iter().find(|lesson| lesson.id == id)
+    BUILTINS.iter().copied().find(|lesson| lesson.id == id)
 }
 
 impl Builtin {

@@ -29,7 +29,16 @@ pub struct LessonFile {
     pub method: String,
     /// Pixels, width and height.
     pub size: [u32; 2],
+    /// Of ray tracing: the last level that is shaded, 5 unless given.
+    #[serde(default, deserialize_with = "present")]
+    pub depth: Option<u32>,
+    /// Of the ray methods: n of n×n rays a pixel, 1 unless given.
+    #[serde(default, deserialize_with = "present")]
+    pub samples: Option<u32>,
     pub focus: FocusFile,
+    /// Indices of the point lights that may be moved.
+    #[serde(default, deserialize_with = "present")]
+    pub movable_lights: Option<Vec<usize>>,
     pub panels: Vec<String>,
     pub steps: Vec<Keyed<StepFile>>,
 }

@@ -3,6 +3,7 @@
 use super::file::{FocusFile, LessonFile, StepFile, Text};
 use super::narrate::narrate;
 use crate::algorithms::focus::Focus;
+use crate::algorithms::primary::Settings;
 use crate::algorithms::stage::Stage;
 use crate::panels::Panel;
 use crate::panels::words::Language;
@@ -10,7 +11,8 @@ use crate::record::RecordingLimit;
 use crate::render::{MAX_PIXELS, MAX_SIDE, Method};
 use crate::replay::Run;
 use crate::scene::document::{self, Keyed, Problem};
-use crate::scene::{self, Limits, Scene, SceneError, View};
+use crate::scene::{self, Light, Limits, Scene, SceneError, View};
+use std::num::NonZeroU32;
 use std::sync::Arc;
 
 /// What is wrong with a lesson. Displayed as one problem a line.
@@ -47,7 +49,11 @@ pub struct Lesson {
     pub method: Method,
     /// Pixels, width and height.
     pub size: [u32; 2],
+    /// How far the ray methods go.
+    pub settings: Settings,
     pub focus: Focus,
+    /// Indices into the scene's lights: point lights that may be moved.
+    pub movable_lights: Vec<usize>,
     pub panels: Vec<Panel>,
     steps: Vec<StepFile>,
 }
@@ -168,6 +174,10 @@ impl Lesson {
             }
         }
         check_words(&file, &mut problems);
+        let movable_lights = file.movable_lights.clone().unwrap_or_default();
+        if let Some(scene) = &scene {
+            check_movable(&movable_lights, &scene.lights, &mut problems);
+        }
         let focus = match file.focus {
             FocusFile::Frame => Focus::Frame,
             FocusFile::Polygon(number) => Focus::Polygon(number),
@@ -184,6 +194,12 @@ impl Lesson {
             problems.push(problem("focus", format!("found {focus:?}; the picture has {width} columns and {height} rows, counted from 0")));
         }
 
+        if method.is_some_and(Method::follows_rays) && matches!(focus, Focus::Polygon(_)) {
+            let message = "found a polygon; ray methods go pixel by pixel: allowed are `pixel`, `scan_line` and `frame`";
+            problems.push(problem("focus", message));
+        }
+        let settings = settings(&file, &mut problems);
+
         match (scene, method) {
             (Some(scene), Some(method)) if problems.is_empty() => Ok(Lesson {
                 id: file.id,
@@ -194,7 +210,9 @@ impl Lesson {
                 scene,
                 method,
                 size: file.size,
+                settings,
                 focus,
+                movable_lights,
                 panels,
                 steps: file.steps.into_iter().map(|Keyed(step)| step).collect(),
             }),
@@ -209,10 +227,10 @@ impl Lesson {
             .camera
             .ok_or_else(|| problem("scene.camera", "the key is missing"))?;
         let [width, height] = self.size;
-        let stage = Arc::new(Stage::new(
-            self.scene.clone(),
-            View::new(&camera, width, height),
-        ));
+        let stage = Arc::new(
+            Stage::new(self.scene.clone(), View::new(&camera, width, height))
+                .with_settings(self.settings),
+        );
         if let Focus::Polygon(number) = self.focus
             && stage.polygon(number).is_none()
         {
@@ -227,13 +245,42 @@ impl Lesson {
             self.focus,
             RecordingLimit::default(),
         );
-        let narrated = narrate(&self.steps, run.walk())?;
+        let narrated = self.narrate(&run)?;
         Ok(OpenLesson {
             lesson: self,
             stage,
             run,
             narrated,
         })
+    }
+
+    /// What is said in a run of the lesson's own part. Errors: every anchor, value and answer that is not in the run.
+    pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
+        narrate(&self.steps, run.walk())
+    }
+}
+
+/// How far the ray methods are to go.
+fn settings(file: &LessonFile, problems: &mut Vec<Problem>) -> Settings {
+    let mut within = |place: &str, asked: Option<u32>, most: u32, unless: NonZeroU32| {
+        let Some(asked) = asked else { return unless };
+        NonZeroU32::new(asked)
+            .filter(|asked| asked.get() <= most)
+            .unwrap_or_else(|| {
+                let message = format!("found {asked}; allowed are whole numbers from 1 to {most}");
+                problems.push(problem(place, message));
+                unless
+            })
+    };
+    let unless = Settings::default();
+    Settings {
+        depth: within("depth", file.depth, Settings::DEEPEST, unless.depth),
+        samples: within(
+            "samples",
+            file.samples,
+            Settings::MOST_SAMPLES,
+            unless.samples,
+        ),
     }
 }
 
@@ -264,6 +311,22 @@ fn read_scene(
             Ok(Some(scene.map_err(|error| LessonError { problems: error.problems.into_iter().map(named).collect() })?))
         }
         _ => Err(problem("", "a lesson has exactly one of the keys `scene` (a scene) and `scene_file` (the path of one)").into()),
+    }
+}
+
+fn check_movable(movable: &[usize], lights: &[Light], problems: &mut Vec<Problem>) {
+    for (index, &light) in movable.iter().enumerate() {
+        let message = match lights.get(light) {
+            Some(Light::Point { .. }) => continue,
+            Some(Light::Directional { .. }) => {
+                format!("found {light}, a directional light; only point lights can be moved")
+            }
+            None => format!(
+                "found {light}; the scene has {} lights, counted from 0",
+                lights.len()
+            ),
+        };
+        problems.push(problem(format!("movable_lights[{index}]"), message));
     }
 }
 

@@ -3,7 +3,7 @@
 mod columns;
 
 use super::Show;
-use super::message::message;
+use super::message::{NO_POLYGONS, message};
 use super::values::{told_in_words, value_of};
 use super::words::{Language, Words};
 use crate::algorithms::scan_line::Carried;
@@ -41,6 +41,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         Run::Gouraud(replay) => table(show, replay.state(), size),
         Run::Flat(replay) => table(show, replay.state(), size),
         Run::Wireframe(_) => message(NO_TABLE, show.language, size),
+        Run::RayCasting(_) | Run::RayTracing(_) => message(NO_POLYGONS, show.language, size),
     };
     picture.alt = format!("{} {}", told_in_words(show), picture.alt);
     picture

@@ -4,14 +4,16 @@ use super::Show;
 use super::sample::Sample;
 use super::words::Language;
 use crate::algorithms::focus::Focus;
+use crate::algorithms::primary::Settings;
 use crate::color::Rgb;
 use crate::picture::{Picture, Rect, Shape as Drawn};
 use crate::record::RecordingLimit;
 use crate::render::Method;
 use crate::replay::{Run, Walk};
-use crate::scene::{Camera, Highlight, Light, Material, Mesh, Object, Scene, Shape};
+use crate::scene::{Camera, Highlight, Light, Material, Mesh, Object, Scene, Shape, Texture};
 use glam::{DVec3, Vec2};
 use std::collections::HashMap;
+use std::num::NonZeroU32;
 
 /// Sizes at which panels are checked: the smallest, as in the window, low and wide, tall, large.
 pub const SIZES: [Vec2; 6] = [
@@ -150,6 +152,75 @@ pub fn crowd(method: Method) -> Sample {
         ],
     );
     Sample::of(scene, method, Focus::Frame, (28, 21))
+}
+
+/// Every kind of step of the ray methods: objects met, missed and hidden, a light ball, blocked lights, glass with total
+/// internal reflection, a mirror, a texture, branches that end for each reason. 16×12, the whole frame.
+pub fn rays(method: Method, samples: u32) -> Sample {
+    let mut glass = material("glass", Rgb::BLACK, Highlight::Blinn);
+    (glass.reflection, glass.transmission, glass.ior) = (Rgb::splat(0.1), Rgb::splat(0.9), 1.5);
+    let mut mirror = material("mirror", Rgb::new(0.2, 0.2, 0.3), Highlight::Phong);
+    mirror.reflection = Rgb::new(0.5, 0.4, 0.3);
+    let mut tiles = material("tiles", Rgb::new(0.6, 0.5, 0.4), Highlight::Blinn);
+    tiles.texture = Some(Texture::Checker {
+        colors: [Rgb::WHITE, Rgb::splat(0.3)],
+        scale: 0.7,
+    });
+    let ball = |center: [f64; 3], radius| Shape::Sphere {
+        center: DVec3::from(center),
+        radius,
+    };
+    let ceiling = [[-4.0, 2.5, -3.0], [4.0, 2.5, -3.0], [0.0, 2.5, 2.0]];
+    let leaf = [[-2.0, 0.0, 0.5], [-1.0, 0.1, 0.5], [-1.4, 0.9, 0.4]];
+    let mut scene = scene(
+        vec![
+            material("clay", Rgb::new(0.7, 0.2, 0.1), Highlight::Blinn),
+            glass,
+            mirror,
+            tiles,
+        ],
+        vec![
+            object(
+                "floor",
+                3,
+                Shape::Plane {
+                    point: DVec3::new(0.0, -1.0, 0.0),
+                    normal: DVec3::Y,
+                },
+            ),
+            object("mirror ball", 2, ball([-0.9, -0.2, -0.6], 0.8)),
+            object("glass ball", 1, ball([0.6, -0.1, 0.8], 0.8)),
+            object("leaf", 0, mesh(&leaf, &[[0, 1, 2]])),
+            object("clay ball", 0, ball([1.7, 0.6, -2.0], 0.6)),
+            object("ceiling", 0, mesh(&ceiling, &[[0, 1, 2]])),
+        ],
+        vec![
+            lamp(Rgb::new(1.0, 0.9, 0.8)),
+            Light::Point {
+                position: DVec3::new(0.9, 1.1, -0.4),
+                color: Rgb::splat(0.6),
+                attenuation: [1.0, 0.1, 0.0],
+                radius: 0.4,
+            },
+            Light::Directional {
+                toward: DVec3::new(0.6, -0.8, 0.0),
+                color: Rgb::splat(0.3),
+            },
+        ],
+    );
+    scene.objects[4].casts_shadow = false;
+    if method == Method::RayCasting {
+        // A scene without highlights tells less of its lights.
+        for material in &mut scene.materials {
+            material.specular = Rgb::BLACK;
+        }
+    }
+    scene.path_attenuation = [1.0, 0.05, 0.01];
+    let settings = Settings {
+        samples: NonZeroU32::new(samples).expect("one sample or more"),
+        ..Settings::default()
+    };
+    Sample::with_settings(scene, method, Focus::Frame, (16, 12), settings)
 }
 
 /// A run with no steps: there is no room to record any.

@@ -50,6 +50,11 @@ impl Fit {
         Vec2::new(self.x(point.x), self.y(point.y))
     }
 
+    /// The point that lies at a place: the inverse of [`Fit::place`].
+    pub fn point(&self, place: Vec2) -> DVec2 {
+        (place.as_dvec2() - self.offset) / self.scale
+    }
+
     /// Pixels `first..end` of row `y`.
     pub fn pixels(&self, first: u32, end: u32, y: u32) -> Rect {
         let low = DVec2::new(first.into(), y.into());
@@ -95,6 +100,7 @@ mod tests {
         assert_eq!(fit.place(low), Vec2::new(60.0, 20.0));
         assert_eq!(fit.place(high), Vec2::new(160.0, 120.0));
         assert_eq!(fit.pixels(4, 6, 7), Rect::new(60.0, 30.0, 20.0, 10.0));
+        assert!(fit.point(fit.place(low)).distance(low) < 1e-6);
         assert!(Fit::new(low, low, area).place(low).is_finite());
     }
 }

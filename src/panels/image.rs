@@ -1,4 +1,7 @@
 //! The picture so far: what is drawn in full colour, what is still to come as a faint ghost, and what is in hand.
+//!
+//! Where the rays of one pixel are followed, the picture so far is that pixel: the finished picture is shown in full colour
+//! around it, so that it can be seen what the pixel is part of.
 
 mod marks;
 
@@ -35,6 +38,8 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         Run::Wireframe(replay) => Marks::of_wireframe(replay.state()),
         Run::Flat(replay) => Marks::of_shading(replay.state()),
         Run::Gouraud(replay) => Marks::of_shading(replay.state()),
+        Run::RayCasting(replay) => Marks::of_rays(replay.state()),
+        Run::RayTracing(replay) => Marks::of_rays(replay.state()),
     };
     let (canvas, background) = (marks.canvas, marks.stage.scene.background);
     let (width, height) = (canvas.width(), canvas.height());
@@ -84,6 +89,8 @@ fn image(show: &Show, canvas: &Canvas<Dot>, background: Rgb) -> (Image, usize) {
     let ground = background.to_srgb8();
     let mut bytes = vec![0; 3 * canvas.width() * canvas.height()];
     let (pixels, _) = bytes.as_chunks_mut();
+    let follows_rays = matches!(show.run, Run::RayCasting(_) | Run::RayTracing(_));
+    let around = follows_rays && matches!(show.focus, Focus::Pixel { .. });
     let mut both = iter::zip(pixels, &show.finished.color);
     let mut drawn = 0;
     // `for_each`, not `for`: the canvas hands out its tiles' rows much faster.
@@ -95,6 +102,8 @@ fn image(show: &Show, canvas: &Canvas<Dot>, background: Rgb) -> (Image, usize) {
         *pixel = if dot.step.is_some() {
             drawn += 1;
             dot.color.to_srgb8()
+        } else if around {
+            finished.to_srgb8()
         } else if finished == background {
             ground
         } else {

@@ -3,10 +3,11 @@
 
 use super::Show;
 use super::message::{NO_STEPS, message};
+use super::names;
 use super::values::shown;
 use super::words::Words;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide, measure, symbol};
-use crate::record::Value;
+use crate::record::{Field, Value};
 use crate::replay::{Told, Walk};
 use glam::Vec2;
 
@@ -168,12 +169,20 @@ impl Sheet {
     fn with(told: &[Told], show: &Show, decimals: usize, with_kind: bool) -> Self {
         let walk = show.run.walk();
         let words = |words: Words| words.in_language(show.language);
+        let stage = names::stage(show.run);
+        let value = |field: Field| {
+            let value = shown(field.value, decimals, show.language);
+            match names::of_field(stage, field.name, field.value, show.language) {
+                Some(name) => format!("{value} · {name}"),
+                None => value,
+            }
+        };
         let rows: Vec<Row> = told
             .iter()
             .map(|&told| Row {
                 told,
                 name: symbol(told.field.name),
-                value: shown(told.field.value, decimals, show.language),
+                value: value(told.field),
                 from: match (told.step == walk.position(), with_kind) {
                     (true, _) => words(THIS_STEP).to_string(),
                     (false, true) => format!("{} {}", walk.kind(told.step), told.step),
@@ -361,6 +370,19 @@ mod tests {
         let fields = sample.walk().fields(step);
         for told in &known {
             assert_eq!(fields.get(told.field.name), Some(told.field.value));
+        }
+    }
+
+    #[test]
+    fn objects_and_lights_are_called_by_their_names() {
+        let mut sample = crowd::rays(Method::RayTracing, 1);
+        sample.go_to("BetweenTested", 0);
+        let picture = draw(&sample.show(), SIZES[5]);
+        for value in ["0 · floor", "0 · point light"] {
+            assert!(
+                texts(&picture).iter().any(|(text, _)| *text == value),
+                "{value}"
+            );
         }
     }
 

@@ -26,6 +26,10 @@ impl Labels {
         }
     }
 
+    pub fn area(&self) -> Rect {
+        self.area
+    }
+
     /// No label may cover `rect`.
     pub fn keep_free(&mut self, rect: Rect) {
         self.taken.push(rect);
@@ -63,6 +67,27 @@ impl Labels {
         };
         picture.text(baseline, text, set);
         self.taken.push(place);
+    }
+
+    /// Writes `text` in the box with its upper left corner at `corner`, where that is free, and crossed by no line unless
+    /// `crossing`. Returns whether it did.
+    pub fn put_at(
+        &mut self,
+        picture: &mut Picture,
+        corner: Vec2,
+        text: &str,
+        set: Text,
+        crossing: bool,
+    ) -> bool {
+        let above = ascent(set.style, set.size);
+        let place = set.bounds(corner + Vec2::new(0.0, above), text);
+        let crossed = self.lines.iter().any(|line| crosses(*line, place));
+        if !self.is_free(place) || crossed && !crossing {
+            return false;
+        }
+        picture.text(corner + Vec2::new(0.0, above), text, set);
+        self.taken.push(place);
+        true
     }
 
     /// The cheapest free box beside a disc, and which gap lies between them.
@@ -114,8 +139,13 @@ fn squared(direction: Vec2) -> Vec2 {
     direction / direction.abs().max_element()
 }
 
-/// Whether a line passes through a rectangle (Liang and Barsky).
-fn crosses([from, to]: [Vec2; 2], rect: Rect) -> bool {
+/// Whether a line passes through a rectangle.
+pub(super) fn crosses(line: [Vec2; 2], rect: Rect) -> bool {
+    within(line, rect).is_some()
+}
+
+/// The part of a line within a rectangle (Liang and Barsky).
+pub(super) fn within([from, to]: [Vec2; 2], rect: Rect) -> Option<[Vec2; 2]> {
     let (mut first, mut last) = (0.0_f32, 1.0_f32);
     let along = to - from;
     for (step, low, high) in [
@@ -124,7 +154,7 @@ fn crosses([from, to]: [Vec2; 2], rect: Rect) -> bool {
     ] {
         if step == 0.0 {
             if low > 0.0 || high < 0.0 {
-                return false;
+                return None;
             }
         } else {
             let (enter, leave) = (low / step, high / step);
@@ -132,7 +162,7 @@ fn crosses([from, to]: [Vec2; 2], rect: Rect) -> bool {
             last = last.min(enter.max(leave));
         }
     }
-    first <= last
+    (first <= last).then(|| [from + first * along, from + last * along])
 }
 
 #[cfg(test)]

@@ -10,6 +10,18 @@ pub const NO_STEPS: Words = Words::new(
     "Tidak ada yang direkam di sini: tidak ada poligon dalam fokus. Klik gambar untuk melihat tempat lain.",
 );
 
+/// Where rays are followed, and no polygons converted.
+pub const NO_POLYGONS: Words = Words::new(
+    "This method follows rays and converts no polygons. Look at the ray tree.",
+    "Metode ini mengikuti sinar dan tidak mengolah poligon. Lihatlah pohon sinar.",
+);
+
+/// Where polygons are converted, and no rays followed.
+pub const NO_RAYS: Words = Words::new(
+    "This method converts polygons and follows no rays. Open a lesson on ray casting or ray tracing.",
+    "Metode ini mengolah poligon dan tidak mengikuti sinar. Buka pelajaran tentang ray casting atau ray tracing.",
+);
+
 /// A picture of one friendly sentence, centred.
 pub fn message(words: Words, language: Language, size: Vec2) -> Picture {
     const LINE: f32 = 18.0;

@@ -10,14 +10,21 @@ mod image;
 mod inspector;
 mod labels;
 mod message;
+mod names;
+mod ray_tree;
+mod rays;
 #[cfg(test)]
 pub(crate) mod sample;
 mod scan_line;
 mod time_line;
 mod values;
+mod vectors;
 mod vertex;
 pub mod words;
 
+pub use ray_tree::TreeView;
+pub use ray_tree::{area as tree_area, middle as tree_middle};
+pub use rays::{Grip, grip};
 pub use time_line::step_at;
 
 use crate::algorithms::focus::Focus;
@@ -38,6 +45,12 @@ pub enum Panel {
     ActiveEdges,
     /// The vertex in hand: face normals, their mean, and the vectors of the illumination model.
     Vertex,
+    /// The binary ray tree of the pixel in hand.
+    RayTree,
+    /// The vectors where the ray in hand meets a surface, in the plane of incidence.
+    Vectors,
+    /// The rays of the pixel among the objects, from the side and from above.
+    Rays,
     /// All values of the step, and where each came from.
     Inspector,
     /// The pseudocode, with the current line.
@@ -49,11 +62,14 @@ pub enum Panel {
 }
 
 impl Panel {
-    pub const ALL: [Panel; 8] = [
+    pub const ALL: [Panel; 11] = [
         Panel::Image,
         Panel::ScanLine,
         Panel::ActiveEdges,
         Panel::Vertex,
+        Panel::RayTree,
+        Panel::Vectors,
+        Panel::Rays,
         Panel::Inspector,
         Panel::Code,
         Panel::Formula,
@@ -67,6 +83,9 @@ impl Panel {
             Panel::ScanLine => "scan-line",
             Panel::ActiveEdges => "active-edges",
             Panel::Vertex => "vertex",
+            Panel::RayTree => "ray-tree",
+            Panel::Vectors => "vectors",
+            Panel::Rays => "rays",
             Panel::Inspector => "inspector",
             Panel::Code => "code",
             Panel::Formula => "formula",
@@ -93,6 +112,8 @@ pub struct Show<'a> {
     pub narrated: &'a [usize],
     /// Steps at which playing stops, ascending.
     pub breakpoints: &'a [usize],
+    /// How much of the ray tree is looked at.
+    pub tree: &'a TreeView,
 }
 
 /// The picture of a panel, `size` points large, without title or frame.
@@ -102,6 +123,9 @@ pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
         Panel::ScanLine => scan_line::draw(show, size),
         Panel::ActiveEdges => active_edges::draw(show, size),
         Panel::Vertex => vertex::draw(show, size),
+        Panel::RayTree => ray_tree::draw(show, size),
+        Panel::Vectors => vectors::draw(show, size),
+        Panel::Rays => rays::draw(show, size),
         Panel::Inspector => inspector::draw(show, size),
         Panel::Code => code::draw(show, size),
         Panel::Formula => formula::draw(show, size),

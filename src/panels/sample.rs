@@ -1,17 +1,20 @@
 //! Small runs that the tests of panels look at.
 
-use super::Show;
 use super::words::Language;
+use super::{Show, TreeView};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
+use crate::algorithms::primary::Settings;
 use crate::algorithms::stage::Stage;
 use crate::color::Rgb;
 use crate::record::RecordingLimit;
 use crate::render::{Method, render};
 use crate::replay::Run;
-use crate::scene::{Camera, Highlight, Light, Material, Mesh, Object, Scene, Shape, View};
+use crate::scene::{
+    self, Camera, Highlight, Light, Limits, Material, Mesh, Object, Scene, Shape, View,
+};
 use glam::{DVec2, DVec3};
-use std::num::NonZeroUsize;
+use std::num::{NonZeroU32, NonZeroUsize};
 use std::sync::Arc;
 
 /// A recorded run with the finished picture.
@@ -50,9 +53,39 @@ impl Sample {
         Sample::of(scene, method, Focus::Polygon(0), (640, 480))
     }
 
-    pub fn of(scene: Scene, method: Method, focus: Focus, (width, height): (u32, u32)) -> Self {
-        let camera = scene.camera.expect("a sample has a camera");
-        let stage = Arc::new(Stage::new(scene, View::new(&camera, width, height)));
+    /// A glass ball, a glass cube and a red ball on a mirroring checkered floor, under a light ball and a dim light; 640×480
+    /// pixels, one of them recorded and none finished, which would take seconds.
+    pub fn rays(method: Method, pixel: (u32, u32), depth: u32) -> Self {
+        Sample::rays_of(rays_scene(), method, pixel, depth)
+    }
+
+    /// As [`Sample::rays`], of another scene.
+    pub fn rays_of(scene: Scene, method: Method, (x, y): (u32, u32), depth: u32) -> Self {
+        let settings = Settings {
+            depth: NonZeroU32::new(depth).expect("a depth is at least 1"),
+            ..Settings::default()
+        };
+        let stage = stage(scene, (640, 480)).with_settings(settings);
+        let focus = Focus::Pixel { x, y };
+        Sample {
+            finished: Frame::new(640, 0..480, stage.scene.background),
+            run: Run::record(Arc::new(stage), method, focus, RecordingLimit::default()),
+            focus,
+        }
+    }
+
+    pub fn of(scene: Scene, method: Method, focus: Focus, size: (u32, u32)) -> Self {
+        Sample::with_settings(scene, method, focus, size, Settings::default())
+    }
+
+    pub fn with_settings(
+        scene: Scene,
+        method: Method,
+        focus: Focus,
+        size: (u32, u32),
+        settings: Settings,
+    ) -> Self {
+        let stage = Arc::new(stage(scene, size).with_settings(settings));
         Sample {
             finished: render(&stage, method, NonZeroUsize::MIN, &|_, _| {}),
             run: Run::record(stage, method, focus, RecordingLimit::default()),
@@ -68,6 +101,7 @@ impl Sample {
             language: Language::English,
             narrated: &[],
             breakpoints: &[],
+            tree: TreeView::whole(),
         }
     }
 
@@ -81,6 +115,29 @@ impl Sample {
         walk.seek(step);
         self
     }
+}
+
+/// Pixels of [`Sample::rays`]. Through the glass ball to the cube, where total internal reflection follows, and to the floor,
+/// which the cube shades; 14 rays at depth 5.
+pub(crate) const BALL: (u32, u32) = (380, 270);
+/// A spot of the glass ball that mirrors the light ball.
+pub(crate) const SPARK: (u32, u32) = (250, 231);
+/// The floor, which mirrors the red ball.
+pub(crate) const FLOOR: (u32, u32) = (480, 400);
+/// The background.
+pub(crate) const SKY: (u32, u32) = (320, 20);
+
+/// The scene of [`Sample::rays`].
+pub(crate) fn rays_scene() -> Scene {
+    let cube = include_bytes!("sample/cube.obj");
+    let scene = include_bytes!("sample/rays.json");
+    let read = scene::read(scene, &Limits::default(), &mut |_| Ok(cube.to_vec()));
+    read.expect("the sample is a scene")
+}
+
+fn stage(scene: Scene, (width, height): (u32, u32)) -> Stage {
+    let camera = scene.camera.expect("a sample has a camera");
+    Stage::new(scene, View::new(&camera, width, height))
 }
 
 /// An object seen from straight ahead, lit by one lamp near it.
@@ -122,5 +179,28 @@ fn scene(shape: Shape, diffuse: Rgb, highlight: Highlight) -> Scene {
             attenuation: [1.0, 0.0, 0.0],
             radius: 0.0,
         }],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_pixels_show_what_is_said_of_them() {
+        let kinds = |pixel| {
+            let sample = Sample::rays(Method::RayTracing, pixel, 5);
+            let walk = sample.run.walk();
+            (0..walk.len())
+                .map(|step| walk.kind(step))
+                .collect::<Vec<_>>()
+        };
+        let has = |kinds: &[&str], kind| kinds.contains(&kind);
+        let ball = kinds(BALL);
+        assert!(has(&ball, "TotalInternalReflection") && has(&ball, "BranchEnded"));
+        assert_eq!(ball.iter().filter(|kind| **kind == "Ray").count(), 14);
+        assert!(has(&kinds(SPARK), "LightMet"));
+        assert!(has(&kinds(FLOOR), "Shadow"));
+        assert!(!has(&kinds(SKY), "SurfaceMet"));
     }
 }

@@ -7,7 +7,7 @@ mod line;
 mod polygon;
 
 use super::Show;
-use super::message::message;
+use super::message::{NO_POLYGONS, message};
 use super::values::told_in_words;
 use super::words::Words;
 use crate::algorithms::scan_line::Carried;
@@ -42,6 +42,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
             }
             None => silent(show, NO_LINE, size),
         },
+        Run::RayCasting(_) | Run::RayTracing(_) => message(NO_POLYGONS, show.language, size),
     }
 }
 

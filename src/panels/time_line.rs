@@ -6,6 +6,7 @@
 
 use super::Show;
 use super::message::{NO_STEPS, message};
+use super::names;
 use super::words::{Language, Words};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::record::{Outline, Value};
@@ -50,7 +51,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         }
     }
     for row in &rows {
-        row.draw(&mut picture, walk, show.language);
+        row.draw(&mut picture, show);
     }
     cursor(&mut picture, &whole, &rows, position, y);
     picture
@@ -239,7 +240,8 @@ impl Row {
         self.current.is_some_and(|scope| bar.steps.contains(&scope))
     }
 
-    fn draw(&self, picture: &mut Picture, walk: &dyn Walk, language: Language) {
+    fn draw(&self, picture: &mut Picture, show: &Show) {
+        let walk = show.run.walk();
         let mut kinds: Vec<&str> = Vec::new();
         let mut before = "";
         for bar in &self.bars {
@@ -264,10 +266,10 @@ impl Row {
             before = kind;
             let cursor = current.then(|| self.span.middle(walk.position()));
             picture.tagged(tag(scope), |picture| {
-                label(picture, rect, walk, scope, (cursor, long), language);
+                label(picture, rect, show, scope, (cursor, long));
             });
         }
-        self.draw_name(picture, walk, kinds, language);
+        self.draw_name(picture, walk, kinds, show.language);
     }
 
     /// The kinds of scope in the row, the one in hand first, as many as fit.
@@ -302,25 +304,28 @@ impl Row {
     }
 }
 
-/// What a bar is called, if it fits: its number, where it is `long` after its kind. Beside the cursor, where there is room.
+/// What a bar is called, if it fits: its number, where it is `long` after its kind; of a ray, its kind and where it goes.
+/// Beside the cursor, where there is room.
 fn label(
     picture: &mut Picture,
     rect: Rect,
-    walk: &dyn Walk,
+    show: &Show,
     scope: usize,
     (cursor, long): (Option<f32>, bool),
-    language: Language,
 ) {
+    let walk = show.run.walk();
     let style = if cursor.is_some() {
         Style::Bold.size(TEXT)
     } else {
         Style::Body.size(TEXT).ink(Ink::Muted)
     };
-    let kind = in_text(walk.kind(scope), language);
-    let names = match number_of(walk, scope) {
-        Some(number) if long => vec![format!("{kind} {number}"), number.to_string()],
-        Some(number) => vec![number.to_string()],
-        None => vec![kind],
+    let kind = in_text(walk.kind(scope), show.language);
+    let ray = names::ray(walk, scope, names::stage(show.run), show.language);
+    let names = match (ray, number_of(walk, scope)) {
+        (Some(names), _) => names.to_vec(),
+        (None, Some(number)) if long => vec![format!("{kind} {number}"), number.to_string()],
+        (None, Some(number)) => vec![number.to_string()],
+        (None, None) => vec![kind],
     };
     let fitting = names
         .into_iter()
@@ -344,6 +349,7 @@ fn number_of(walk: &dyn Walk, scope: usize) -> Option<i64> {
     let name = match walk.kind(scope) {
         "ScanLine" => "y".to_string(),
         "Pixel" => "x".to_string(),
+        "ShadowRay" => "light".to_string(),
         kind => kind.to_lowercase(),
     };
     match fields.get(&name) {
@@ -352,7 +358,7 @@ fn number_of(walk: &dyn Walk, scope: usize) -> Option<i64> {
     }
 }
 
-const KINDS: [(&str, Words); 10] = [
+const KINDS: [(&str, Words); 13] = [
     ("Frame", Words::new("frame", "gambar")),
     ("Polygon", Words::new("polygon", "poligon")),
     ("Vertex", Words::new("vertex", "titik sudut")),
@@ -363,6 +369,9 @@ const KINDS: [(&str, Words); 10] = [
     ("Edge", Words::new("edge", "sisi")),
     ("Span", Words::new("span", "bentang")),
     ("Pixel", Words::new("pixel", "piksel")),
+    ("Ray", Words::new("ray", "sinar")),
+    ("Search", Words::new("search", "pencarian")),
+    ("ShadowRay", Words::new("shadow ray", "sinar bayangan")),
 ];
 
 /// The kind of a scope in words; a kind that is not in the table as it is written.
@@ -447,9 +456,11 @@ fn in_words(show: &Show, rows: &[Row]) -> String {
         .filter_map(|row| {
             let scope = row.current?;
             let kind = in_text(walk.kind(scope), show.language);
-            Some(match number_of(walk, scope) {
-                Some(number) => format!("{kind} {number}"),
-                None => kind,
+            let ray = names::ray(walk, scope, names::stage(show.run), show.language);
+            Some(match (ray, number_of(walk, scope)) {
+                (Some([ray, ..]), _) => format!("{kind}: {ray}"),
+                (None, Some(number)) => format!("{kind} {number}"),
+                (None, None) => kind,
             })
         })
         .collect();

@@ -8,7 +8,7 @@ mod arrows;
 mod terms;
 
 use super::Show;
-use super::message::message;
+use super::message::{NO_POLYGONS, message};
 use super::values::told_in_words;
 use super::words::Words;
 use crate::picture::{Picture, Rect};
@@ -30,6 +30,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         Run::Gouraud(replay) => of_state(show, replay.state(), size),
         Run::Flat(replay) => of_state(show, replay.state(), size),
         Run::Wireframe(_) => message(WIREFRAME, show.language, size),
+        Run::RayCasting(_) | Run::RayTracing(_) => message(NO_POLYGONS, show.language, size),
     };
     picture.alt = format!("{} {}", told_in_words(show), picture.alt);
     picture

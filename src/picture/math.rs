@@ -118,6 +118,8 @@ pub fn symbol(name: &str) -> String {
         [a, "dot", b, words @ ..] => (format!("{}·{}", letter(a), letter(b)), words),
         ["one", "over", a, words @ ..] => (format!("1/{}", letter(a)), words),
         [a, "squared", words @ ..] => (format!("{}^2", letter(a)), words),
+        ["cos", angle, index] => (format!("cos {}_{index}", letter(angle)), &[][..]),
+        ["cos2", angle, index] => (format!("cos^2 {}_{index}", letter(angle)), &[][..]),
         [a, b, words @ ..] if is_difference(a) && is_difference(b) => {
             (format!("Δ{}/Δ{}", &a[1..], &b[1..]), words)
         }
@@ -207,6 +209,9 @@ mod tests {
             ("one_over_w", "1/w"),
             ("d_squared", "d^2"),
             ("to_light", "to light"),
+            ("cos_theta_i", "cos θ_i"),
+            ("cos2_theta_r", "cos^2 θ_r"),
+            ("theta_i_degrees", "θ_i degrees"),
             ("difference", "difference"),
             ("_", "_"),
         ] {

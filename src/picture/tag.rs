@@ -21,6 +21,10 @@ pub enum Tag {
     Line(usize),
     /// A named value of the event at hand.
     Field(&'static str),
+    /// A light of the scene.
+    Light(usize),
     /// A scope of the time line, by the step that opens it.
     Scope(usize),
+    /// The sign that collapses a ray of the ray tree, by the step that opened it.
+    Fold(usize),
 }

@@ -9,6 +9,11 @@ pub trait Event: Copy + Send + Sync + 'static {
     fn kind(&self) -> &'static str;
     /// The line of pseudocode that this event carries out.
     fn line(&self) -> Line;
+    /// Whether what a plain step tells at the head of a scope goes for the rest of the scope too. A test of one candidate after
+    /// another does not.
+    fn holds_on(&self) -> bool {
+        true
+    }
     /// Appends the event's own values, named as in the literature.
     fn fields(&self, fields: &mut Fields);
 }

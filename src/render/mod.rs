@@ -1,15 +1,28 @@
-//! Runs an algorithm over a whole frame: unrecorded, in bands of rows, on as many threads as are wanted.
+//! Runs an algorithm over a whole frame: unrecorded, on as many threads as are wanted, all at once or coarse first.
+
+mod bands;
+mod crew;
+mod painter;
+mod pixels;
+mod tally;
 
 use crate::algorithms::flat::flat;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud::gouraud;
+use crate::algorithms::ray_casting::RayCaster;
+use crate::algorithms::ray_tracing::RayTracer;
 use crate::algorithms::stage::Stage;
+use crate::algorithms::visible::Hierarchy;
 use crate::algorithms::wireframe::wireframe;
 use crate::record::Unrecorded;
+use crate::scene::{Needs, Part};
+use std::convert::Infallible;
 use std::num::NonZeroUsize;
-use std::ops::Range;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use tally::Totals;
+
+pub use painter::Painter;
+pub use tally::RayCounts;
 
 /// A way to make a picture of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -17,10 +30,18 @@ pub enum Method {
     Wireframe,
     Flat,
     Gouraud,
+    RayCasting,
+    RayTracing,
 }
 
 impl Method {
-    pub const ALL: [Method; 3] = [Method::Wireframe, Method::Flat, Method::Gouraud];
+    pub const ALL: [Method; 5] = [
+        Method::Wireframe,
+        Method::Flat,
+        Method::Gouraud,
+        Method::RayCasting,
+        Method::RayTracing,
+    ];
 
     /// As on the command line and in lesson files.
     pub fn name(self) -> &'static str {
@@ -28,6 +49,25 @@ impl Method {
             Method::Wireframe => "wireframe",
             Method::Flat => "flat",
             Method::Gouraud => "gouraud",
+            Method::RayCasting => "ray-casting",
+            Method::RayTracing => "ray-tracing",
+        }
+    }
+
+    /// Whether it follows rays instead of converting polygons.
+    pub fn follows_rays(self) -> bool {
+        match self {
+            Method::Wireframe | Method::Flat | Method::Gouraud => false,
+            Method::RayCasting | Method::RayTracing => true,
+        }
+    }
+
+    /// Whether it does that part of following rays, where the scene needs it.
+    pub fn does(self, part: Part) -> bool {
+        match self {
+            Method::Wireframe | Method::Flat | Method::Gouraud => false,
+            Method::RayCasting => part.concerns_primary_rays(),
+            Method::RayTracing => true,
         }
     }
 
@@ -42,80 +82,94 @@ pub const MAX_SIDE: u32 = 1 << 14;
 /// The most pixels of a picture: 8192×8192, for which rendering takes 2 GiB.
 pub const MAX_PIXELS: u64 = 1 << 26;
 
+/// A picture that was called off before it was done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the picture was called off")]
+pub struct Cancelled;
+
 /// Draws the whole picture of `stage` on `threads` threads; without the feature `parallel`, on one.
 ///
-/// The picture is the same, bit for bit, for any number of threads. `progress` hears how many of how many bands are done.
+/// The picture is the same, bit for bit, for any number of threads. `progress` hears how many of how many parts are done.
 pub fn render(
     stage: &Stage,
     method: Method,
     threads: NonZeroUsize,
     progress: &(impl Fn(usize, usize) + Sync),
 ) -> Frame {
-    let bands = bands(stage.view.height, threads);
-    let done = AtomicUsize::new(0);
-    let draw = |rows: &Range<u32>| {
-        let mut frame = Frame::new(stage.view.width, rows.clone(), stage.scene.background);
-        match method {
-            Method::Wireframe => wireframe(stage, Focus::Frame, &mut frame, &mut Unrecorded),
-            Method::Flat => flat(stage, Focus::Frame, &mut frame, &mut Unrecorded),
-            Method::Gouraud => gouraud(stage, Focus::Frame, &mut frame, &mut Unrecorded),
-        }
-        progress(done.fetch_add(1, Ordering::Relaxed) + 1, bands.len());
-        frame
+    let progress = |done, all| {
+        progress(done, all);
+        Ok::<(), Infallible>(())
     };
-    join(map_bands(&bands, threads, draw))
-}
-
-#[cfg(feature = "parallel")]
-fn map_bands(
-    bands: &[Range<u32>],
-    threads: NonZeroUsize,
-    draw: impl Fn(&Range<u32>) -> Frame + Sync,
-) -> Vec<Frame> {
-    use rayon::prelude::*;
-    if threads.get() > 1
-        && let Ok(pool) = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.get())
-            .build()
-    {
-        return pool.install(|| bands.par_iter().map(&draw).collect());
-    }
-    bands.iter().map(draw).collect()
-}
-
-#[cfg(not(feature = "parallel"))]
-fn map_bands(
-    bands: &[Range<u32>],
-    _: NonZeroUsize,
-    draw: impl Fn(&Range<u32>) -> Frame,
-) -> Vec<Frame> {
-    bands.iter().map(draw).collect()
-}
-
-/// A picture is rendered in one band by one thread. More threads share four bands each, so that none waits long for the last.
-fn bands(height: u32, threads: NonZeroUsize) -> Vec<Range<u32>> {
-    let wanted = if threads.get() == 1 || !cfg!(feature = "parallel") {
-        1
-    } else {
-        4 * threads.get()
-    };
-    let count = wanted.min(height.max(1) as usize) as u64;
-    let border = |band: u64| (band * u64::from(height) / count) as u32;
-    (0..count)
-        .map(|band| border(band)..border(band + 1))
-        .collect()
-}
-
-/// Puts bands back together, in order.
-fn join(bands: Vec<Frame>) -> Frame {
-    let mut bands = bands.into_iter();
-    let Some(mut frame) = bands.next() else {
-        return Frame::new(0, 0..0, Default::default());
-    };
-    for band in bands {
-        frame.rows.end = band.rows.end;
-        frame.color.extend(band.color);
-        frame.inverse_depth.extend(band.inverse_depth);
-    }
+    let painter = Painter::new(stage, threads, progress);
+    let Ok(frame) = draw(stage, method, stage.needs(), None, painter);
     frame
+}
+
+/// Draws the picture of [`render`] with what `needs` says is needed, and counts its rays. The scan-line methods have none.
+pub fn render_counted(
+    stage: &Stage,
+    method: Method,
+    needs: &Needs,
+    threads: NonZeroUsize,
+    progress: &(impl Fn(usize, usize) + Sync),
+) -> (Frame, RayCounts) {
+    let progress = |done, all| {
+        progress(done, all);
+        Ok::<(), Infallible>(())
+    };
+    let totals = Totals::default();
+    let painter = Painter::new(stage, threads, progress);
+    let Ok(frame) = draw(stage, method, needs, Some(&totals), painter);
+    (frame, totals.sum())
+}
+
+/// Draws the picture of [`render`], and on the way lets `show` see it grow, where the method can draw a coarse one first.
+///
+/// `progress` is heard at least every few milliseconds where pixels are coloured one by one, else after each band of rows.
+/// Errors: those of `progress`, which end the work.
+pub fn preview(
+    stage: &Stage,
+    method: Method,
+    threads: NonZeroUsize,
+    progress: impl Fn(usize, usize) -> Result<(), Cancelled> + Sync,
+    show: &mut dyn FnMut(&Frame),
+) -> Result<Frame, Cancelled> {
+    let painter = Painter::new(stage, threads, progress).coarse_first(show);
+    draw(stage, method, stage.needs(), None, painter)
+}
+
+fn draw<E: Send>(
+    stage: &Stage,
+    method: Method,
+    needs: &Needs,
+    totals: Option<&Totals>,
+    painter: Painter<impl Fn(usize, usize) -> Result<(), E> + Sync>,
+) -> Result<Frame, E> {
+    match method {
+        Method::Wireframe => {
+            painter.bands(|band| wireframe(stage, Focus::Frame, band, &mut Unrecorded))
+        }
+        Method::Flat => painter.bands(|band| flat(stage, Focus::Frame, band, &mut Unrecorded)),
+        Method::Gouraud => {
+            painter.bands(|band| gouraud(stage, Focus::Frame, band, &mut Unrecorded))
+        }
+        Method::RayCasting => {
+            let caster = RayCaster::new(stage, needs, Hierarchy);
+            match totals {
+                None => painter.pixels(|x, y| caster.pixel(x, y, &mut Unrecorded)),
+                Some(totals) => {
+                    painter.pixels(|x, y| totals.counting(|counts| caster.pixel(x, y, counts)))
+                }
+            }
+        }
+        Method::RayTracing => {
+            let tracer = RayTracer::new(stage, needs, Hierarchy);
+            match totals {
+                None => painter.pixels(|x, y| tracer.pixel(x, y, &mut Unrecorded)),
+                Some(totals) => {
+                    painter.pixels(|x, y| totals.counting(|counts| tracer.pixel(x, y, counts)))
+                }
+            }
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! What a scan-line method has in hand at a step: the polygon, vertex, point, edge, scan line, span and pixel that it is at,
 //! with what has been told of each so far and the step that told it.
 
+use crate::algorithms::illumination;
 use crate::color::Rgb;
 use glam::DVec3;
 
@@ -34,6 +35,70 @@ pub struct PointInHand {
     pub lights: Vec<LightInHand>,
     pub intensity: Option<Rgb>,
     pub step: usize,
+}
+
+impl PointInHand {
+    /// What the illumination model told of the point in hand.
+    pub(super) fn light(in_hand: &mut Option<Self>, step: usize, event: &illumination::Event) {
+        use illumination::Event;
+        if let Event::Illumination { position, normal } = *event {
+            let point = PointInHand {
+                position,
+                normal,
+                to_eye: None,
+                ambient: None,
+                lights: Vec::new(),
+                intensity: None,
+                step,
+            };
+            *in_hand = Some(point);
+        }
+        let Some(point) = in_hand else { return };
+        if let Event::Light {
+            light, attenuation, ..
+        } = *event
+        {
+            let light = LightInHand {
+                light,
+                attenuation,
+                to_light: None,
+                halfway: None,
+                mirrored: None,
+                diffuse: None,
+                specular: None,
+                step,
+            };
+            point.lights.push(light);
+        }
+        let light = point.lights.last_mut();
+        match (*event, light) {
+            (Event::Viewer { to_eye, .. }, _) => point.to_eye = Some(to_eye),
+            (Event::Ambient { term, .. }, _) => point.ambient = Some(term),
+            (Event::Illuminated { intensity }, _) => point.intensity = Some(intensity),
+            (Event::ToLight { to_light, n_dot_l }, Some(light)) => {
+                light.to_light = Some((to_light, n_dot_l));
+            }
+            (Event::Diffuse { term, .. }, Some(light)) => light.diffuse = Some(term),
+            (
+                Event::Mirrored {
+                    mirrored, r_dot_v, ..
+                },
+                Some(light),
+            ) => {
+                light.mirrored = Some((mirrored, r_dot_v));
+            }
+            (
+                Event::Halfway {
+                    halfway, n_dot_h, ..
+                },
+                Some(light),
+            ) => {
+                light.halfway = Some((halfway, n_dot_h));
+            }
+            (Event::Specular { term, .. }, Some(light)) => light.specular = Some(term),
+            _ => {}
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug)]

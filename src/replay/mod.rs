@@ -5,9 +5,11 @@
 
 mod canvas;
 mod cursor;
+mod grown;
 mod in_hand;
 pub mod moves;
 pub mod query;
+pub mod rays;
 mod run;
 pub mod shading;
 mod timeline;

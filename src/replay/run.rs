@@ -1,11 +1,14 @@
 //! One recorded run of one of the algorithms.
 
-use super::{Fold, Replay, Timeline, Walk, shading, wireframe};
+use super::{Fold, Replay, Timeline, Walk, rays, shading, wireframe};
 use crate::algorithms::flat::{self, Nothing};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud;
+use crate::algorithms::ray_casting::{self, RayCaster};
+use crate::algorithms::ray_tracing::{self, RayTracer};
 use crate::algorithms::stage::Stage;
+use crate::algorithms::visible::InTurn;
 use crate::color::Rgb;
 use crate::record::{Recording, RecordingLimit};
 use crate::render::Method;
@@ -16,6 +19,8 @@ pub enum Run {
     Wireframe(Box<Replay<crate::algorithms::wireframe::Event, wireframe::State>>),
     Flat(Box<Replay<flat::Event, shading::State<Nothing>>>),
     Gouraud(Box<Replay<gouraud::Event, shading::State<Rgb>>>),
+    RayCasting(Box<Replay<ray_casting::Event, rays::State>>),
+    RayTracing(Box<Replay<ray_tracing::Event, rays::State>>),
 }
 
 impl Run {
@@ -46,6 +51,24 @@ impl Run {
                     gouraud::gouraud(&stage, focus, frame, recording);
                 },
             )),
+            Method::RayCasting => Run::RayCasting(replay(
+                Recording::new(limit),
+                &stage,
+                rays::State::new,
+                |frame, recording| {
+                    let caster = RayCaster::new(&stage, stage.needs(), InTurn);
+                    ray_casting::ray_casting(&caster, focus, frame, recording);
+                },
+            )),
+            Method::RayTracing => Run::RayTracing(replay(
+                Recording::new(limit),
+                &stage,
+                rays::State::new,
+                |frame, recording| {
+                    let tracer = RayTracer::new(&stage, stage.needs(), InTurn);
+                    ray_tracing::ray_tracing(&tracer, focus, frame, recording);
+                },
+            )),
         }
     }
 
@@ -54,6 +77,8 @@ impl Run {
             Run::Wireframe(replay) => &**replay,
             Run::Flat(replay) => &**replay,
             Run::Gouraud(replay) => &**replay,
+            Run::RayCasting(replay) => &**replay,
+            Run::RayTracing(replay) => &**replay,
         }
     }
 
@@ -62,6 +87,8 @@ impl Run {
             Run::Wireframe(replay) => &mut **replay,
             Run::Flat(replay) => &mut **replay,
             Run::Gouraud(replay) => &mut **replay,
+            Run::RayCasting(replay) => &mut **replay,
+            Run::RayTracing(replay) => &mut **replay,
         }
     }
 }

@@ -9,7 +9,7 @@ pub use super::in_hand::{
 };
 use crate::algorithms::scan_line::Carried;
 use crate::algorithms::stage::{self, Stage};
-use crate::algorithms::{flat, gouraud, illumination, scan_line, vertex_normal};
+use crate::algorithms::{flat, gouraud, scan_line, vertex_normal};
 use crate::color::Rgb;
 use glam::DVec3;
 use std::sync::Arc;
@@ -147,67 +147,6 @@ impl<A> State<A> {
             | vertex_normal::Event::NormalVanished { normal, .. } => {
                 vertex.normal = Some(normal);
             }
-        }
-    }
-
-    fn light_point(&mut self, step: usize, event: &illumination::Event) {
-        use illumination::Event;
-        if let Event::Illumination { position, normal } = *event {
-            let point = PointInHand {
-                position,
-                normal,
-                to_eye: None,
-                ambient: None,
-                lights: Vec::new(),
-                intensity: None,
-                step,
-            };
-            self.point = Some(point);
-        }
-        let Some(point) = &mut self.point else { return };
-        if let Event::Light {
-            light, attenuation, ..
-        } = *event
-        {
-            let light = LightInHand {
-                light,
-                attenuation,
-                to_light: None,
-                halfway: None,
-                mirrored: None,
-                diffuse: None,
-                specular: None,
-                step,
-            };
-            point.lights.push(light);
-        }
-        let light = point.lights.last_mut();
-        match (*event, light) {
-            (Event::Viewer { to_eye, .. }, _) => point.to_eye = Some(to_eye),
-            (Event::Ambient { term, .. }, _) => point.ambient = Some(term),
-            (Event::Illuminated { intensity }, _) => point.intensity = Some(intensity),
-            (Event::ToLight { to_light, n_dot_l }, Some(light)) => {
-                light.to_light = Some((to_light, n_dot_l));
-            }
-            (Event::Diffuse { term, .. }, Some(light)) => light.diffuse = Some(term),
-            (
-                Event::Mirrored {
-                    mirrored, r_dot_v, ..
-                },
-                Some(light),
-            ) => {
-                light.mirrored = Some((mirrored, r_dot_v));
-            }
-            (
-                Event::Halfway {
-                    halfway, n_dot_h, ..
-                },
-                Some(light),
-            ) => {
-                light.halfway = Some((halfway, n_dot_h));
-            }
-            (Event::Specular { term, .. }, Some(light)) => light.specular = Some(term),
-            _ => {}
         }
     }
 }
@@ -369,7 +308,7 @@ impl Fold<gouraud::Event> for State<Rgb> {
                 });
             }
             gouraud::Event::Normal(event) => self.find_normal(step, event),
-            gouraud::Event::Illumination(event) => self.light_point(step, event),
+            gouraud::Event::Illumination(event) => PointInHand::light(&mut self.point, step, event),
             gouraud::Event::VertexLit { vertex, intensity } => {
                 self.lit.push((*vertex, *intensity));
                 if let Some(vertex) = &mut self.vertex {
@@ -394,7 +333,7 @@ impl Fold<flat::Event> for State<flat::Nothing> {
         match event {
             flat::Event::Stage(event) => self.walk_stage(step, event),
             flat::Event::Middle { .. } => {}
-            flat::Event::Illumination(event) => self.light_point(step, event),
+            flat::Event::Illumination(event) => PointInHand::light(&mut self.point, step, event),
             flat::Event::ScanLine(event) => {
                 self.point = None;
                 self.convert(step, event);

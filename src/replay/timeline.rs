@@ -148,17 +148,19 @@ impl<E, S> Timeline<E, S> {
     pub fn into_recording(self) -> Recording<E> {
         self.recording
     }
+}
 
+impl<E: Event, S> Timeline<E, S> {
     /// The heading of `scope`, as far as it lies before `step`: the step that enters it, and the plain steps (64 at most)
     /// that directly follow. What they tell holds for every step of the scope.
     pub fn heading(&self, scope: usize, step: usize) -> Range<usize> {
         let most = step.min(scope + 1 + HEADING);
-        let end = (scope + 1..most).find(|&inner| self.recording.mark(inner) != Mark::Step);
+        let end = (scope + 1..most).find(|&inner| {
+            self.recording.mark(inner) != Mark::Step || !self.event(inner).holds_on()
+        });
         scope..end.unwrap_or(most)
     }
-}
 
-impl<E: Event, S> Timeline<E, S> {
     /// All values known at `step`, each with the step that told it: the headings of the scopes around it, from the
     /// outermost to the innermost, then its own. So a later entry of the same name goes before an earlier one.
     /// Nothing comes from a later step.

@@ -1,8 +1,10 @@
 //! What a user can ask of a session, and why it may be refused.
 
 use crate::algorithms::focus::Focus;
+use crate::panels::TreeView;
 use crate::panels::words::{Language, Words};
 use crate::picture::{Tag, Theme};
+use glam::DVec3;
 
 /// Everything that keys, buttons and clicks do.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,10 +54,17 @@ pub enum Command {
     /// Goes to what a tag shows, looks at it, or lights it up.
     Click(Tag),
     Hover(Option<Tag>),
+    /// Another part of the ray tree, or at another size.
+    ViewTree(TreeView),
     Answer(Guess),
     Skip,
     /// Questions on or off.
     Questions,
+    /// Moves a light of the scene, by its index, to a place in the world; the lesson says which may be moved.
+    MoveLight {
+        light: usize,
+        position: DVec3,
+    },
     /// The lesson as it was when it was opened.
     Reset,
     /// A built-in lesson by its id.

@@ -3,6 +3,7 @@
 use super::{Refused, Session};
 use crate::algorithms::focus::Focus;
 use crate::app::words;
+use crate::panels::TreeView;
 use crate::picture::Tag;
 use crate::record::{RecordingLimit, Value};
 use crate::replay::{Comparison, Condition, Operand, Query, Run, Walk, query};
@@ -31,7 +32,7 @@ impl Session {
             self.left_at = self.step();
         }
         let place = Place::of(self.walk(), self.step());
-        let mut run = self.record(focus);
+        let run = self.record(focus);
         let step = match focus {
             _ if focus == self.open.lesson.focus => Some(self.left_at),
             Focus::Pixel { x, y } => Place::colored(x, y)
@@ -39,15 +40,48 @@ impl Session {
                 .or_else(|| place.find(run.walk())),
             _ => place.find(run.walk()),
         };
-        run.walk_mut().seek(step.unwrap_or(0));
+        self.walk_on(run, focus, step.unwrap_or(0));
+        Ok(())
+    }
+
+    /// Records the part that is looked at again, on a changed stage, and stays at the same step as far as there is one.
+    pub(super) fn look_again(&mut self) {
+        let here = self.step();
+        let skipped = self.question_between(0, here).is_some();
+        let place = Place::of(self.walk(), here);
+        let run = self.record(self.focus);
+        let step = place.nearest(run.walk(), here).unwrap_or(here);
+        self.walk_on(run, self.focus, step);
+        // No move of a light leads past a question.
+        if let Some(asked) = self.question_between(0, self.step()).filter(|_| !skipped) {
+            self.seek(asked);
+        }
+    }
+
+    /// Walks on in another run, at one of its steps. What the lesson says of its own part is told of this run; where a light
+    /// was moved so that something of it does not happen any more, nothing is said.
+    fn walk_on(&mut self, run: Run, focus: Focus, step: usize) {
         self.open.run = run;
         self.focus = focus;
         self.recording += 1;
         self.play = None;
         self.around = super::play::Loop::default();
-        let said = self.open.narrated.iter().map(|said| said.step);
-        self.narrated = said.filter(|_| self.follows_lesson()).collect();
-        Ok(())
+        self.tree = TreeView {
+            zoom: self.tree.zoom,
+            ..TreeView::WHOLE
+        };
+        self.seek(step.min(self.last_step()));
+        let last = self.last_step();
+        if let Some(breakpoints) = self.breakpoints.get_mut(&focus) {
+            breakpoints.retain(|&step| step <= last);
+        }
+        self.narrated.clear();
+        if self.follows_lesson() {
+            let narrated = self.open.lesson.narrate(&self.open.run);
+            self.open.narrated = narrated.unwrap_or_default();
+            let said = self.open.narrated.iter().map(|said| said.step);
+            self.narrated.extend(said);
+        }
     }
 
     /// Looks at the polygon that is seen at a pixel.
@@ -124,6 +158,21 @@ impl Place {
                 query.kind = None;
                 first(&query)
             })
+        })
+    }
+
+    /// The step nearest to `here` that agrees in kind and place; else in its kind alone.
+    fn nearest(&self, walk: &dyn Walk, here: usize) -> Option<usize> {
+        let here = here.min(walk.len().checked_sub(1)?);
+        [self.at.len(), 0].into_iter().find_map(|known| {
+            let query = self.query(known);
+            let ahead = query::matches(walk, &query, here..walk.len()).next();
+            if ahead == Some(here) {
+                return ahead;
+            }
+            let behind = query::previous(walk, &query, here);
+            let both = behind.into_iter().chain(ahead);
+            both.min_by_key(|step| step.abs_diff(here))
         })
     }
 

@@ -2,7 +2,9 @@
 
 mod command;
 mod focus;
+mod light;
 mod play;
+mod preview;
 mod question;
 mod update;
 
@@ -14,16 +16,15 @@ pub use play::Direction;
 pub use question::{Standing, read_number};
 
 use crate::algorithms::focus::Focus;
-use crate::algorithms::frame::Frame;
+use crate::algorithms::stage::Stage;
 use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson, builtins};
 use crate::panels::words::{Language, Words};
-use crate::panels::{Panel, Show};
+use crate::panels::{Panel, Show, TreeView};
 use crate::picture::{Tag, Theme};
-use crate::render::render;
 use crate::replay::Walk;
 use play::{Loop, Play};
+use preview::Preview;
 use std::collections::HashMap;
-use std::num::NonZeroUsize;
 
 /// Text sizes, relative to the normal one.
 const TEXT_SIZES: [f32; 7] = [0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.75];
@@ -83,7 +84,9 @@ pub struct Session {
     narrated: Vec<usize>,
     /// How each narrated step's question stands.
     standings: Vec<Standing>,
-    finished: Frame,
+    preview: Preview,
+    /// Counts the pictures that have come in, so that an earlier one is known to be old.
+    pictures: u64,
     /// Counts the recordings, so that pictures of an earlier one are known to be old.
     recording: u64,
     breakpoints: HashMap<Focus, Vec<usize>>,
@@ -91,6 +94,8 @@ pub struct Session {
     /// An index into the speeds.
     speed: usize,
     around: Loop,
+    /// How much of the ray tree is looked at.
+    tree: TreeView,
     pub look: Look,
     hovered: Option<Tag>,
     /// Lit up by a click, until the next one.
@@ -113,12 +118,14 @@ impl Session {
             left_at: 0,
             narrated: Vec::new(),
             standings: Vec::new(),
-            finished: finished(&open),
+            preview: Preview::new(open.stage.clone(), open.lesson.method),
+            pictures: 0,
             recording: 0,
             breakpoints: HashMap::new(),
             play: None,
             speed: play::NORMAL_SPEED,
             around: Loop::default(),
+            tree: TreeView::WHOLE,
             look: Look::new(),
             hovered: None,
             lit: None,
@@ -135,7 +142,7 @@ impl Session {
     /// Puts another lesson in place of this one; what belongs to the user (language, theme, speed) stays.
     fn replace(&mut self, lesson: Lesson) -> Result<(), LessonError> {
         let open = lesson.open()?;
-        self.finished = finished(&open);
+        self.preview = Preview::new(open.stage.clone(), open.lesson.method);
         self.focus = open.lesson.focus;
         self.open = open;
         self.start_over();
@@ -150,9 +157,15 @@ impl Session {
         self.breakpoints.clear();
         self.play = None;
         self.around = Loop::default();
+        self.tree = TreeView::WHOLE;
         self.hovered = None;
         self.lit = None;
         self.open.run.walk_mut().seek(0);
+    }
+
+    /// The scene in front of its camera.
+    pub fn stage(&self) -> &Stage {
+        &self.open.stage
     }
 
     pub fn lesson(&self) -> &Lesson {
@@ -187,14 +200,42 @@ impl Session {
         self.recording
     }
 
+    /// Takes what has come in of the whole picture, which is made in the background.
+    pub fn take_picture(&mut self) {
+        self.pictures += u64::from(self.preview.take());
+    }
+
+    /// Counts the pictures that were taken.
+    pub fn pictures(&self) -> u64 {
+        self.pictures
+    }
+
+    /// Whether the whole picture is still being made.
+    pub fn awaits_picture(&self) -> bool {
+        !self.preview.is_done()
+    }
+
+    /// How far the whole picture is, in percent, where it takes long.
+    pub fn picture_percent(&self) -> Option<usize> {
+        self.preview.percent()
+    }
+
+    /// Waits for the whole picture.
+    #[cfg(test)]
+    pub fn wait_for_picture(&mut self) {
+        self.preview.wait();
+        self.pictures += 1;
+    }
+
     pub fn show(&self) -> Show<'_> {
         Show {
             run: &self.open.run,
-            finished: &self.finished,
+            finished: self.preview.frame(),
             focus: self.focus,
             language: self.look.language,
             narrated: &self.narrated,
             breakpoints: self.breakpoints(),
+            tree: &self.tree,
         }
     }
 
@@ -216,6 +257,10 @@ impl Session {
     /// Ascending.
     pub fn breakpoints(&self) -> &[usize] {
         self.breakpoints.get(&self.focus).map_or(&[], |steps| steps)
+    }
+
+    pub fn tree(&self) -> &TreeView {
+        &self.tree
     }
 
     pub fn hovered(&self) -> Option<Tag> {
@@ -262,17 +307,20 @@ impl Session {
         format!("Lightwalk – {title} – {word} {step} {of} {last}")
     }
 
-    /// The command that opens this lesson at this step; none while another part is looked at.
-    pub fn command_line(&self) -> Option<String> {
-        let open = format!("lightwalk open {} --step {}", self.lesson().id, self.step());
-        self.follows_lesson().then_some(open)
+    /// The command that opens this lesson at this step. Errors: why there is none.
+    pub fn command_line(&self) -> Result<String, Words> {
+        if !self.follows_lesson() {
+            Err(super::words::SHARE_LESSON_ONLY)
+        } else if self.light_is_moved() {
+            Err(super::words::SHARE_AS_LIT_ONLY)
+        } else {
+            Ok(format!(
+                "lightwalk open {} --step {}",
+                self.lesson().id,
+                self.step()
+            ))
+        }
     }
-}
-
-/// The whole picture, unrecorded.
-fn finished(open: &OpenLesson) -> Frame {
-    let threads = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
-    render(&open.stage, open.lesson.method, threads, &|_, _| {})
 }
 
 /// The built-in lessons that can be read.

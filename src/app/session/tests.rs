@@ -5,6 +5,8 @@ use crate::lesson::{Answer, builtin};
 use crate::panels::{Panel, draw};
 use crate::picture::Tag;
 use crate::record::Value;
+use crate::render::render;
+use std::num::NonZeroUsize;
 
 fn session(id: &str) -> Session {
     let lesson = builtin(id)
@@ -381,4 +383,43 @@ fn another_lesson_takes_the_place_of_this_one() {
         session.shared.as_deref(),
         Some("lightwalk open gouraud-teapot --step 0")
     );
+}
+
+#[test]
+fn a_lesson_is_walked_while_its_picture_is_made() {
+    let mut session = session("gouraud-teapot");
+    for _ in 0..3 {
+        // Whatever has come in by now, nothing waits for it and every panel can be drawn.
+        shown(&session);
+        go(&mut session, Command::Forward(1));
+        session.take_picture();
+    }
+    let pictures = session.pictures();
+    session.wait_for_picture();
+    assert!(!session.awaits_picture() && session.picture_percent().is_none());
+    assert!(session.pictures() > pictures);
+    let stage = &session.open.stage;
+    let rendered = render(
+        stage,
+        session.lesson().method,
+        NonZeroUsize::MIN,
+        &|_, _| {},
+    );
+    assert!(session.show().finished == &rendered);
+}
+
+#[test]
+fn a_picture_of_the_lesson_before_never_shows() {
+    let mut session = session("gouraud-teapot");
+    for id in ["gouraud-triangle", "gouraud-teapot", "gouraud-triangle"] {
+        go(&mut session, Command::Open(id.into()));
+        session.take_picture();
+        let [width, height] = session.lesson().size;
+        let finished = session.show().finished;
+        assert_eq!([finished.width, finished.rows.end], [width, height]);
+    }
+    session.wait_for_picture();
+    let mut alone = self::session("gouraud-triangle");
+    alone.wait_for_picture();
+    assert!(session.show().finished == alone.show().finished);
 }

@@ -48,10 +48,15 @@ impl Session {
             Command::FocusOnPolygonAt { x, y } => return self.look_at_polygon(x, y),
             Command::Click(tag) => return self.click(tag),
             Command::Hover(tag) => self.hovered = tag,
+            Command::ViewTree(view) => self.tree = view,
             Command::Answer(guess) => return self.answer(&guess),
             Command::Skip => return self.skip(),
             Command::Questions => self.look.questions = !self.look.questions,
+            Command::MoveLight { light, position } => return self.move_light(light, position),
             Command::Reset => {
+                if self.light_is_moved() {
+                    self.put_lights_back();
+                }
                 self.look_at(self.open.lesson.focus)?;
                 self.start_over();
             }
@@ -61,7 +66,7 @@ impl Session {
                 return opened.map_err(|error| Refused::Error(error.to_string()));
             }
             Command::Share => {
-                self.shared = Some(self.command_line().ok_or(words::SHARE_LESSON_ONLY)?);
+                self.shared = Some(self.command_line()?);
             }
             command => return self.change_look(&command),
         }
@@ -78,13 +83,15 @@ impl Session {
                 Ok(())
             };
         }
-        let refusal = match command {
+        let refusal = match *command {
             Command::Play if self.playing().is_none() => self.cannot_play(Direction::Forward),
             Command::PlayBackwards if self.playing().is_none() => {
                 self.cannot_play(Direction::Backward)
             }
             Command::LoopOff if self.loop_ends() == (None, None) => Some(words::NO_LOOP),
-            Command::Share if !self.follows_lesson() => Some(words::SHARE_LESSON_ONLY),
+            Command::ViewTree(ref view) if *view == self.tree => Some(words::TREE_AS_IT_IS),
+            Command::Share => self.command_line().err(),
+            Command::MoveLight { light, .. } => self.cannot_move(light),
             _ => None,
         };
         refusal.map_or(Ok(()), |words| Err(words.into()))
@@ -183,6 +190,10 @@ impl Session {
     fn click(&mut self, tag: Tag) -> Result<(), Refused> {
         match tag {
             Tag::Pixel { x, y } if self.pixel_is_asked() => self.answer(&Guess::Pixel { x, y }),
+            Tag::Fold(step) => {
+                self.tree = self.tree.toggled(step);
+                Ok(())
+            }
             Tag::Step(step) | Tag::Scope(step) => self.update(Command::Seek(step)),
             Tag::Line(line) => {
                 let listing = self.walk().line(self.step()).listing;

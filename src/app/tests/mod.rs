@@ -1,5 +1,6 @@
 //! The whole window, with no screen: keys pressed, buttons clicked, and what is then shown.
 
+mod lights;
 mod painter;
 
 use super::question_card::rounded;
@@ -7,7 +8,7 @@ use super::session::{Command, Session, Standing};
 use super::window::{self, Window};
 use super::{narration, style, words};
 use crate::algorithms::focus::Focus;
-use crate::lesson::{Answer, builtin};
+use crate::lesson::{Answer, Lesson, builtin};
 use crate::panels::words::Language;
 use crate::picture::{Ink, Tag, Theme, number, to_png};
 use egui::{Key, Modifiers};
@@ -35,10 +36,20 @@ fn screen(
         .expect("a lesson")
         .read()
         .expect("a right lesson");
+    screen_of(lesson, size, scale, commands)
+}
+
+fn screen_of(
+    lesson: Lesson,
+    size: [u32; 2],
+    scale: f32,
+    commands: impl IntoIterator<Item = Command>,
+) -> Screen {
     let mut session = Session::new(lesson).expect("a lesson that resolves");
     for command in commands {
         session.update(command).expect("a command that can act");
     }
+    session.wait_for_picture();
     let textures = Textures::default();
     let zoom = session.look.zoom();
     let points = egui::vec2(size[0] as f32, size[1] as f32) / scale / zoom;

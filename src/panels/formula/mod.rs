@@ -7,13 +7,15 @@ mod template;
 
 use super::Show;
 use super::message::{NO_STEPS, message};
+use super::names;
 use super::values::shown;
 use super::words::{Language, Words};
+use crate::algorithms::stage::Stage;
 use crate::picture::{Ink, Picture, Style, wrap};
 use crate::record::Value;
 use glam::Vec2;
 use set::{Atom, Voice, flow, set_pieces};
-use table::{Entry, Formula, TABLE, When};
+use table::{Entry, Formula, TABLES, When};
 use template::{Known, Piece, parse, places};
 
 const MARGIN: f32 = 10.0;
@@ -33,7 +35,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         return message(NO_FORMULA, show.language, size);
     };
     let formulas = formulas(entry, &known);
-    let says = filled(entry.says, &known, show.language);
+    let says = filled(entry.says, &known, names::stage(show.run), show.language);
 
     let mut picture = Picture::new(size.x, size.y);
     let sheet = |detail: &Detail, text: f32| {
@@ -67,8 +69,9 @@ const NO_FORMULA: Words = Words::new(
 
 /// The entry of the table for a step of `kind`.
 fn entry(kind: &str, known: &Known) -> Option<&'static Entry> {
-    TABLE
-        .iter()
+    TABLES
+        .into_iter()
+        .flatten()
         .find(|entry| entry.kind == kind && holds(entry.when, known))
 }
 
@@ -81,7 +84,10 @@ fn holds(when: When, known: &Known) -> bool {
     match when {
         When::Always => true,
         When::Told(name) => value(name).is_some(),
+        When::Untold(name) => value(name).is_none(),
+        When::Is(name, word) => value(name) == Some(Value::Word(word)),
         When::True(name) => value(name) == Some(Value::Truth(true)),
+        When::Negative(name) => number(name) < 0.0,
         When::NotPositive(name) => number(name) <= 0.0,
         When::Finite(name) => number(name).is_finite(),
     }
@@ -134,14 +140,22 @@ impl Parsed {
     }
 }
 
-/// A sentence of the table with its values.
-fn filled(words: Words, known: &Known, language: Language) -> String {
+/// A sentence of the table with its values; things of the scene by their names.
+fn filled(words: Words, known: &Known, stage: &Stage, language: Language) -> String {
     let mut text = String::new();
     for piece in parse(words.in_language(language)) {
         match piece {
             Piece::Text(part) => text.push_str(&part),
             Piece::Place(place) => match known.values(&place).as_deref() {
-                Some([value, ..]) => text.push_str(&shown(*value, 4, language)),
+                Some([value, ..]) => {
+                    text.push_str(&shown(*value, 4, language));
+                    // Lights have no names, only kinds.
+                    if place.name != "light"
+                        && let Some(name) = names::of_field(stage, &place.name, *value, language)
+                    {
+                        text.push_str(&format!(" ({name})"));
+                    }
+                }
                 // A subscript of several letters is in braces too.
                 _ => text.push_str(&format!("{{{}}}", place.name)),
             },

@@ -1,5 +1,7 @@
 //! What each kind of step says, and its formulas. An entry is taken by its kind and condition; the first that fits holds.
 
+mod rays;
+
 use super::super::words::Words;
 
 /// The sentence and the formulas of one kind of step.
@@ -23,7 +25,11 @@ pub struct Formula {
 pub enum When {
     Always,
     Told(&'static str),
+    Untold(&'static str),
+    /// The word told under the name.
+    Is(&'static str, &'static str),
     True(&'static str),
+    Negative(&'static str),
     NotPositive(&'static str),
     Finite(&'static str),
 }
@@ -87,7 +93,10 @@ const ON_THE_SLIDE: Words = Words::new(
     "Seperti pada slide, sebagai ganti f_{att} · (N·L); nilainya membesar dengan jarak:",
 );
 
-pub const TABLE: &[Entry] = &[
+/// Those of rays go first: they say more where the same step occurs along a ray.
+pub const TABLES: [&[Entry]; 2] = [rays::TABLE, TABLE];
+
+const TABLE: &[Entry] = &[
     // Stage
     entry(
         "Frame",
@@ -249,8 +258,9 @@ pub const TABLE: &[Entry] = &[
             "{I_s} = {k_s} · {I_{light}=I_light} · {f_{att}=f_att} · max(0, {N_dot_H})^{n=n_s}",
         )],
     ),
-    entry(
+    only(
         "LightAdded",
+        When::Told("I_s"),
         "What light {light} adds to the intensity.",
         "Yang ditambahkan cahaya {light} pada intensitas.",
         &[is("{I_d + I_s=I_added} = {I_d} + {I_s}")],

@@ -1,7 +1,8 @@
 //! Formulas as templates: symbols and numbers come from the same text, so they cannot disagree.
 //!
 //! `{I_4}` is a value told under that name; `{cos φ=N_dot_L}` shows another symbol for it; `{x_1=x@corner:upper}` is the `x`
-//! told together with a `corner` equal to the value of `upper`, and `{I@}` the `I` told last by a scope before; `{ΣN_k=*N_k}`
+//! told together with a `corner` equal to the value of `upper`, and `{I@}` the `I` told last by a scope before; `{I=I_sum<}` is
+//! the `I_sum` told last before the step, in the same scope; `{ΣN_k=*N_k}`
 //! are all values told under the name, and `{+I_added}` those told at the end of each scope inside, joined by plus signs.
 //! `[a; b]` is a fraction. All else stands for itself, in the notation of [`math`](crate::picture::math()).
 
@@ -29,6 +30,8 @@ pub struct Place {
 enum Source {
     /// The value told last.
     Last,
+    /// The value told last in the same scope, before the step.
+    Before,
     /// All values told.
     All,
     /// Those that the scopes inside told at their end.
@@ -84,6 +87,8 @@ fn place(body: &str) -> Place {
         (name, Source::All)
     } else if let Some(name) = source.strip_prefix('+') {
         (name, Source::Inside)
+    } else if let Some(name) = source.strip_suffix('<') {
+        (name, Source::Before)
     } else if let Some((name, beside)) = source.split_once('@') {
         let (key, by) = beside.split_once(':').unwrap_or(("", ""));
         let (key, by) = (key.to_string(), by.to_string());
@@ -102,6 +107,9 @@ fn place(body: &str) -> Place {
 /// vertices, and never a whole run.
 const MOST_SCOPES: usize = 64;
 
+/// Steps of the same scope that are looked through for a value: enough for what a ray does, and never a whole frame.
+const MOST_SIBLINGS: usize = 256;
+
 /// What is known at a step.
 pub struct Known<'a> {
     walk: &'a dyn Walk,
@@ -118,16 +126,37 @@ impl<'a> Known<'a> {
         }
     }
 
-    /// The value told last under `name`.
+    /// The value told last under `name`: by the step and the headings around it, else earlier in the same scope.
     pub fn get(&self, name: &str) -> Option<Told> {
         let mut told = self.told.iter().rev();
-        told.find(|told| told.field.name == name).copied()
+        let told = told.find(|told| told.field.name == name).copied();
+        told.or_else(|| self.before(name))
+    }
+
+    /// The value told last under `name` by the steps before in the same scope, and by the ends of the scopes in it.
+    fn before(&self, name: &str) -> Option<Told> {
+        let outline = self.walk.outline();
+        let scope = outline.parent(self.step)?;
+        let first = (scope + 1 < self.step).then_some(scope + 1);
+        let siblings = std::iter::successors(first, |&step| {
+            Some(outline.last(step) + 1).filter(|&next| next < self.step)
+        });
+        let ends: Vec<usize> = siblings
+            .take(MOST_SIBLINGS)
+            .map(|step| outline.last(step))
+            .collect();
+        ends.into_iter().rev().find_map(|step| {
+            let fields = self.walk.own_fields(step);
+            let field = *fields.0.iter().rev().find(|field| field.name == name)?;
+            Some(Told { step, field })
+        })
     }
 
     /// The values of a placeholder, one but for sums; none where nobody told it.
     pub fn values(&self, place: &Place) -> Option<Vec<Value>> {
         let values: Vec<Value> = match &place.source {
             Source::Last => vec![self.get(&place.name)?.field.value],
+            Source::Before => vec![self.before(&place.name)?.field.value],
             Source::All => {
                 let told = self.told.iter();
                 told.filter(|told| told.field.name == place.name)

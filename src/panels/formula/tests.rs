@@ -1,15 +1,22 @@
 use super::super::crowd::{self, SIZES, assert_legible, texts};
-use super::super::sample::Sample;
+use super::super::sample::{self, Sample};
 use super::*;
 use crate::render::Method;
 use std::collections::HashSet;
 
-/// Every step of the crowd, by every method.
-fn each_step(mut look: impl FnMut(&str, &Known)) {
-    for method in Method::ALL {
-        let sample = crowd::crowd(method);
+/// Every step of the crowd, by every method, and of rays among spheres.
+fn each_step(mut look: impl FnMut(&str, &Known, &Stage)) {
+    let crowds = Method::ALL.map(crowd::crowd);
+    let rays = [
+        crowd::rays(Method::RayCasting, 2),
+        crowd::rays(Method::RayTracing, 1),
+        Sample::rays(Method::RayTracing, sample::BALL, 5),
+        Sample::rays(Method::RayTracing, sample::SPARK, 5),
+    ];
+    for sample in crowds.into_iter().chain(rays) {
         for step in 0..sample.walk().len() {
-            look(sample.walk().kind(step), &Known::at(sample.walk(), step));
+            let known = Known::at(sample.walk(), step);
+            look(sample.walk().kind(step), &known, names::stage(&sample.run));
         }
     }
 }
@@ -17,10 +24,10 @@ fn each_step(mut look: impl FnMut(&str, &Known)) {
 #[test]
 fn every_step_has_an_entry_and_every_entry_and_formula_is_used_with_all_its_values() {
     let mut used = HashSet::new();
-    each_step(|kind, known| {
+    each_step(|kind, known, stage| {
         let entry = entry(kind, known).unwrap_or_else(|| panic!("{kind} has no entry"));
         for language in Language::ALL {
-            let says = filled(entry.says, known, language).replace("f_{att}", "");
+            let says = filled(entry.says, known, stage, language).replace("f_{att}", "");
             assert!(!says.contains('{'), "{kind}: {says}");
         }
         for formula in entry
@@ -36,7 +43,7 @@ fn every_step_has_an_entry_and_every_entry_and_formula_is_used_with_all_its_valu
         }
         used.insert(entry.says.en);
     });
-    for entry in TABLE {
+    for entry in TABLES.into_iter().flatten() {
         assert!(
             used.contains(entry.says.en),
             "{}: {}",

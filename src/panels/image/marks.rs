@@ -4,9 +4,10 @@ use super::super::fit::{Fit, outline, staged};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::stage::Stage;
 use crate::picture::{Ink, Picture, Rect};
+use crate::replay::rays::{self, RayInHand};
 use crate::replay::shading::{self, Dot};
 use crate::replay::{Canvas, wireframe};
-use glam::DVec2;
+use glam::{DVec2, Vec2};
 use std::ops::Range;
 
 /// The side below which a marked pixel is drawn larger than it is, in points.
@@ -24,6 +25,8 @@ pub(super) struct Marks<'a> {
     pub polygon: Option<u32>,
     pub row: Option<u32>,
     pub pixel: Option<(u32, u32)>,
+    /// Where the rays of the pixel met surfaces so far, the one in hand last.
+    hits: Vec<DVec2>,
 }
 
 impl<'a> Marks<'a> {
@@ -44,6 +47,7 @@ impl<'a> Marks<'a> {
             polygon: state.polygon.map(|polygon| polygon.polygon),
             row: state.scan_line.map(|row| row.y),
             pixel: state.pixel.as_ref().map(|pixel| (pixel.x, pixel.y)),
+            hits: Vec::new(),
         }
     }
 
@@ -58,6 +62,30 @@ impl<'a> Marks<'a> {
             polygon: None,
             row: None,
             pixel: state.pixel.map(|(x, y, _)| (x, y)),
+            hits: Vec::new(),
+        }
+    }
+
+    pub fn of_rays(state: &'a rays::State) -> Self {
+        let seen = |ray: &RayInHand| {
+            let camera = state.stage.view.to_camera(ray.surface?.position);
+            (camera.z >= state.stage.view.near).then(|| state.stage.view.to_screen(camera))
+        };
+        // The first ray meets its surface in the pixel itself.
+        let secondary = state.rays.iter().skip(1).enumerate();
+        let others = secondary.filter(|(i, _)| state.current != Some(i + 1));
+        let in_hand = state.ray().filter(|ray| ray.parent.is_some());
+        Marks {
+            stage: &state.stage,
+            canvas: &state.canvas,
+            outline: Vec::new(),
+            vertex: in_hand.and_then(seen),
+            edge: None,
+            span: None,
+            polygon: None,
+            row: None,
+            pixel: state.pixel,
+            hits: others.filter_map(|(_, ray)| seen(ray)).collect(),
         }
     }
 
@@ -88,12 +116,23 @@ impl<'a> Marks<'a> {
         if let Some([start, end]) = self.edge {
             picture.line(fit.place(start), fit.place(end), Ink::This.stroke(2.0));
         }
+        for &hit in &self.hits {
+            let paint = Ink::Surface.fill().outlined(Ink::Linked.stroke(1.5));
+            picture.circle(fit.place(hit), 3.5, paint);
+        }
         if let Some(vertex) = self.vertex {
             let paint = Ink::Surface.fill().outlined(Ink::This.stroke(2.5));
             picture.circle(fit.place(vertex), 5.0, paint);
         }
         if let Some((x, y)) = self.pixel {
             let square = at_least(fit.pixels(x, x + 1, y), SMALLEST);
+            if matches!(focus, Focus::Pixel { .. }) {
+                cross_hair(
+                    picture,
+                    square,
+                    fit.pixels(0, self.stage.view.width, 0).width,
+                );
+            }
             picture.rect(square.grown(1.0), Ink::Surface.stroke(1.0));
             picture.rect(square, Ink::This.stroke(2.0));
         }
@@ -117,6 +156,17 @@ impl<'a> Marks<'a> {
                 picture.rect(at_least(square, SMALLEST + 4.0), stroke);
             }
         }
+    }
+}
+
+/// Four arms around a pixel, which can be found on any ground, in a picture `width` points wide.
+fn cross_hair(picture: &mut Picture, pixel: Rect, width: f32) {
+    let (middle, arm) = (pixel.center(), (0.06 * width).clamp(14.0, 48.0));
+    for toward in [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y] {
+        let start = middle + (0.5 * pixel.width + 3.0) * toward;
+        let end = start + arm * toward;
+        picture.line(start - toward, end + toward, Ink::Surface.stroke(4.0));
+        picture.line(start, end, Ink::This.stroke(2.0));
     }
 }
 

@@ -13,7 +13,7 @@ use crate::color::Rgb;
 use objects::Objects;
 use rules::Check;
 
-pub(super) use rules::LARGEST;
+pub use rules::LARGEST;
 
 /// How large a scene may be. Both hold for the whole scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

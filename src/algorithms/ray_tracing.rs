@@ -1,0 +1,404 @@
+//! Ray tracing: every ray goes on, mirrored and refracted, and every contribution counts (Whitted, "An improved illumination
+//! model for shaded display", CACM 1980, §2 and §3).
+//!
+//! I = I_local + k_r·trace(R) + k_t·trace(T), where I_local is the illumination model with shadows, and emission;
+//! R = u − 2(u·N)N; T = (η_i/η_r)u − (cos θ_r − (η_i/η_r)cos θ_i)N with cos²θ_r = 1 − (η_i/η_r)²(1 − cos²θ_i). Where that
+//! is negative, nothing passes: k_t goes with a ray in the mirror direction (total internal reflection). The light that a
+//! secondary ray carries is divided by a0 + a1·d + a2·d², d the distance to the parent surface.
+//!
+//! The slide prints the refraction without that case, and without the way out of the glass, where N is turned and the η change places.
+
+use super::focus::Focus;
+use super::frame::Frame;
+use super::illumination::{self, Lighting, ToLight, illuminate};
+use super::primary::{self, for_each_pixel};
+use super::ray_tree::{self, Branch, RayKind};
+use super::stage::{self, Stage};
+use super::surface::{self, Facing, face, without_object};
+use super::visible::{self, Met, Search, visible};
+use crate::color::Rgb;
+use crate::record::{self, Fields, Line, Listing, Recorder};
+use crate::scene::solids::{Hit, Ray, leaving};
+use crate::scene::{Material, Needs};
+
+pub static PSEUDOCODE: Listing = Listing {
+    name: "ray tracing",
+    lines: &[
+        "for each pixel in the projection plane",
+        "  u ← ray from the reference point through the pixel",
+        "  pixel ← trace(u, 1)",
+        "trace(u, level)",
+        "  NearestT ← ∞;  NearestObject ← none",
+        "  for every object in the scene",
+        "    if the ray meets it and t < NearestT",
+        "      NearestT ← t;  NearestObject ← object",
+        "  if NearestObject is none: return background",
+        "  for each light",
+        "    shoot a ray to the light: in shadow or not",
+        "  I ← ambient + light that arrives + emission",
+        "  if the surface is reflective",
+        "    I ← I + k_r · trace(R, level + 1)",
+        "  if it is transparent",
+        "    I ← I + k_t · trace(T, level + 1)",
+        "  return I",
+    ],
+};
+
+/// Ray tracing on a stage.
+#[derive(Clone)]
+pub struct RayTracer<'a, S> {
+    pub stage: &'a Stage,
+    pub needs: &'a Needs,
+    pub search: S,
+    /// The closed transparent objects that contain the eye, outermost first.
+    around_eye: Media,
+}
+
+/// The transparent objects that a ray is inside, in the order in which it entered them. Outside all is air.
+type Media = Vec<u32>;
+
+/// Draws the part of the stage that `focus` takes into `frame`.
+pub fn ray_tracing<S: Search, R: Recorder<Event>>(
+    tracer: &RayTracer<S>,
+    focus: Focus,
+    frame: &mut Frame,
+    recorder: &mut R,
+) {
+    for_each_pixel(tracer.stage, focus, frame, recorder, |x, y, recorder| {
+        tracer.pixel(x, y, recorder)
+    });
+}
+
+impl<'a, S: Search> RayTracer<'a, S> {
+    pub fn new(stage: &'a Stage, needs: &'a Needs, search: S) -> Self {
+        let mut tracer = RayTracer {
+            stage,
+            needs,
+            search,
+            around_eye: Media::new(),
+        };
+        if needs.transmission {
+            let around = stage.solids().around(stage.view.eye);
+            let transparent = |&object: &u32| tracer.material(object).transmission != Rgb::BLACK;
+            tracer.around_eye = around.into_iter().filter(transparent).collect();
+        }
+        tracer
+    }
+
+    /// The colour of pixel (x, y).
+    pub fn pixel<R: Recorder<Event>>(&self, x: u32, y: u32, recorder: &mut R) -> Rgb {
+        let samples = self.stage.settings.samples;
+        let view = &self.stage.view;
+        primary::pixel(view, samples, (x, y), recorder, |ray, recorder| {
+            let (color, _) = self.trace(RayKind::Primary, ray, 1, &self.around_eye, recorder);
+            color
+        })
+    }
+
+    /// The light that comes back along a ray, and the distance to the surface that it comes from; none where it is background.
+    fn trace<R: Recorder<Event>>(
+        &self,
+        kind: RayKind,
+        ray: &Ray,
+        level: u32,
+        media: &Media,
+        recorder: &mut R,
+    ) -> (Rgb, Option<f64>) {
+        let (scene, solids) = (&self.stage.scene, self.stage.solids());
+        let opened = ray_tree::Event::Ray {
+            kind,
+            level: level as u16,
+            ray: *ray,
+        };
+        recorder.enter(|| opened.into());
+        let balls = self.needs.light_balls;
+        let met = visible(self.search, scene, solids, balls, ray, recorder);
+        let Met::Object(hit) = met else {
+            let color = without_object(scene, &met, recorder);
+            recorder.leave(|| ray_tree::Event::Returned { color }.into());
+            return (color, met.t().is_finite().then_some(met.t()));
+        };
+        let facing = face(scene, solids, self.needs.textures, ray, &hit, recorder);
+        let mut sum = self.local(&hit, &facing, recorder);
+
+        // The reflected ray
+        let Material {
+            reflection: k_r,
+            transmission: k_t,
+            ..
+        } = *facing.point.material;
+        let (u, n) = (ray.direction, facing.normal);
+        let mirrored = u - 2.0 * u.dot(n) * n;
+        let branch = |kind, coefficient, direction| Branch {
+            kind,
+            coefficient,
+            direction,
+        };
+        if self.needs.reflection && k_r != Rgb::BLACK {
+            let reflected = branch(RayKind::Reflected, k_r, mirrored);
+            sum = self.follow(&reflected, &facing, level, media, sum, recorder);
+        } else {
+            recorder.step(|| ray_tree::Event::no_coefficient(RayKind::Reflected).into());
+        }
+
+        // The refracted ray
+        if self.needs.transmission && k_t != Rgb::BLACK {
+            let beyond = self.beyond(&hit, &facing, media);
+            let eta_i = self.ior(media);
+            let eta_r = self.ior(&beyond);
+            let eta = eta_i / eta_r;
+            let cos_i = facing.cos_theta_i;
+            // 1 − η²(1 − cos²θ_i), so written that η = 1 passes straight through, however flat the angle.
+            let radicand = (1.0 - eta) * (1.0 + eta) + (eta * cos_i) * (eta * cos_i);
+            recorder.step(|| {
+                ray_tree::Event::Refraction {
+                    eta_i,
+                    eta_r,
+                    cos_theta_i: cos_i,
+                    radicand,
+                }
+                .into()
+            });
+            let (transmitted, inside) = if radicand < 0.0 {
+                let mirrored = branch(RayKind::TotalInternalReflection, k_t, mirrored);
+                (mirrored, media)
+            } else {
+                // Near the critical angle the radicand is known to rounding only: its sign is tested first, then the root taken.
+                let t = eta * u - (radicand.sqrt() - eta * cos_i) * n;
+                let refracted = branch(RayKind::Transmitted, k_t, t.normalize());
+                (refracted, &beyond)
+            };
+            sum = self.follow(&transmitted, &facing, level, inside, sum, recorder);
+        } else {
+            recorder.step(|| ray_tree::Event::no_coefficient(RayKind::Transmitted).into());
+        }
+
+        recorder.leave(|| ray_tree::Event::Returned { color: sum }.into());
+        (sum, Some(hit.t))
+    }
+
+    /// The illumination model with shadows, and emission.
+    fn local<R: Recorder<Event>>(&self, hit: &Hit, facing: &Facing, recorder: &mut R) -> Rgb {
+        let lighting = Lighting {
+            specular: self.needs.specular,
+            ..self.stage.lighting()
+        };
+        let lit = illuminate(&facing.point, &lighting, recorder, |to_light, recorder| {
+            let shadows = self.needs.shadow(to_light.light, hit.object as usize);
+            !(shadows && self.in_shadow(facing, to_light, recorder))
+        });
+        let emission = facing.point.material.emission;
+        let local = (lit + emission).finite();
+        recorder.step(|| ray_tree::Event::Local { emission, local }.into());
+        local
+    }
+
+    /// Whether an object that casts a shadow lies between the surface and a light.
+    fn in_shadow<R: Recorder<Event>>(
+        &self,
+        facing: &Facing,
+        to_light: &ToLight,
+        recorder: &mut R,
+    ) -> bool {
+        let (scene, solids) = (&self.stage.scene, self.stage.solids());
+        let ray = leaving(&facing.surface, to_light.direction);
+        let distance = to_light.distance;
+        recorder.enter(|| {
+            ray_tree::Event::ShadowRay {
+                light: to_light.light as u32,
+                direction: to_light.direction,
+                distance,
+            }
+            .into()
+        });
+        let blocker = self.search.blocker(scene, solids, &ray, distance, recorder);
+        recorder.leave(|| {
+            ray_tree::Event::Shadow {
+                light: to_light.light as u32,
+                blocked: blocker.is_some(),
+                by: blocker.and_then(|blocker| blocker.hit),
+            }
+            .into()
+        });
+        blocker.is_some()
+    }
+
+    /// The sum so far, and what comes back along a secondary ray.
+    fn follow<R: Recorder<Event>>(
+        &self,
+        branch: &Branch,
+        facing: &Facing,
+        level: u32,
+        media: &Media,
+        sum: Rgb,
+        recorder: &mut R,
+    ) -> Rgb {
+        let &Branch {
+            kind,
+            coefficient,
+            direction,
+        } = branch;
+        recorder.step(|| ray_tree::Event::Branched { branch: *branch }.into());
+        if level >= self.stage.settings.depth.get() {
+            recorder.step(|| ray_tree::Event::too_deep(kind).into());
+            return sum;
+        }
+        let ray = leaving(&facing.surface, direction);
+        let (color, distance) = self.trace(kind, &ray, level + 1, media, recorder);
+
+        let mut carried = color;
+        if self.needs.path_attenuation
+            && let Some(d) = distance
+        {
+            let attenuation = self.stage.scene.path_attenuation;
+            carried = (color / ray_tree::divisor(attenuation, d)).finite();
+            recorder.step(|| {
+                ray_tree::Event::Attenuated {
+                    kind,
+                    distance: d,
+                    attenuation,
+                    carried,
+                }
+                .into()
+            });
+        }
+        let sum = (sum + coefficient * carried).finite();
+        recorder.step(|| ray_tree::Event::Added { kind, carried, sum }.into());
+        sum
+    }
+
+    /// The media on the other side of the surface: with the object where the ray enters it, without it where it leaves.
+    fn beyond(&self, hit: &Hit, facing: &Facing, media: &Media) -> Media {
+        let mut beyond = media.clone();
+        if facing.entering {
+            beyond.push(hit.object);
+        } else if let Some(innermost) = beyond.iter().rposition(|&object| object == hit.object) {
+            beyond.remove(innermost);
+        }
+        beyond
+    }
+
+    /// η of the innermost medium; 1, air, outside all.
+    fn ior(&self, media: &Media) -> f64 {
+        media
+            .last()
+            .map_or(1.0, |&object| self.material(object).ior)
+    }
+
+    fn material(&self, object: u32) -> &Material {
+        let scene = &self.stage.scene;
+        &scene.materials[scene.objects[object as usize].material]
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    Stage(stage::Event),
+    Primary(primary::Event),
+    Visible(visible::Event),
+    Surface(surface::Event),
+    Illumination(illumination::Event),
+    Tree(ray_tree::Event),
+}
+
+const _: () = assert!(size_of::<Event>() <= 64);
+
+impl From<stage::Event> for Event {
+    fn from(event: stage::Event) -> Self {
+        Event::Stage(event)
+    }
+}
+
+impl From<primary::Event> for Event {
+    fn from(event: primary::Event) -> Self {
+        Event::Primary(event)
+    }
+}
+
+impl From<visible::Event> for Event {
+    fn from(event: visible::Event) -> Self {
+        Event::Visible(event)
+    }
+}
+
+impl From<surface::Event> for Event {
+    fn from(event: surface::Event) -> Self {
+        Event::Surface(event)
+    }
+}
+
+impl From<illumination::Event> for Event {
+    fn from(event: illumination::Event) -> Self {
+        Event::Illumination(event)
+    }
+}
+
+impl From<ray_tree::Event> for Event {
+    fn from(event: ray_tree::Event) -> Self {
+        Event::Tree(event)
+    }
+}
+
+impl record::Event for Event {
+    fn kind(&self) -> &'static str {
+        match self {
+            Event::Stage(event) => event.kind(),
+            Event::Primary(event) => event.kind(),
+            Event::Visible(event) => event.kind(),
+            Event::Surface(event) => event.kind(),
+            Event::Illumination(event) => event.kind(),
+            Event::Tree(event) => event.kind(),
+        }
+    }
+
+    fn line(&self) -> Line {
+        use ray_tree::Event as Tree;
+        let number = match self {
+            Event::Stage(_) | Event::Primary(primary::Event::Pixel { .. }) => 0,
+            Event::Primary(primary::Event::Through { .. }) => 1,
+            Event::Primary(primary::Event::PixelColored { .. }) => 2,
+            Event::Tree(Tree::Ray { .. }) => 3,
+            Event::Visible(visible::Event::Search { .. }) => 4,
+            Event::Visible(
+                visible::Event::BetweenTested { .. } | visible::Event::Unshadowing { .. },
+            ) => 10,
+            Event::Visible(event) if event.found_nearer() => 7,
+            Event::Visible(visible::Event::Found { .. }) => 8,
+            Event::Visible(_) => 6,
+            Event::Surface(surface::Event::Background { .. } | surface::Event::LightMet { .. }) => {
+                8
+            }
+            Event::Surface(_) => 9,
+            Event::Illumination(event) => return event.line(),
+            Event::Tree(Tree::ShadowRay { .. } | Tree::Shadow { .. }) => 10,
+            Event::Tree(Tree::Local { .. }) => 11,
+            Event::Tree(Tree::Refraction { .. }) => 14,
+            Event::Tree(Tree::Returned { .. }) => 16,
+            Event::Tree(event) => match (event.branch(), event) {
+                (Some(RayKind::Reflected), Tree::Ended { .. } | Tree::Branched { .. }) => 12,
+                (Some(RayKind::Reflected), _) => 13,
+                (_, Tree::Ended { .. } | Tree::Branched { .. }) => 14,
+                _ => 15,
+            },
+        };
+        Line {
+            listing: &PSEUDOCODE,
+            number,
+        }
+    }
+
+    fn holds_on(&self) -> bool {
+        !matches!(self, Event::Visible(event) if event.tests_one())
+    }
+
+    fn fields(&self, fields: &mut Fields) {
+        match self {
+            Event::Stage(event) => event.fields(fields),
+            Event::Primary(event) => event.fields(fields),
+            Event::Visible(event) => event.fields(fields),
+            Event::Surface(event) => event.fields(fields),
+            Event::Illumination(event) => event.fields(fields),
+            Event::Tree(event) => event.fields(fields),
+        }
+    }
+}

@@ -1,0 +1,244 @@
+//! The binary ray tree of a pixel, as ray tracing tells it: a node a ray, the children the reflected and the transmitted ray
+//! (Whitted 1980, figure 3). Light comes back from the leaves up; a leaf says why it ended.
+
+use crate::color::Rgb;
+use crate::record::Fields;
+use crate::scene::solids::{Hit, Ray};
+use glam::DVec3;
+
+/// How a ray came to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum RayKind {
+    Primary,
+    Reflected,
+    Transmitted,
+    TotalInternalReflection,
+}
+
+impl RayKind {
+    /// As in the results of `render --stats`.
+    pub fn name(self) -> &'static str {
+        match self {
+            RayKind::Primary => "primary",
+            RayKind::Reflected => "reflected",
+            RayKind::Transmitted => "transmitted",
+            RayKind::TotalInternalReflection => "total_internal_reflection",
+        }
+    }
+}
+
+/// A ray that a surface sends on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Branch {
+    pub kind: RayKind,
+    /// k_r or k_t: what its light is multiplied with.
+    pub coefficient: Rgb,
+    /// Unit.
+    pub direction: DVec3,
+}
+
+/// Why a branch has no ray.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum End {
+    /// It would lie below the last level; it contributes black.
+    Depth,
+    /// The surface does not reflect, or does not transmit.
+    NoCoefficient,
+}
+
+impl End {
+    pub fn name(self) -> &'static str {
+        match self {
+            End::Depth => "depth",
+            End::NoCoefficient => "no coefficient",
+        }
+    }
+}
+
+/// a0 + a1·d + a2·d²: what light is divided by that comes from the distance d. Not zero, although a1·d and a2·d² may underflow.
+pub fn divisor([a0, a1, a2]: [f64; 3], d: f64) -> f64 {
+    (a0 + d * (a1 + a2 * d)).max(f64::MIN_POSITIVE)
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// Opens a ray, the primary one at level 1.
+    Ray { kind: RayKind, level: u16, ray: Ray },
+    /// Opens the ray from the surface to a light.
+    ShadowRay {
+        light: u32,
+        direction: DVec3,
+        distance: f64,
+    },
+    /// Closes `ShadowRay`; `by` is what lies between, where the search knows it.
+    Shadow {
+        light: u32,
+        blocked: bool,
+        by: Option<Hit>,
+    },
+    /// The light that arrives from the lights, ambient light and emission.
+    Local { emission: Rgb, local: Rgb },
+    /// `radicand` is cos²θ_r; where it is negative, nothing passes.
+    Refraction {
+        eta_i: f64,
+        eta_r: f64,
+        cos_theta_i: f64,
+        radicand: f64,
+    },
+    /// A secondary ray is asked for.
+    Branched { branch: Branch },
+    /// A branch without a ray.
+    Ended { kind: RayKind, end: End },
+    /// The light of a secondary ray, divided by what the distance makes of it.
+    Attenuated {
+        kind: RayKind,
+        distance: f64,
+        /// a0, a1, a2.
+        attenuation: [f64; 3],
+        carried: Rgb,
+    },
+    /// The light of a secondary ray is added, times its coefficient.
+    Added {
+        kind: RayKind,
+        carried: Rgb,
+        sum: Rgb,
+    },
+    /// Closes `Ray`, with the light that comes back along it.
+    Returned { color: Rgb },
+}
+
+impl Event {
+    pub fn too_deep(kind: RayKind) -> Self {
+        Event::Ended {
+            kind,
+            end: End::Depth,
+        }
+    }
+
+    pub fn no_coefficient(kind: RayKind) -> Self {
+        Event::Ended {
+            kind,
+            end: End::NoCoefficient,
+        }
+    }
+
+    /// Angle of refraction, where anything passes, and critical angle, where there is one; in degrees.
+    fn angles(eta_i: f64, eta_r: f64, radicand: f64) -> [Option<f64>; 2] {
+        let refracted = (radicand >= 0.0).then(|| radicand.sqrt().min(1.0).acos());
+        let critical = (eta_i > eta_r).then(|| (eta_r / eta_i).asin());
+        [refracted, critical].map(|angle| angle.map(f64::to_degrees))
+    }
+
+    /// Which branch of a surface the event belongs to.
+    pub fn branch(&self) -> Option<RayKind> {
+        match *self {
+            Event::Branched {
+                branch: Branch { kind, .. },
+            }
+            | Event::Ended { kind, .. }
+            | Event::Attenuated { kind, .. }
+            | Event::Added { kind, .. } => Some(kind),
+            _ => None,
+        }
+    }
+
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Event::Ray { .. } => "Ray",
+            Event::ShadowRay { .. } => "ShadowRay",
+            Event::Shadow { .. } => "Shadow",
+            Event::Local { .. } => "Local",
+            Event::Refraction { .. } => "Refraction",
+            Event::Branched { branch } => match branch.kind {
+                RayKind::Primary | RayKind::Reflected => "Reflection",
+                RayKind::Transmitted => "Transmission",
+                RayKind::TotalInternalReflection => "TotalInternalReflection",
+            },
+            Event::Ended { .. } => "BranchEnded",
+            Event::Attenuated { .. } => "Attenuated",
+            Event::Added { .. } => "BranchAdded",
+            Event::Returned { .. } => "Returned",
+        }
+    }
+
+    pub fn fields(&self, fields: &mut Fields) {
+        match *self {
+            Event::Ray { kind, level, ray } => fields
+                .push("ray", kind.name())
+                .push("level", level)
+                .push("O", ray.origin)
+                .push("u", ray.direction),
+            Event::ShadowRay {
+                light,
+                direction,
+                distance,
+            } => fields
+                .push("light", light)
+                .push("L", direction)
+                .push("d", distance),
+            Event::Shadow { light, blocked, by } => {
+                fields.push("light", light).push("blocked", blocked);
+                if let Some(hit) = by {
+                    fields.push("blocker", hit.object).push("t", hit.t);
+                }
+                fields
+            }
+            Event::Local { emission, local } => {
+                let fields = fields.push("emission", emission);
+                fields.push("I_local", local).push("I_sum", local)
+            }
+            Event::Refraction {
+                eta_i,
+                eta_r,
+                cos_theta_i,
+                radicand,
+            } => {
+                fields
+                    .push("eta_i", eta_i)
+                    .push("eta_r", eta_r)
+                    .push("cos_theta_i", cos_theta_i)
+                    .push("cos2_theta_r", radicand);
+                let [refracted, critical] = Event::angles(eta_i, eta_r, radicand);
+                if let Some(angle) = refracted {
+                    fields.push("theta_r_degrees", angle);
+                }
+                if let Some(angle) = critical {
+                    fields.push("theta_c_degrees", angle);
+                }
+                fields
+            }
+            Event::Branched { branch } => {
+                let (coefficient, direction) = match branch.kind {
+                    RayKind::Primary | RayKind::Reflected => ("k_r", "R"),
+                    RayKind::Transmitted => ("k_t", "T"),
+                    RayKind::TotalInternalReflection => ("k_t", "R"),
+                };
+                fields
+                    .push("branch", branch.kind.name())
+                    .push(coefficient, branch.coefficient)
+                    .push(direction, branch.direction)
+            }
+            Event::Ended { kind, end } => {
+                fields.push("branch", kind.name()).push("why", end.name())
+            }
+            Event::Attenuated {
+                kind,
+                distance,
+                attenuation,
+                carried,
+            } => fields
+                .push("branch", kind.name())
+                .push("d", distance)
+                .push("a_0", attenuation[0])
+                .push("a_1", attenuation[1])
+                .push("a_2", attenuation[2])
+                .push("divisor", divisor(attenuation, distance))
+                .push("carried", carried),
+            Event::Added { kind, carried, sum } => fields
+                .push("branch", kind.name())
+                .push("carried", carried)
+                .push("I_sum", sum),
+            Event::Returned { color } => fields.push("I", color),
+        };
+    }
+}

@@ -1,0 +1,174 @@
+//! The point at which a ray meets a surface, made ready for the illumination model: on which side, with which normal and
+//! which diffuse coefficient.
+//!
+//! N_geometric points out of a closed object, and to the front of a polygon. The ray enters where u·N_geometric < 0; N is
+//! turned toward the incoming ray. A texture multiplies k_d.
+
+use super::illumination::SurfacePoint;
+use super::visible::Met;
+use crate::color::Rgb;
+use crate::record::{Fields, Recorder};
+use crate::scene::solids::{Hit, Ray, Solids, Surface};
+use crate::scene::{Light, Scene};
+use glam::{DVec2, DVec3};
+
+/// A surface as the ray sees it.
+#[derive(Clone, Copy, Debug)]
+pub struct Facing<'a> {
+    pub surface: Surface,
+    pub point: SurfacePoint<'a>,
+    /// Unit, toward the incoming ray.
+    pub normal: DVec3,
+    /// −u·N, not negative.
+    pub cos_theta_i: f64,
+    /// Into the object, through its outside.
+    pub entering: bool,
+}
+
+/// Whether textures are looked up at all.
+pub fn face<'a, E: From<Event>>(
+    scene: &'a Scene,
+    solids: &Solids,
+    textures: bool,
+    ray: &Ray,
+    hit: &Hit,
+    recorder: &mut impl Recorder<E>,
+) -> Facing<'a> {
+    let surface = solids.surface(ray, hit);
+    recorder.step(|| {
+        Event::SurfaceMet {
+            object: hit.object,
+            position: surface.position,
+            normal: surface.normal,
+        }
+        .into()
+    });
+    let along = ray.direction.dot(surface.normal);
+    let entering = along < 0.0;
+    let normal = if along > 0.0 {
+        -surface.normal
+    } else {
+        surface.normal
+    };
+    recorder.step(|| {
+        Event::Faced {
+            normal,
+            cos_theta_i: along.abs(),
+            entering,
+        }
+        .into()
+    });
+
+    let material = &scene.materials[scene.objects[hit.object as usize].material];
+    let mut diffuse = material.diffuse;
+    if textures && let Some(texture) = material.texture {
+        let uv = solids.uv(hit, surface.position);
+        let color = texture.color_at(uv);
+        recorder.step(|| Event::Textured { uv, color }.into());
+        diffuse = diffuse * color;
+    }
+    let point = SurfacePoint {
+        position: surface.position,
+        normal,
+        to_eye: -ray.direction,
+        material,
+        diffuse,
+    };
+    Facing {
+        surface,
+        point,
+        normal,
+        cos_theta_i: along.abs(),
+        entering,
+    }
+}
+
+/// What a ray takes that meets no object: the background, or the colour of a light ball.
+pub fn without_object<E: From<Event>>(
+    scene: &Scene,
+    met: &Met,
+    recorder: &mut impl Recorder<E>,
+) -> Rgb {
+    match *met {
+        Met::Light { light, .. } => {
+            let (Light::Point { color, .. } | Light::Directional { color, .. }) =
+                scene.lights[light as usize];
+            recorder.step(|| Event::LightMet { light, color }.into());
+            color
+        }
+        Met::Nothing | Met::Object(_) => {
+            let color = scene.background;
+            recorder.step(|| Event::Background { color }.into());
+            color
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// The ray leaves the scene.
+    Background {
+        color: Rgb,
+    },
+    /// The ray meets the ball of a light, and takes its colour.
+    LightMet {
+        light: u32,
+        color: Rgb,
+    },
+    /// `normal` is N_geometric.
+    SurfaceMet {
+        object: u32,
+        position: DVec3,
+        normal: DVec3,
+    },
+    /// `normal` is N, turned toward the incoming ray.
+    Faced {
+        normal: DVec3,
+        cos_theta_i: f64,
+        entering: bool,
+    },
+    Textured {
+        uv: DVec2,
+        color: Rgb,
+    },
+}
+
+impl Event {
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Event::Background { .. } => "Background",
+            Event::LightMet { .. } => "LightMet",
+            Event::SurfaceMet { .. } => "SurfaceMet",
+            Event::Faced { .. } => "Faced",
+            Event::Textured { .. } => "Textured",
+        }
+    }
+
+    pub fn fields(&self, fields: &mut Fields) {
+        match *self {
+            Event::Background { color } => fields.push("color", color),
+            Event::LightMet { light, color } => fields.push("light", light).push("color", color),
+            Event::SurfaceMet {
+                object,
+                position,
+                normal,
+            } => fields
+                .push("object", object)
+                .push("P", position)
+                .push("N_geometric", normal),
+            Event::Faced {
+                normal,
+                cos_theta_i,
+                entering,
+            } => fields
+                .push("N", normal)
+                .push("cos_theta_i", cos_theta_i)
+                .push("theta_i_degrees", cos_theta_i.min(1.0).acos().to_degrees())
+                .push("entering", entering),
+            Event::Textured { uv, color } => fields
+                .push("u_texture", uv.x)
+                .push("v_texture", uv.y)
+                .push("texture", color),
+        };
+    }
+}

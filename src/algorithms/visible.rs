@@ -1,0 +1,341 @@
+//! The visible surface: the nearest object that a ray meets, and whether anything stands between a point and a light
+//! (Appel 1968; the nearest of all, object by object, as in Whitted 1980, §3).
+//!
+//! [`InTurn`] tests every object in turn, as the textbook says, and tells every comparison with NearestT. [`Hierarchy`] finds the
+//! same hit, bit for bit, without testing them all, and tells only what it found. At equal t the lower object goes first. A point light of positive
+//! radius is a ball that rays see; it stops no shadow ray.
+
+use crate::record::{Fields, Recorder};
+use crate::scene::solids::{Hit, Ray, Solids, meet_ball};
+use crate::scene::{Light, Scene};
+
+/// What a ray met first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Met {
+    Nothing,
+    Light { light: u32, t: f64 },
+    Object(Hit),
+}
+
+/// A way to find the visible surface. All ways find the same.
+pub trait Search: Copy {
+    /// The nearest object at t > 0.
+    fn nearest<E: From<Event>>(
+        self,
+        scene: &Scene,
+        solids: &Solids,
+        ray: &Ray,
+        recorder: &mut impl Recorder<E>,
+    ) -> Option<Hit>;
+
+    /// An object that casts a shadow and is met at 0 < t < `distance`: its index, and t where it is known.
+    fn blocker<E: From<Event>>(
+        self,
+        scene: &Scene,
+        solids: &Solids,
+        ray: &Ray,
+        distance: f64,
+        recorder: &mut impl Recorder<E>,
+    ) -> Option<Blocker>;
+}
+
+/// What stands between a point and a light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Blocker {
+    /// None where the search needs no more than to know that something does.
+    pub hit: Option<Hit>,
+}
+
+/// Every object in turn.
+#[derive(Clone, Copy, Debug)]
+pub struct InTurn;
+
+/// By the bounding volume hierarchy.
+#[derive(Clone, Copy, Debug)]
+pub struct Hierarchy;
+
+impl Search for InTurn {
+    fn nearest<E: From<Event>>(
+        self,
+        scene: &Scene,
+        solids: &Solids,
+        ray: &Ray,
+        recorder: &mut impl Recorder<E>,
+    ) -> Option<Hit> {
+        let mut nearest: Option<Hit> = None;
+        for object in 0..scene.objects.len() {
+            let hit = solids.meet(object, ray);
+            let nearest_t = nearest.map_or(f64::INFINITY, |hit| hit.t);
+            let nearer = hit.is_some_and(|hit| hit.t < nearest_t);
+            recorder.step(|| Event::tested(object, hit, nearest_t, nearer).into());
+            if nearer {
+                nearest = hit;
+            }
+        }
+        nearest
+    }
+
+    fn blocker<E: From<Event>>(
+        self,
+        scene: &Scene,
+        solids: &Solids,
+        ray: &Ray,
+        distance: f64,
+        recorder: &mut impl Recorder<E>,
+    ) -> Option<Blocker> {
+        for (index, object) in scene.objects.iter().enumerate() {
+            if !object.casts_shadow {
+                recorder.step(|| {
+                    Event::Unshadowing {
+                        object: index as u32,
+                    }
+                    .into()
+                });
+                continue;
+            }
+            let hit = solids.meet(index, ray);
+            let blocks = hit.is_some_and(|hit| hit.t < distance);
+            recorder.step(|| Event::between(index, hit, distance, blocks).into());
+            if blocks {
+                return Some(Blocker { hit });
+            }
+        }
+        None
+    }
+}
+
+impl Search for Hierarchy {
+    fn nearest<E: From<Event>>(
+        self,
+        _: &Scene,
+        solids: &Solids,
+        ray: &Ray,
+        _: &mut impl Recorder<E>,
+    ) -> Option<Hit> {
+        solids.nearest(ray)
+    }
+
+    fn blocker<E: From<Event>>(
+        self,
+        _: &Scene,
+        solids: &Solids,
+        ray: &Ray,
+        distance: f64,
+        _: &mut impl Recorder<E>,
+    ) -> Option<Blocker> {
+        solids
+            .blocked(ray, distance)
+            .then_some(Blocker { hit: None })
+    }
+}
+
+/// The nearest of all objects and, where the scene has any, of the light balls.
+pub fn visible<E: From<Event>>(
+    search: impl Search,
+    scene: &Scene,
+    solids: &Solids,
+    light_balls: bool,
+    ray: &Ray,
+    recorder: &mut impl Recorder<E>,
+) -> Met {
+    recorder.enter(|| {
+        Event::Search {
+            objects: scene.objects.len() as u32,
+        }
+        .into()
+    });
+    let mut met = match search.nearest(scene, solids, ray, recorder) {
+        Some(hit) => Met::Object(hit),
+        None => Met::Nothing,
+    };
+    if light_balls {
+        for (light, of) in scene.lights.iter().enumerate() {
+            let &Light::Point {
+                position, radius, ..
+            } = of
+            else {
+                continue;
+            };
+            if radius <= 0.0 {
+                continue;
+            }
+            let light = light as u32;
+            let t = meet_ball(position, radius, ray);
+            let nearest_t = met.t();
+            let nearer = t.is_some_and(|t| t < nearest_t);
+            recorder.step(|| {
+                Event::LightTested {
+                    light,
+                    t: t.unwrap_or(f64::INFINITY),
+                    nearest_t,
+                    nearer,
+                }
+                .into()
+            });
+            if let (Some(t), true) = (t, nearer) {
+                met = Met::Light { light, t };
+            }
+        }
+    }
+    recorder.leave(|| Event::Found { met }.into());
+    met
+}
+
+impl Met {
+    /// Infinite where nothing was met.
+    pub fn t(&self) -> f64 {
+        match *self {
+            Met::Nothing => f64::INFINITY,
+            Met::Light { t, .. } => t,
+            Met::Object(hit) => hit.t,
+        }
+    }
+}
+
+/// A test an object; t is infinite where the ray misses.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event {
+    /// Opens the search for the nearest object.
+    Search { objects: u32 },
+    ObjectTested {
+        object: u32,
+        triangle: u32,
+        t: f64,
+        /// Before this test.
+        nearest_t: f64,
+        nearer: bool,
+    },
+    LightTested {
+        light: u32,
+        t: f64,
+        nearest_t: f64,
+        nearer: bool,
+    },
+    /// Closes `Search`.
+    Found { met: Met },
+    /// An object on the way to a light.
+    BetweenTested {
+        object: u32,
+        triangle: u32,
+        t: f64,
+        /// Of the light.
+        distance: f64,
+        blocks: bool,
+    },
+    /// An object that casts no shadow, passed over on the way to a light.
+    Unshadowing { object: u32 },
+}
+
+impl Event {
+    fn tested(object: usize, hit: Option<Hit>, nearest_t: f64, nearer: bool) -> Self {
+        Event::ObjectTested {
+            object: object as u32,
+            triangle: hit.map_or(0, |hit| hit.triangle),
+            t: hit.map_or(f64::INFINITY, |hit| hit.t),
+            nearest_t,
+            nearer,
+        }
+    }
+
+    fn between(object: usize, hit: Option<Hit>, distance: f64, blocks: bool) -> Self {
+        Event::BetweenTested {
+            object: object as u32,
+            triangle: hit.map_or(0, |hit| hit.triangle),
+            t: hit.map_or(f64::INFINITY, |hit| hit.t),
+            distance,
+            blocks,
+        }
+    }
+
+    /// Whether NearestT and NearestObject are set.
+    pub fn found_nearer(&self) -> bool {
+        matches!(
+            self,
+            Event::ObjectTested { nearer: true, .. } | Event::LightTested { nearer: true, .. }
+        )
+    }
+
+    /// Whether it is about one object or light of several.
+    pub fn tests_one(&self) -> bool {
+        !matches!(self, Event::Search { .. } | Event::Found { .. })
+    }
+
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Event::Search { .. } => "Search",
+            Event::ObjectTested { .. } => "ObjectTested",
+            Event::LightTested { .. } => "LightTested",
+            Event::Found { .. } => "Found",
+            Event::BetweenTested { .. } => "BetweenTested",
+            Event::Unshadowing { .. } => "Unshadowing",
+        }
+    }
+
+    pub fn fields(&self, fields: &mut Fields) {
+        match *self {
+            Event::Search { objects } => {
+                fields
+                    .push("objects", objects)
+                    .push("NearestT", f64::INFINITY);
+            }
+            Event::ObjectTested {
+                object,
+                t,
+                nearest_t,
+                nearer,
+                ..
+            } => {
+                fields
+                    .push("object", object)
+                    .push("t", t)
+                    .push("NearestT", nearest_t)
+                    .push("nearer", nearer);
+            }
+            Event::LightTested {
+                light,
+                t,
+                nearest_t,
+                nearer,
+            } => {
+                fields
+                    .push("light", light)
+                    .push("t", t)
+                    .push("NearestT", nearest_t)
+                    .push("nearer", nearer);
+            }
+            Event::Found { met } => match met {
+                Met::Nothing => {
+                    fields.push("met", "nothing").push("NearestT", met.t());
+                }
+                Met::Light { light, t } => {
+                    fields
+                        .push("met", "light")
+                        .push("light", light)
+                        .push("NearestT", t);
+                }
+                Met::Object(hit) => {
+                    fields
+                        .push("met", "object")
+                        .push("object", hit.object)
+                        .push("NearestT", hit.t);
+                }
+            },
+            Event::BetweenTested {
+                object,
+                t,
+                distance,
+                blocks,
+                ..
+            } => {
+                fields
+                    .push("object", object)
+                    .push("t", t)
+                    .push("d", distance)
+                    .push("blocks", blocks);
+            }
+            Event::Unshadowing { object } => {
+                fields.push("object", object).push("blocks", false);
+            }
+        }
+    }
+}

@@ -1,0 +1,206 @@
+//! The whole picture, made in the background: nobody waits for it, and nobody keeps it from being called off.
+
+use crate::algorithms::frame::Frame;
+use crate::algorithms::stage::Stage;
+use crate::render::{Cancelled, Method, preview};
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
+use std::thread;
+use web_time::{Duration, Instant};
+
+/// A picture that is done sooner is not spoken of.
+const PATIENCE: Duration = Duration::from_millis(200);
+
+/// A picture on its way. Dropped, it is called off, and its thread ends by itself within milliseconds.
+pub struct Preview {
+    /// The newest pass; before there is one, the background, or the picture before the scene was changed.
+    frame: Frame,
+    /// Where the passes come in; none once all of them did.
+    passes: Option<Receiver<Frame>>,
+    state: Arc<State>,
+    start: Instant,
+}
+
+/// What the maker of the picture and its viewer tell each other.
+#[derive(Default)]
+struct State {
+    called_off: AtomicBool,
+    percent: AtomicUsize,
+}
+
+impl State {
+    fn progress(&self, done: usize, all: usize) -> Result<(), Cancelled> {
+        let percent = 100 * done / all.max(1);
+        self.percent.store(percent, Ordering::Relaxed);
+        match self.called_off.load(Ordering::Relaxed) {
+            true => Err(Cancelled),
+            false => Ok(()),
+        }
+    }
+}
+
+impl Preview {
+    /// Begins the picture of the stage.
+    pub fn new(stage: Arc<Stage>, method: Method) -> Self {
+        let [width, height] = [stage.view.width, stage.view.height];
+        let background = Frame::new(width, 0..height, stage.scene.background);
+        Preview::over(background, stage, method)
+    }
+
+    /// Begins anew, on a stage of the same view; what there is stays to be seen until the first pass comes.
+    pub fn begin_anew(&mut self, stage: Arc<Stage>, method: Method) {
+        let nothing = Frame::new(0, 0..0, stage.scene.background);
+        let frame = std::mem::replace(&mut self.frame, nothing);
+        *self = Preview::over(frame, stage, method);
+    }
+
+    fn over(frame: Frame, stage: Arc<Stage>, method: Method) -> Self {
+        let threads = thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+        Preview::of(frame, move |state, passes| {
+            let progress = |done, all| state.progress(done, all);
+            // The other end may be gone: then there is nobody to be sorry for.
+            let show = &mut |pass: &Frame| drop(passes.send(pass.clone()));
+            if let Ok(whole) = preview(&stage, method, threads, progress, show) {
+                drop(passes.send(whole));
+            }
+        })
+    }
+
+    /// Shows `frame` until `make` sends a better one. Where no thread can be had, as on a web page, it is made here and now.
+    fn of(frame: Frame, make: impl Fn(&State, &Sender<Frame>) + Send + Sync + 'static) -> Self {
+        let state = Arc::new(State::default());
+        let (sender, passes) = channel();
+        let make = Arc::new(make);
+        let in_background = {
+            let (make, state, sender) = (make.clone(), state.clone(), sender.clone());
+            move || make(&state, &sender)
+        };
+        let thread = thread::Builder::new().name("preview".into());
+        if thread.spawn(in_background).is_err() {
+            make(&state, &sender);
+        }
+        Preview {
+            frame,
+            passes: Some(passes),
+            state,
+            start: Instant::now(),
+        }
+    }
+
+    /// The picture as far as it has come.
+    pub fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    pub fn is_done(&self) -> bool {
+        self.passes.is_none()
+    }
+
+    /// How far a picture is that takes long, in percent.
+    pub fn percent(&self) -> Option<usize> {
+        let waits = !self.is_done() && self.start.elapsed() >= PATIENCE;
+        waits.then(|| self.state.percent.load(Ordering::Relaxed))
+    }
+
+    /// Takes the passes that have come in; whether there was one.
+    pub fn take(&mut self) -> bool {
+        let mut taken = false;
+        while let Some(passes) = &self.passes {
+            match passes.try_recv() {
+                Ok(frame) => {
+                    self.frame = frame;
+                    taken = true;
+                }
+                Err(TryRecvError::Empty) => break,
+                Err(TryRecvError::Disconnected) => self.passes = None,
+            }
+        }
+        taken
+    }
+
+    /// Waits until the picture is whole.
+    #[cfg(test)]
+    pub fn wait(&mut self) {
+        if let Some(last) = self.passes.take().and_then(|passes| passes.iter().last()) {
+            self.frame = last;
+        }
+    }
+}
+
+impl Drop for Preview {
+    fn drop(&mut self) {
+        self.state.called_off.store(true, Ordering::Relaxed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::color::Rgb;
+
+    fn frame(gray: f64) -> Frame {
+        Frame::new(4, 0..3, Rgb::splat(gray))
+    }
+
+    /// A picture of two passes; the maker waits for a word before each.
+    fn on_request() -> (Preview, Sender<()>) {
+        let (go_on, word) = channel();
+        let word = std::sync::Mutex::new(word);
+        let preview = Preview::of(frame(0.0), move |state, passes| {
+            for pass in 1..=2 {
+                if word.lock().unwrap().recv().is_err() {
+                    return;
+                }
+                let _ = state.progress(pass, 2);
+                passes.send(frame(pass as f64)).unwrap();
+            }
+        });
+        (preview, go_on)
+    }
+
+    #[test]
+    fn passes_are_shown_as_they_come() {
+        let (mut preview, go_on) = on_request();
+        assert!(!preview.take() && !preview.is_done());
+        assert_eq!(preview.frame(), &frame(0.0));
+        go_on.send(()).unwrap();
+        while !preview.take() {
+            thread::yield_now();
+        }
+        assert_eq!(preview.frame(), &frame(1.0));
+        assert!(!preview.is_done());
+        preview.start = Instant::now() - PATIENCE;
+        assert_eq!(preview.percent(), Some(50));
+        go_on.send(()).unwrap();
+        preview.wait();
+        assert_eq!(preview.frame(), &frame(2.0));
+        assert!(preview.is_done() && preview.percent().is_none() && !preview.take());
+    }
+
+    #[test]
+    fn a_maker_that_fails_leaves_what_there_is() {
+        let (mut preview, go_on) = on_request();
+        go_on.send(()).unwrap();
+        drop(go_on);
+        preview.wait();
+        assert!(preview.is_done());
+        assert_eq!(preview.frame(), &frame(1.0));
+    }
+
+    #[test]
+    fn a_dropped_picture_is_called_off() {
+        let (tell, told) = channel();
+        let endless = Preview::of(frame(0.0), move |state, _| {
+            while state.progress(0, 1).is_ok() {
+                thread::yield_now();
+            }
+            tell.send(()).unwrap();
+        });
+        assert!(told.try_recv().is_err());
+        drop(endless);
+        // The maker says that it has ended; without that, this would wait for ever.
+        told.recv().unwrap();
+    }
+}

@@ -1,0 +1,84 @@
+//! Lights that the pointer drags.
+
+use super::*;
+use crate::panels::{Panel, draw};
+use crate::replay::Run;
+use crate::scene::Light;
+use egui::Role;
+use glam::DVec3;
+
+/// A ball under two lights, of which the first may be moved.
+fn ball() -> Screen {
+    let json = r#"{ "schema": 1, "id": "ball", "number": 1, "topics": [],
+        "title": { "en": "T", "id": "T" }, "summary": { "en": "S", "id": "S" },
+        "scene": { "schema": 1, "materials": { "chalk": { "diffuse": [1, 1, 1] } },
+            "camera": { "eye": [0, 1, 4], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 40 },
+            "objects": [{ "name": "ball", "material": "chalk", "sphere": { "center": [0, 0, 0], "radius": 1 } }],
+            "lights": [{ "point": { "position": [1, 2, 1] } }, { "point": { "position": [-2, 2, -2] } }] },
+        "method": "ray-tracing", "size": [24, 18], "focus": { "pixel": [12, 9] }, "panels": ["rays"], "movable_lights": [0],
+        "steps": [{ "at": { "kind": "Shadow" }, "say": { "en": "Lit", "id": "Terang" } }] }"#;
+    let lesson = Lesson::read(
+        json.as_bytes(),
+        &Default::default(),
+        &mut |_| unreachable!(),
+    );
+    screen_of(lesson.expect("a right lesson"), [1280, 800], 1.0, [])
+}
+
+fn lights(screen: &Screen) -> [DVec3; 2] {
+    let show = screen.session().show();
+    let Run::RayTracing(replay) = show.run else {
+        unreachable!("the lesson is on ray tracing")
+    };
+    let lights = &replay.state().stage.scene.lights;
+    [0, 1].map(|number| match lights[number] {
+        Light::Point { position, .. } => position,
+        Light::Directional { .. } => unreachable!("both are point lights"),
+    })
+}
+
+/// Where a light is on the screen, in the first view that shows it.
+fn place(screen: &Screen, light: usize) -> egui::Pos2 {
+    let panel = screen
+        .harness
+        .get_by_role_and_label(Role::Image, words::RAYS.en);
+    let rect = panel.rect();
+    let size = glam::Vec2::new(rect.width(), rect.height());
+    let picture = draw(Panel::Rays, &screen.session().show(), size);
+    let tag = Some(Tag::Light(light));
+    let item = picture.items.iter().find(|item| item.tag == tag);
+    let at = item.expect("the light is drawn").shape.bounds().center();
+    rect.min + egui::vec2(at.x, at.y)
+}
+
+fn drag(screen: &mut Screen, from: egui::Pos2, by: egui::Vec2) {
+    screen.harness.hover_at(from);
+    screen.harness.run();
+    screen.harness.drag_at(from);
+    screen.harness.run();
+    for part in [0.5, 1.0] {
+        screen.harness.hover_at(from + part * by);
+        screen.harness.run();
+    }
+    screen.harness.drop_at(from + by);
+    screen.harness.run();
+}
+
+#[test]
+fn a_light_is_dragged_where_the_lesson_allows_it() {
+    let mut screen = ball();
+    let before = lights(&screen);
+    let (free, fixed) = (place(&screen, 0), place(&screen, 1));
+    drag(&mut screen, free, egui::vec2(24.0, -12.0));
+    let moved = lights(&screen)[0];
+    // From the side: up on the screen is up, and the camera's right stays.
+    assert!(
+        moved.y > before[0].y && (moved.x - before[0].x).abs() < 1e-9,
+        "{moved}"
+    );
+    assert!(place(&screen, 0).distance(free + egui::vec2(24.0, -12.0)) < 1.0);
+    screen.keep("dragged-light");
+
+    drag(&mut screen, fixed, egui::vec2(24.0, -12.0));
+    assert_eq!(lights(&screen)[1], before[1]);
+}

@@ -1,0 +1,407 @@
+//! All about the ray in hand beside its tree: what it met, what stands before each light, and the light that comes back up.
+
+use super::node::{Speaker, bracketed, color, ink, letter, mark, nothing_passes, number};
+use super::words::*;
+use crate::algorithms::ray_tree::End;
+use crate::algorithms::visible::Met;
+use crate::color::Rgb;
+use crate::panels::values::short;
+use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide, symbol};
+use crate::record::Value;
+use crate::replay::rays::{Outcome, RayInHand, Target};
+
+const ROW: f32 = 17.0;
+const SIZE: f32 = 12.0;
+
+/// A line of words that may be broken between its parts.
+struct Entry {
+    parts: Vec<String>,
+    set: Text,
+    swatch: Option<Rgb>,
+    tag: Option<Tag>,
+}
+
+impl Entry {
+    fn new(text: impl Into<String>) -> Self {
+        Entry::parts(vec![text.into()])
+    }
+
+    fn parts(parts: Vec<String>) -> Self {
+        Entry {
+            parts,
+            set: Style::Label.size(SIZE),
+            swatch: None,
+            tag: None,
+        }
+    }
+
+    fn ink(mut self, ink: Ink) -> Self {
+        self.set = self.set.ink(ink);
+        self
+    }
+
+    fn swatch(self, color: Option<Rgb>) -> Self {
+        Entry {
+            swatch: color,
+            ..self
+        }
+    }
+
+    fn tag(self, tag: Tag) -> Self {
+        Entry {
+            tag: Some(tag),
+            ..self
+        }
+    }
+}
+
+/// A headline with what stands under it.
+struct Section {
+    title: Entry,
+    entries: Vec<Entry>,
+}
+
+/// Draws the card. `returning` puts the light that comes back first; `rising` is the ray whose light came back last.
+pub(super) fn draw(
+    picture: &mut Picture,
+    speaker: &Speaker,
+    ray: &RayInHand,
+    (rising, returning): (Option<usize>, bool),
+    area: Rect,
+) {
+    let met = surface(speaker, ray);
+    let lights = lights(speaker, ray);
+    let back = coming_back(speaker, ray, rising);
+    if area.width >= 600.0 {
+        let half = 0.5 * (area.width - 16.0);
+        let left = Rect::new(area.x, area.y, half, area.height);
+        let right = Rect::new(left.right() + 16.0, area.y, half, area.height);
+        column(picture, [Some(met), lights].into_iter().flatten(), left);
+        column(picture, [back], right);
+        return;
+    }
+    let sections = if returning {
+        [Some(back), Some(met), lights]
+    } else {
+        [Some(met), lights, Some(back)]
+    };
+    column(picture, sections.into_iter().flatten(), area);
+}
+
+/// The ray in hand in one line.
+pub(super) fn line(picture: &mut Picture, speaker: &Speaker, ray: &RayInHand, area: Rect) {
+    let mut parts = vec![speaker.name(ray)[0].clone()];
+    let verdicts = ray.shadows.iter().map(|verdict| {
+        let by = verdict
+            .by
+            .map(|hit| format!(" {}, t {}", speaker.object(hit.object), number(hit.t)));
+        format!(
+            "{} {}{}",
+            speaker.light(verdict.light),
+            mark(!verdict.blocked),
+            by.unwrap_or_default()
+        )
+    });
+    parts.extend(verdicts);
+    match (ray.returned, ray.sum) {
+        (Some((returned, _)), _) => parts.insert(1, format!("I {}", color(returned))),
+        (None, Some(sum)) => parts.insert(1, format!("{} {}", symbol("I_sum"), color(sum))),
+        _ => {}
+    }
+    let set = Style::Label.size(11.0);
+    let text = elide(&parts.join(" · "), set.style, set.size, area.width);
+    picture.text_in(area, text, set);
+}
+
+/// Sections from the top down, each line as far as there is room.
+fn column(picture: &mut Picture, sections: impl IntoIterator<Item = Section>, area: Rect) {
+    let mut y = area.y;
+    for section in sections {
+        // A headline alone says nothing.
+        let least = if section.entries.is_empty() {
+            ROW
+        } else {
+            2.0 * ROW
+        };
+        if y + least > area.bottom() {
+            return;
+        }
+        y = write(picture, &section.title, area, y);
+        for entry in &section.entries {
+            y = write(picture, entry, area, y);
+        }
+        y += 6.0;
+    }
+}
+
+/// Writes an entry on as many rows as it needs and there are; returns where the next one starts.
+fn write(picture: &mut Picture, entry: &Entry, area: Rect, mut y: f32) -> f32 {
+    let gap = entry.set.width(" ");
+    let indent = if entry.swatch.is_some() { 16.0 } else { 0.0 };
+    let mut rows: Vec<String> = Vec::new();
+    for part in &entry.parts {
+        let room = area.width - indent - if rows.len() > 1 { 12.0 } else { 0.0 };
+        match rows.last_mut() {
+            Some(row) if entry.set.width(row) + gap + entry.set.width(part) <= room => {
+                row.push(' ');
+                row.push_str(part);
+            }
+            _ => rows.push(part.clone()),
+        }
+    }
+    for (i, row) in rows.iter().enumerate() {
+        if y + ROW > area.bottom() + 0.01 {
+            return y;
+        }
+        let further = if i > 0 { 12.0 } else { 0.0 };
+        let place = Rect::new(
+            area.x + indent + further,
+            y,
+            area.width - indent - further,
+            ROW,
+        );
+        if let (0, Some(color)) = (i, entry.swatch) {
+            let swatch = Rect::new(area.x, y + 2.5, 11.0, 11.0);
+            picture.rect(
+                swatch,
+                Ink::Rgb(color).fill().outlined(Ink::Muted.stroke(1.0)),
+            );
+        }
+        let text = elide(row, entry.set.style, entry.set.size, place.width);
+        let add = |picture: &mut Picture| {
+            picture.text_in(place, text, entry.set);
+        };
+        match entry.tag {
+            Some(tag) => {
+                picture.tagged(tag, add);
+            }
+            None => add(picture),
+        }
+        y += ROW;
+    }
+    y
+}
+
+/// What the ray met, and how it goes on.
+fn surface(speaker: &Speaker, ray: &RayInHand) -> Section {
+    let mut entries = Vec::new();
+    let level = format!("{} {}", speaker.say(LEVEL), ray.level);
+    let name = speaker.name(ray)[0].clone();
+    let title = Entry {
+        set: Style::LabelBold.size(13.0),
+        ..Entry::parts(vec![name, format!("· {level}")])
+    };
+    let light = ray.returned.map(|(color, _)| color).or(ray.sum);
+    let mut place = Vec::new();
+    if let Some(met) = ray.met.filter(|met| met.t().is_finite()) {
+        place.push(format!("t {}", short(Value::Number(met.t()), 3)));
+    }
+    if let Some((normal, cosine, _)) = ray.surface.and_then(|surface| surface.facing) {
+        let normal = short(Value::Vector(normal), 3).replace(' ', ", ");
+        place.push(format!("  N ({normal})"));
+        place.push(format!("  cos θ_i {}", short(Value::Number(cosine), 3)));
+    }
+    match ray.met {
+        None => entries.extend(search(speaker)),
+        Some(Met::Nothing) => entries.push(Entry::new(speaker.say(LEAVES))),
+        Some(Met::Light { .. }) => {
+            entries.push(Entry::new(speaker.say(LIGHT_MET)));
+        }
+        Some(_) => {}
+    }
+    if !place.is_empty() {
+        entries.push(Entry::parts(place));
+    }
+    if let Some(refraction) = ray.refraction {
+        let eta = format!(
+            "η {} → {}",
+            number(refraction.eta_i),
+            number(refraction.eta_r)
+        );
+        let radicand = format!(
+            "  cos^2 θ_r {}",
+            short(Value::Number(refraction.radicand), 3)
+        );
+        let mut parts = vec![eta, radicand];
+        if nothing_passes(ray) {
+            parts.push(format!("< 0: {}", speaker.say(TIR)));
+        }
+        entries.push(Entry::parts(parts).tag(Tag::Step(refraction.step)));
+    }
+    for branch in ray.branches.iter().flatten() {
+        let Outcome::Ended(end) = branch.outcome else {
+            continue;
+        };
+        let why = speaker.say(match end {
+            End::Depth => DEPTH_REACHED,
+            End::NoCoefficient => NO_COEFFICIENT,
+        });
+        let text = format!("{}: {why}", letter(branch.kind));
+        entries.push(Entry::new(text).ink(Ink::Muted).tag(Tag::Step(branch.step)));
+    }
+    Section {
+        title: title.swatch(light),
+        entries,
+    }
+}
+
+/// How the search for the nearest object stands.
+fn search(speaker: &Speaker) -> Option<Entry> {
+    let search = speaker.state.search?;
+    let name = |target| match target {
+        Target::Object(object) => speaker.object(object).to_owned(),
+        Target::Light(light) => speaker.light(light),
+    };
+    let mut parts = Vec::new();
+    if let Some(tested) = search.tested {
+        let t = if tested.t.is_finite() {
+            format!("t {}", number(tested.t))
+        } else {
+            speaker.say(MISSED)
+        };
+        parts.push(format!(
+            "{}: {}, {t}",
+            speaker.say(TESTED),
+            name(tested.target)
+        ));
+    }
+    if let Some(nearest) = search.nearest {
+        let (word, t) = (speaker.say(NEAREST), number(nearest.t));
+        parts.push(format!("· {word}: {}, t {t}", name(nearest.target)));
+    }
+    (!parts.is_empty()).then(|| Entry::parts(parts))
+}
+
+/// The verdict of each light, and N·L where it is in hand; none where no light was asked.
+fn lights(speaker: &Speaker, ray: &RayInHand) -> Option<Section> {
+    let state = speaker.state;
+    let in_hand = state.ray().is_some_and(|hand| hand.step == ray.step);
+    let point = state.point.as_ref().filter(|_| in_hand);
+    let cosine = |light: u32| {
+        let lights = point.map_or(&[][..], |point| &point.lights);
+        let lit = lights.iter().find(|lit| lit.light == light);
+        lit.and_then(|lit| lit.to_light)
+            .map(|(_, cosine)| format!("  N·L {}", number(cosine)))
+    };
+    let mut entries: Vec<Entry> = ray
+        .shadows
+        .iter()
+        .map(|verdict| {
+            let why = match (verdict.blocked, verdict.by) {
+                (true, Some(hit)) => {
+                    let (by, name) = (speaker.say(BLOCKED_BY), speaker.object(hit.object));
+                    format!("{by} {name}, t {}", number(hit.t))
+                }
+                (true, None) => speaker.say(BLOCKED),
+                (false, _) => format!("{}, d {}", speaker.say(CLEAR), number(verdict.distance)),
+            };
+            let mark = mark(!verdict.blocked);
+            let text = format!("{}  {mark} {why}", speaker.light(verdict.light));
+            let parts = [Some(text), cosine(verdict.light)];
+            Entry::parts(parts.into_iter().flatten().collect())
+                .ink(ink(!verdict.blocked))
+                .tag(Tag::Step(verdict.step))
+        })
+        .collect();
+    let asked = !entries.is_empty() || state.shadow.is_some() && in_hand;
+    if let (Some(shadow), true) = (&state.shadow, in_hand) {
+        let mut text = format!("{}  …", speaker.light(shadow.light));
+        if let Some((object, t, _)) = shadow.tested {
+            let place = if t.is_finite() {
+                format!("t {}", number(t))
+            } else {
+                speaker.say(MISSED)
+            };
+            text = format!(
+                "{text} {}: {}, {place}",
+                speaker.say(TESTED),
+                speaker.object(object)
+            );
+        }
+        entries.push(Entry::new(text).ink(Ink::This).tag(Tag::Scope(shadow.step)));
+    }
+    if !asked && let Some(point) = point {
+        for lit in &point.lights {
+            let text = speaker.light(lit.light) + &cosine(lit.light).unwrap_or_default();
+            entries.push(Entry::new(text).tag(Tag::Scope(lit.step)));
+        }
+    }
+    if entries.is_empty() {
+        return None;
+    }
+    let title = speaker.say(if asked { SHADOW_RAYS } else { LIGHTS });
+    let name = &speaker.name(ray)[0];
+    Some(Section {
+        title: headline(format!("{title} {name}")),
+        entries,
+    })
+}
+
+fn headline(text: String) -> Entry {
+    Entry {
+        set: Style::LabelBold.size(SIZE),
+        ..Entry::new(text)
+    }
+}
+
+/// The sums on the way of the light: of the ray that returned last, of the ray in hand, and of those that wait for it.
+fn coming_back(speaker: &Speaker, ray: &RayInHand, rising: Option<usize>) -> Section {
+    let state = speaker.state;
+    let risen = rising.and_then(|index| state.rays.get(index));
+    let risen = risen.filter(|risen| risen.step != ray.step);
+    let above = |ray: &&RayInHand| state.rays.get(ray.parent?);
+    let waiting = std::iter::successors(Some(ray), above);
+    let rows = risen.into_iter().chain(waiting).map(|ray| {
+        let returned = ray.returned.map(|(color, _)| color);
+        let entry = Entry::parts(sum(speaker, ray)).swatch(returned.or(ray.sum));
+        let ink = if risen.is_some_and(|risen| risen.step == ray.step) {
+            Ink::Linked
+        } else {
+            Ink::Text
+        };
+        entry.ink(ink).tag(Tag::Scope(ray.step))
+    });
+    Section {
+        title: headline(speaker.say(COMING_BACK)),
+        entries: rows.collect(),
+    }
+}
+
+/// What a ray's light is the sum of, as far as it was told.
+pub(super) fn sum(speaker: &Speaker, ray: &RayInHand) -> Vec<String> {
+    let name = &speaker.name(ray)[0];
+    let returned = ray.returned.map(|(returned, _)| returned);
+    let Some(local) = ray.local else {
+        let light = returned.map_or_else(|| "…".to_owned(), bracketed);
+        return vec![format!("{name} → {light}")];
+    };
+    let mut parts = vec![format!("{name} → {}", bracketed(local))];
+    for branch in ray.branches.iter().flatten() {
+        let Some(sent) = branch.branch else { continue };
+        let k = bracketed(sent.coefficient);
+        let back = match branch.outcome {
+            Outcome::Ray(index) => speaker.state.rays.get(index).and_then(|ray| ray.returned),
+            _ => None,
+        };
+        let light = match (branch.outcome, branch.attenuation, back, branch.carried) {
+            (Outcome::Ended(_), ..) => format!("0 ({})", speaker.say(DEPTH_REACHED)),
+            (_, Some((_, divisor)), Some((light, _)), _) => {
+                format!("{}/{}", bracketed(light), number(divisor))
+            }
+            (_, None, _, Some(light)) | (_, None, Some((light, _)), None) => bracketed(light),
+            _ => "…".to_owned(),
+        };
+        parts.push(format!("+ {k}·{light}"));
+    }
+    match (returned, ray.sum) {
+        (Some(light), _) => parts.push(format!("= {}", bracketed(light))),
+        (None, Some(sum)) => {
+            if ray.branches[1].is_none() {
+                parts.push("+ …".to_owned());
+            }
+            parts.push(format!("({} {})", speaker.say(SO_FAR), color(sum)));
+        }
+        (None, None) => {}
+    }
+    parts
+}

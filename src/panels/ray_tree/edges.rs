@@ -1,0 +1,234 @@
+//! The edges: each by letter, line and colour, with its coefficient, and lit by the light that has come up along it.
+
+use super::arrange::{Arrangement, Detail};
+use super::node::{color, letter, line, nothing_passes, too_deep};
+use super::pick::Rays;
+use crate::algorithms::ray_tree::{End, RayKind};
+use crate::panels::labels::crosses;
+use crate::picture::{Ink, Picture, Rect, Style, Tag};
+use crate::replay::rays::{BranchInHand, Outcome};
+use glam::Vec2;
+
+/// Width of the band of light under an edge.
+const BAND: f32 = 5.0;
+
+/// Draws all edges within `area`. `rising` is the ray whose light comes up at this step.
+pub(super) fn draw(
+    picture: &mut Picture,
+    rays: &Rays,
+    arrangement: &Arrangement,
+    rising: Option<usize>,
+    area: Rect,
+) {
+    let mut taken: Vec<Rect> = arrangement
+        .rects
+        .iter()
+        .map(|rect| rect.intersection(&area))
+        .filter(|rect| !rect.is_empty())
+        .collect();
+    let mut labels = Vec::new();
+    let mut lines = Vec::new();
+    let nodes = arrangement.tree.nodes.iter().zip(&arrangement.rects);
+    for ((node, rect), &detail) in nodes.zip(&arrangement.details) {
+        let Some((parent, side)) = node.parent else {
+            continue;
+        };
+        let above = &arrangement.tree.nodes[parent];
+        let Some(branch) = rays.ray(above).and_then(|ray| ray.branches[side]) else {
+            continue;
+        };
+        let from = arrangement.rects[parent];
+        let ends = [
+            Vec2::new(from.center().x, from.bottom()),
+            Vec2::new(rect.center().x, rect.y),
+        ];
+        let Some([top, bottom]) = within(ends, area) else {
+            continue;
+        };
+        let ray = rays.ray(node);
+        let tag = ray.map(|ray| Tag::Scope(ray.step));
+        let index = match branch.outcome {
+            Outcome::Ray(index) => Some(index),
+            _ => None,
+        };
+        if let Some((light, _)) = ray.and_then(|ray| ray.returned) {
+            let rises = rising.is_some() && rising == index;
+            let (rim, ink) = if rises {
+                (5.0, Ink::This)
+            } else {
+                (1.5, Ink::Muted)
+            };
+            let band = match detail {
+                _ if rises => 1.6 * BAND,
+                Detail::Dot => 0.6 * BAND,
+                _ => BAND,
+            };
+            picture.line(top, bottom, ink.stroke(band + rim));
+            picture.line(
+                top,
+                bottom,
+                Ink::Rgb(branch.carried.unwrap_or(light)).stroke(band),
+            );
+        }
+        let add = |picture: &mut Picture| {
+            picture.line(top, bottom, line(branch.kind));
+        };
+        match tag {
+            Some(tag) => {
+                picture.tagged(tag, add);
+            }
+            None => add(picture),
+        }
+        if detail.min(arrangement.details[parent]) > Detail::Dot {
+            labels.push((branch, lines.len(), arrangement.scale));
+            lines.push(ends);
+        }
+    }
+    for (branch, edge, scale) in labels {
+        label(picture, &branch, (&lines, edge), scale, &mut taken, area);
+    }
+    for (i, rect) in arrangement.rects.iter().enumerate() {
+        if arrangement.details[i] > Detail::Dot {
+            stubs(picture, rays, arrangement, i, *rect, area);
+        }
+    }
+}
+
+/// The letter with its coefficient, beside the middle of the edge on its outer side, or further along where that is taken.
+fn label(
+    picture: &mut Picture,
+    branch: &BranchInHand,
+    (lines, edge): (&[[Vec2; 2]], usize),
+    scale: f32,
+    taken: &mut Vec<Rect>,
+    area: Rect,
+) {
+    let [top, bottom] = lines[edge];
+    let others = || lines.iter().enumerate().filter(|(line, _)| *line != edge);
+    let set = Style::Bold.size(11.0 * scale);
+    let letter = letter(branch.kind);
+    let coefficient = branch.branch.map(|branch| color(branch.coefficient));
+    let full = coefficient.map(|coefficient| format!("{letter} {coefficient}"));
+    let left = branch.kind == RayKind::Reflected;
+    let along = bottom - top;
+    let flat = along.x.abs() > 1.2 * along.y;
+    // Off the line, toward the outer side.
+    let out = if left { Vec2::NEG_X } else { Vec2::X };
+    let away = along.perp().normalize_or_zero();
+    let away = (BAND + 3.0) * if away.dot(out) < 0.0 { -away } else { away };
+    for text in full.into_iter().chain([letter.to_owned()]) {
+        let size = Vec2::new(set.width(&text) + 2.0, 14.0 * scale);
+        for share in [0.5, 0.62, 0.4, 0.72, 0.82, 0.9] {
+            for away in [away, -away] {
+                let near = top.lerp(bottom, share) + away;
+                // Beside a steep line in mid-height; of a flat one with the corner that is nearest.
+                let corner = Vec2::new(
+                    if away.x < 0.0 { size.x } else { 0.0 },
+                    match flat {
+                        false => 0.5 * size.y,
+                        true if away.y < 0.0 => size.y,
+                        true => 0.0,
+                    },
+                );
+                let place = near - corner;
+                let place = Rect::new(place.x, place.y, size.x, size.y);
+                let free =
+                    is_free(place, taken, area) && !others().any(|(_, line)| crosses(*line, place));
+                if free {
+                    picture.text_in(place, text, set);
+                    taken.push(place);
+                    return;
+                }
+            }
+        }
+    }
+    // Where there is no room beside it, the letter stands on the line.
+    let size = Vec2::new(set.width(letter) + 4.0, 13.0 * scale);
+    for share in [0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2] {
+        let place = top.lerp(bottom, share) - 0.5 * size;
+        let place = Rect::new(place.x, place.y, size.x, size.y);
+        if is_free(place, taken, area) {
+            picture.rounded_rect(place, 3.0, Ink::Surface);
+            picture.text_in(place, letter, set.middle());
+            taken.push(place);
+            return;
+        }
+    }
+}
+
+fn is_free(place: Rect, taken: &[Rect], area: Rect) -> bool {
+    let covers = |taken: &Rect| !taken.intersection(&place).is_empty();
+    area.encloses(&place) && !taken.iter().any(covers)
+}
+
+/// Branches without a ray, as short ends: with a bar where the depth is reached, faint where there is no coefficient, and
+/// crossed out where nothing passes.
+fn stubs(
+    picture: &mut Picture,
+    rays: &Rays,
+    arrangement: &Arrangement,
+    node: usize,
+    rect: Rect,
+    area: Rect,
+) {
+    let Some(ray) = rays.ray(&arrangement.tree.nodes[node]) else {
+        return;
+    };
+    let deep = !too_deep(ray).is_empty();
+    for (side, branch) in ray.branches.iter().enumerate() {
+        let Some(branch) = branch else { continue };
+        let Outcome::Ended(end) = branch.outcome else {
+            continue;
+        };
+        let across = if side == 0 { 0.3 } else { 0.7 };
+        let lean = if side == 0 { -1.0 } else { 1.0 };
+        let (length, stroke) = match end {
+            End::Depth => (11.0, line(branch.kind)),
+            End::NoCoefficient => (6.0, Ink::Muted.stroke(1.0)),
+        };
+        let start = Vec2::new(rect.x + across * rect.width, rect.bottom());
+        let tip = start + length * Vec2::new(0.5 * lean, 1.0);
+        let bar = Vec2::new(4.0, 0.0);
+        if area.encloses(&Rect::between(start - bar, tip + bar).grown(2.0)) {
+            picture.line(start, tip, stroke);
+            picture.line(
+                tip - bar,
+                tip + bar,
+                Ink::Muted.stroke(if deep { 1.5 } else { 1.0 }),
+            );
+        }
+    }
+    if nothing_passes(ray) {
+        let center = Vec2::new(rect.x + 0.62 * rect.width, rect.bottom() + 9.0);
+        if area.encloses(&Rect::between(center, center).grown(6.0)) {
+            picture.line(
+                (center.x, rect.bottom()),
+                center - Vec2::Y * 4.0,
+                Ink::Muted.stroke(1.0).dashed(),
+            );
+            for along in [Vec2::new(3.5, 3.5), Vec2::new(3.5, -3.5)] {
+                picture.line(center - along, center + along, Ink::Bad.stroke(1.5));
+            }
+        }
+    }
+}
+
+/// The part of a line within a rectangle (Liang and Barsky 1984), kept off its border by the width of a band.
+fn within([from, to]: [Vec2; 2], area: Rect) -> Option<[Vec2; 2]> {
+    let area = area.grown(-BAND);
+    let along = to - from;
+    let (mut first, mut last) = (0.0_f32, 1.0_f32);
+    for axis in 0..2 {
+        let (low, high) = (area.min()[axis] - from[axis], area.max()[axis] - from[axis]);
+        if along[axis] == 0.0 {
+            if low > 0.0 || high < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        let (enter, leave) = (low / along[axis], high / along[axis]);
+        first = first.max(enter.min(leave));
+        last = last.min(enter.max(leave));
+    }
+    (first < last).then(|| [from + first * along, from + last * along])
+}

@@ -1,0 +1,302 @@
+use super::super::crowd::{SIZES, assert_legible, crowd, nothing, texts};
+use super::super::sample::{BALL, FLOOR, SKY, SPARK, Sample, rays_scene};
+use super::super::words::Language;
+use super::*;
+use crate::picture::Shape;
+use crate::record::Value;
+use crate::render::Method;
+
+fn all_words(picture: &Picture) -> String {
+    let words: Vec<&str> = texts(picture).into_iter().map(|(text, _)| text).collect();
+    words.join("\n")
+}
+
+/// A tree of 200 rays and more: between the faces of the glass cube.
+fn large() -> Sample {
+    let mut sample = Sample::rays(Method::RayTracing, (150, 260), 16);
+    let last = sample.walk().len() - 1;
+    sample.seek(last);
+    sample
+}
+
+#[test]
+fn nothing_overlaps_or_is_cut_at_any_step_and_size() {
+    let samples = [
+        (Sample::rays(Method::RayTracing, BALL, 5), 97),
+        (Sample::rays(Method::RayTracing, SPARK, 3), 997),
+        (Sample::rays(Method::RayTracing, SKY, 5), 997),
+        (Sample::rays(Method::RayCasting, FLOOR, 5), 997),
+        (crowd(Method::Gouraud), 10_000),
+        (nothing(), 1),
+    ];
+    for (i, (mut sample, stride)) in samples.into_iter().enumerate() {
+        for step in sample.some_steps(stride) {
+            sample.seek(step);
+            for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
+                let picture = draw(&sample.show_in(language), size);
+                assert_legible(&picture, &format!("sample {i}, step {step}, {size}"));
+            }
+        }
+    }
+}
+
+fn rays_of(sample: &Sample) -> &State {
+    state(&sample.show()).expect("the sample follows rays")
+}
+
+#[test]
+fn a_large_tree_is_legible_at_any_step_zoom_and_size() {
+    let mut sample = large();
+    assert!(rays_of(&sample).rays.len() > 200);
+    let last = sample.walk().len() - 1;
+    for step in (0..=last).step_by(last / 5) {
+        sample.seek(step);
+        for size in SIZES {
+            for zoom in [1.0, 3.0, 20.0] {
+                let tree = TreeView::WHOLE.zoomed(zoom);
+                let show = Show {
+                    tree: &tree,
+                    ..sample.show()
+                };
+                let what = format!("step {step}, {size}, zoom {zoom}");
+                assert_legible(&draw(&show, size), &what);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_ray_is_drawn_or_counted_as_hidden() {
+    let sample = large();
+    let count = rays_of(&sample).rays.len();
+    for size in SIZES {
+        let rays = Rays::new(rays_of(&sample));
+        let tree = arrange(&rays, TreeView::whole(), area(size)).tree;
+        assert_eq!(tree.nodes.len() + tree.hidden, count, "{size}");
+        let said = all_words(&draw(&sample.show(), size));
+        assert_eq!(
+            said.contains(&format!("{} not shown", tree.hidden)),
+            tree.hidden > 0,
+            "{said}"
+        );
+    }
+}
+
+#[test]
+fn sums_and_light_are_those_that_were_told() {
+    let mut sample = Sample::rays(Method::RayTracing, BALL, 5);
+    let size = Vec2::new(900.0, 700.0);
+    for (kind, name) in [
+        ("BranchAdded", "I_sum"),
+        ("Local", "I_local"),
+        ("Returned", "I"),
+    ] {
+        for n in 0..5 {
+            sample.go_to(kind, n);
+            let walk = sample.walk();
+            let told = walk.own_fields(walk.position()).get(name).unwrap();
+            let Value::Rgb(told) = told else {
+                panic!("{name} is a colour")
+            };
+            let said = all_words(&draw(&sample.show(), size));
+            assert!(
+                said.contains(&node::color(told)),
+                "{kind} {n}: {told:?} in {said}"
+            );
+        }
+    }
+}
+
+#[test]
+fn the_way_of_the_light_is_an_equation_of_told_values() {
+    let mut scene = rays_scene();
+    scene.path_attenuation = [1.0, 0.5, 0.0];
+    let mut sample = Sample::rays_of(scene, Method::RayTracing, FLOOR, 5);
+    sample.go_to("BranchAdded", 0);
+    let fields = sample.walk().fields(sample.first("Attenuated"));
+    let Some(Value::Number(divisor)) = fields.get("divisor") else {
+        panic!("a divisor is told")
+    };
+    let size = Vec2::new(900.0, 700.0);
+    let said = all_words(&draw(&sample.show(), size)).replace('\n', " ");
+    let state = rays_of(&sample);
+    let speaker = Speaker {
+        state,
+        language: Language::English,
+    };
+    let [floor, ball] = [0, 1].map(|index| state.rays.get(index).unwrap());
+    let light = node::bracketed(ball.returned.unwrap().0);
+    let expected = format!("+ 0.2·{light}/{}", number(divisor));
+    assert!(said.contains(&expected), "{expected} in {said}");
+    assert!(card::sum(&speaker, floor)[0].starts_with("floor → "));
+    assert!(
+        said.contains(&card::sum(&speaker, ball).join(" ")),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_blocked_light_names_what_blocks_it() {
+    let mut sample = Sample::rays(Method::RayTracing, BALL, 5);
+    let blocked = (0..sample.walk().len())
+        .find(|&step| {
+            let fields = sample.walk().own_fields(step);
+            sample.walk().kind(step) == "Shadow"
+                && fields.get("blocked") == Some(Value::Truth(true))
+        })
+        .unwrap();
+    sample.seek(blocked);
+    let fields = sample.walk().own_fields(blocked);
+    let Some(Value::Number(t)) = fields.get("t") else {
+        panic!("t is told")
+    };
+    for (language, words) in Language::ALL.into_iter().zip(["blocked by", "terhalang"]) {
+        let picture = draw(&sample.show_in(language), Vec2::new(900.0, 700.0));
+        let said = all_words(&picture);
+        let name = rays_of(&sample).stage.scene.objects[3].name.clone();
+        assert!(
+            said.contains(&format!("{words} {name}, t {}", number(t))),
+            "{said}"
+        );
+        assert!(picture.alt.contains(&name), "{}", picture.alt);
+        assert!(picture.tagged_bounds(Tag::Step(blocked)).is_some());
+    }
+}
+
+#[test]
+fn total_internal_reflection_is_marked() {
+    let mut sample = Sample::rays(Method::RayTracing, BALL, 5);
+    sample.go_to("TotalInternalReflection", 0);
+    let picture = draw(&sample.show(), Vec2::new(1400.0, 900.0));
+    let said = all_words(&picture);
+    assert!(
+        said.contains("no transmitted ray") && said.contains("not traced yet"),
+        "{said}"
+    );
+    assert!(picture.alt.contains("total internal reflection"));
+    // Its ray, once it is traced, hangs on an edge of its own kind.
+    let step = sample.walk().position() + 1;
+    sample.seek(step);
+    let picture = draw(&sample.show(), Vec2::new(900.0, 700.0));
+    let edge = picture.items.iter().find(|item| {
+        let stroke = match &item.shape {
+            Shape::Polyline { stroke, .. } => *stroke,
+            _ => return false,
+        };
+        item.tag == Some(Tag::Scope(step)) && stroke == line(RayKind::TotalInternalReflection)
+    });
+    assert!(edge.is_some());
+    assert!(all_words(&picture).contains("TIR"));
+}
+
+#[test]
+fn leaves_say_why_they_end() {
+    let said = |pixel, depth| {
+        let mut sample = Sample::rays(Method::RayTracing, pixel, depth);
+        let last = sample.walk().len() - 1;
+        all_words(&draw(&sample.seek(last).show(), Vec2::new(1400.0, 900.0)))
+    };
+    assert!(said(BALL, 5).contains("depth reached"));
+    assert!(said(BALL, 5).contains("leaves the scene"));
+    assert!(said(SPARK, 3).contains("light 0"));
+    assert!(said(FLOOR, 5).contains("T: no coefficient"));
+}
+
+#[test]
+fn a_collapsed_ray_hides_what_is_below_and_counts_it() {
+    let mut sample = Sample::rays(Method::RayTracing, BALL, 5);
+    let last = sample.walk().len() - 1;
+    sample.seek(last);
+    let root = rays_of(&sample).rays.get(0).unwrap().step;
+    let size = Vec2::new(690.0, 620.0);
+    let whole = draw(&sample.show(), size);
+    assert_eq!(
+        whole.hit(whole.tagged_bounds(Tag::Fold(root)).unwrap().center()),
+        Some(Tag::Fold(root))
+    );
+    let tree = TreeView::WHOLE.toggled(root);
+    let folded = draw(
+        &Show {
+            tree: &tree,
+            ..sample.show()
+        },
+        size,
+    );
+    assert!(all_words(&folded).contains("+13"));
+    assert!(folded.items.len() < whole.items.len());
+    assert!(folded.tagged_bounds(Tag::Fold(root)).is_some());
+}
+
+#[test]
+fn a_node_and_its_edge_lead_to_the_step_that_opened_the_ray() {
+    let mut sample = Sample::rays(Method::RayTracing, BALL, 5);
+    let last = sample.walk().len() - 1;
+    sample.seek(last);
+    let picture = draw(&sample.show(), Vec2::new(690.0, 620.0));
+    for ray in rays_of(&sample).rays.iter() {
+        let tag = Tag::Scope(ray.step);
+        let items = picture.items.iter().filter(|item| item.tag == Some(tag));
+        // A primary ray has no edge.
+        assert!(items.count() >= if ray.parent.is_some() { 2 } else { 1 });
+    }
+}
+
+#[test]
+fn the_ray_in_hand_stays_in_view_until_the_viewer_looks_elsewhere() {
+    let mut sample = large();
+    let size = Vec2::new(420.0, 320.0);
+    let follow = TreeView::WHOLE.zoomed(6.0);
+    let fixed = TreeView {
+        center: Some(Vec2::splat(0.1)),
+        ..follow.clone()
+    };
+    for n in (0..200).step_by(40) {
+        sample.go_to("Local", n);
+        let tag = Tag::Scope(rays_of(&sample).ray().unwrap().step);
+        let picture = draw(
+            &Show {
+                tree: &follow,
+                ..sample.show()
+            },
+            size,
+        );
+        let node = picture.tagged_bounds(tag).unwrap();
+        assert!(area(size).grown(1.0).encloses(&node), "{n}");
+        let show = Show {
+            tree: &fixed,
+            ..sample.show()
+        };
+        assert!(middle(&show, size).unwrap().distance(Vec2::splat(0.1)) < 1e-3);
+    }
+}
+
+#[test]
+fn of_a_huge_tree_no_more_is_drawn_than_is_legible() {
+    let sample = Sample::rays(Method::RayTracing, BALL, 5);
+    let mut state = rays_of(&sample).clone();
+    let mut sample = sample;
+    sample.go_to("BranchAdded", 0);
+    let model = rays_of(&sample).rays.get(0).unwrap().clone();
+    state.rays = Default::default();
+    // A full binary tree in level order.
+    const COUNT: usize = 100_000;
+    for index in 0..COUNT {
+        let mut ray = model.clone();
+        ray.parent = index.checked_sub(1).map(|behind| behind / 2);
+        ray.branches = [2 * index + 1, 2 * index + 2].map(|child| {
+            let mut branch = model.branches[0]?;
+            branch.outcome = Outcome::Ray(child);
+            Some(branch).filter(|_| child < COUNT)
+        });
+        state.rays.push(ray);
+    }
+    state.current = Some(COUNT - 1);
+    for zoom in [1.0, TreeView::LARGEST] {
+        let view = TreeView::WHOLE.zoomed(zoom);
+        let drawn = arrange(&Rays::new(&state), &view, area(Vec2::new(690.0, 620.0)));
+        let tree = drawn.tree;
+        assert_eq!(tree.nodes.len() + tree.hidden, COUNT);
+        assert!(tree.nodes.len() < 4000, "{} nodes", tree.nodes.len());
+        assert_eq!(tree.nodes[tree.in_hand].of, pick::Of::Ray(COUNT - 1));
+    }
+}

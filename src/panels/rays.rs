@@ -1,0 +1,121 @@
+//! The rays of the pixel among the objects of the scene, in parallel projection from the side and, where there is room, from
+//! above: both along the same horizontal axis, the one in which the camera looks.
+//!
+//! The views do not change from step to step, nor from pixel to pixel.
+
+mod draw;
+mod grip;
+mod outline;
+mod view;
+
+pub use grip::{Grip, grip};
+
+use super::Show;
+use super::message::{NO_RAYS, NO_STEPS, message};
+use super::names;
+use super::values::{short, told_in_words};
+use super::words::{Language, Words};
+use crate::algorithms::visible::Met;
+use crate::picture::{Picture, Rect};
+use crate::record::Value;
+use crate::replay::Run;
+use crate::replay::rays::State;
+use glam::Vec2;
+use view::View;
+
+const SIDE: Words = Words::new("from the side", "dari samping");
+const ABOVE: Words = Words::new("from above", "dari atas");
+const RAYS: Words = Words::new("Rays of the pixel so far:", "Sinar piksel sejauh ini:");
+const IN_HAND: Words = Words::new("In hand:", "Sekarang:");
+const LEVEL: Words = Words::new("level", "tingkat");
+const NO_PIXEL: Words = Words::new(
+    "No ray is followed yet. Go on to the first pixel.",
+    "Belum ada sinar yang diikuti. Lanjutkan ke piksel pertama.",
+);
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    if show.run.walk().is_empty() {
+        return message(NO_STEPS, show.language, size);
+    }
+    let Some(state) = state(show) else {
+        return message(NO_RAYS, show.language, size);
+    };
+    let mut picture = Picture::new(size.x, size.y);
+    for (view, title) in views(state, size) {
+        draw::draw(
+            &mut picture,
+            show,
+            state,
+            &view,
+            title.in_language(show.language),
+        );
+    }
+    picture.alt = format!("{} {}", told_in_words(show), in_words(state, show.language));
+    picture
+}
+
+fn state<'a>(show: &Show<'a>) -> Option<&'a State> {
+    match show.run {
+        Run::RayCasting(replay) => Some(replay.state()),
+        Run::RayTracing(replay) => Some(replay.state()),
+        Run::Wireframe(_) | Run::Flat(_) | Run::Gouraud(_) => None,
+    }
+}
+
+/// Side view and view from above beside or below each other; the side view alone where there is no room for both.
+fn views(state: &State, size: Vec2) -> Vec<(View, Words)> {
+    let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-4.0);
+    let halves = if size.x >= 520.0 && size.x > 1.3 * size.y {
+        let width = 0.5 * whole.width - 4.0;
+        let left = Rect { width, ..whole };
+        Some([left, left.shifted(Vec2::new(width + 8.0, 0.0))])
+    } else if size.y >= 400.0 {
+        let height = 0.5 * whole.height - 4.0;
+        let upper = Rect { height, ..whole };
+        Some([upper, upper.shifted(Vec2::new(0.0, height + 8.0))])
+    } else {
+        None
+    };
+    match halves {
+        Some([side, above]) => vec![
+            (View::from_side(&state.stage, side), SIDE),
+            (View::from_above(&state.stage, above), ABOVE),
+        ],
+        None => vec![(View::from_side(&state.stage, whole), SIDE)],
+    }
+}
+
+fn in_words(state: &State, language: Language) -> String {
+    let words = |words: Words| words.in_language(language);
+    let Some(ray) = state.ray() else {
+        return words(NO_PIXEL).to_string();
+    };
+    let (kind, _) = names::ray_kind(ray.kind.name(), language);
+    let goal = match ray.met {
+        None => String::new(),
+        Some(Met::Nothing) => " → ∞".to_string(),
+        Some(Met::Light { light, t }) => {
+            format!(
+                " → {}, t {}",
+                names::light(light, language),
+                short(Value::Number(t), 3)
+            )
+        }
+        Some(Met::Object(hit)) => format!(
+            " → {}, t {}",
+            names::object(&state.stage, hit.object),
+            short(Value::Number(hit.t), 3)
+        ),
+    };
+    format!(
+        "{} {}. {} {kind}, {} {}{goal}.",
+        words(RAYS),
+        state.rays.len(),
+        words(IN_HAND),
+        words(LEVEL),
+        ray.level
+    )
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,142 @@
+//! A parallel projection of the scene onto a part of the panel.
+
+use super::super::fit::Fit;
+use super::super::labels::within;
+use super::outline;
+use crate::algorithms::stage::Stage;
+use crate::picture::Rect;
+use crate::scene::Light;
+use glam::{DVec2, DVec3, Vec2};
+
+/// How far around the camera's target things are shown, in distances from eye to target.
+const REACH: f64 = 1.2;
+/// By how much a side of the view moves out for lights beyond it, in sizes of the view. There are few such places, so that the
+/// view stays as it is while a light is moved a little; lights further out are not shown in their place.
+const GROWTH: [f64; 5] = [0.15, 0.4, 0.7, 1.1, 1.6];
+
+/// Where places of the world are drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Unit, to the right.
+    pub across: DVec3,
+    /// Unit, upward.
+    pub up: DVec3,
+    fit: Fit,
+    /// Nothing is drawn outside.
+    pub area: Rect,
+}
+
+impl View {
+    /// The direction in which the camera looks is to the right, up is up.
+    pub fn from_side(stage: &Stage, area: Rect) -> Self {
+        let (across, up) = axes(stage);
+        View::fitted(across, up, stage, area)
+    }
+
+    /// The direction in which the camera looks is to the right, its left is up.
+    pub fn from_above(stage: &Stage, area: Rect) -> Self {
+        let (across, up) = axes(stage);
+        View::fitted(across, up.cross(across), stage, area)
+    }
+
+    fn fitted(across: DVec3, up: DVec3, stage: &Stage, area: Rect) -> Self {
+        let flat = |place: DVec3| DVec2::new(place.dot(across), -place.dot(up));
+        let places = outline::extent(stage, REACH).into_iter().map(flat);
+        let (low, high) = places.fold(
+            (DVec2::INFINITY, DVec2::NEG_INFINITY),
+            |(low, high), place| (low.min(place), high.max(place)),
+        );
+        let size = (high - low).max_element();
+        let (mut shown_low, mut shown_high) = (low, high);
+        for light in positions(stage).map(flat) {
+            let farthest = DVec2::splat(GROWTH[GROWTH.len() - 1] * size);
+            if light.cmplt(low - farthest).any() || light.cmpgt(high + farthest).any() {
+                continue;
+            }
+            shown_low = shown_low.min(low - (low - light).map(|beyond| grown(beyond, size)));
+            shown_high = shown_high.max(high + (light - high).map(|beyond| grown(beyond, size)));
+        }
+        let inner = area.grown(-(0.04 * area.width.min(area.height)).max(12.0));
+        View {
+            across,
+            up,
+            fit: Fit::new(shown_low, shown_high, inner),
+            area,
+        }
+    }
+
+    /// Toward the one who looks.
+    pub fn toward_viewer(&self) -> DVec3 {
+        self.across.cross(self.up)
+    }
+
+    /// y up.
+    pub fn flat(&self, vector: DVec3) -> DVec2 {
+        DVec2::new(vector.dot(self.across), vector.dot(self.up))
+    }
+
+    pub fn place(&self, place: DVec3) -> Vec2 {
+        let flat = self.flat(place);
+        self.fit.place(DVec2::new(flat.x, -flat.y))
+    }
+
+    /// The place of the world that is drawn at `at`, as far from the viewer as `beside`.
+    pub fn lift(&self, at: Vec2, beside: DVec3) -> DVec3 {
+        let at = at.clamp(self.area.min(), self.area.max());
+        let flat = self.fit.point(at);
+        let toward = self.toward_viewer();
+        flat.x * self.across - flat.y * self.up + beside.dot(toward) * toward
+    }
+
+    /// Points a unit of length.
+    pub fn scale(&self) -> f32 {
+        self.fit.scale as f32
+    }
+
+    /// The part of a line that lies in the view.
+    pub fn line(&self, from: DVec3, to: DVec3) -> Option<[Vec2; 2]> {
+        self.cut(self.place(from), self.place(to))
+    }
+
+    pub fn cut(&self, from: Vec2, to: Vec2) -> Option<[Vec2; 2]> {
+        within([from, to], self.area.grown(-2.0))
+            .filter(|[from, to]| from.is_finite() && to.is_finite())
+    }
+
+    /// From a place in a direction to the border of the view; longer than the view is wide.
+    pub fn beyond(&self, direction: DVec3) -> f64 {
+        let length = self.flat(direction).length();
+        let reach = 4.0 * f64::from(self.area.width + self.area.height) / self.fit.scale;
+        reach / length.max(1e-3)
+    }
+
+    /// Whether a place is drawn within the view, `margin` from its border.
+    pub fn shows(&self, place: Vec2, margin: f32) -> bool {
+        self.area.grown(-margin).contains(place)
+    }
+}
+
+/// By how much a side moves out for a light so far beyond it.
+fn grown(beyond: f64, size: f64) -> f64 {
+    let growth = GROWTH.into_iter().map(|growth| growth * size);
+    let enough = growth.into_iter().find(|&growth| growth >= beyond);
+    enough.filter(|_| beyond > 0.0).unwrap_or(0.0)
+}
+
+/// The horizontal direction in which the camera looks, and up.
+fn axes(stage: &Stage) -> (DVec3, DVec3) {
+    let view = &stage.view;
+    let up = stage
+        .scene
+        .camera
+        .map_or(view.up, |camera| camera.up.normalize());
+    let across = (view.forward - view.forward.dot(up) * up).try_normalize();
+    (across.unwrap_or(view.up), up)
+}
+
+fn positions(stage: &Stage) -> impl Iterator<Item = DVec3> {
+    stage.scene.lights.iter().filter_map(|light| match *light {
+        Light::Point { position, .. } => Some(position),
+        Light::Directional { .. } => None,
+    })
+}

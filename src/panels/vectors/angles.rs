@@ -1,0 +1,242 @@
+//! The angles with the normal, and what each light's shadow ray found, as a list.
+
+use super::super::names;
+use super::super::values::short;
+use super::super::words::{Language, Words};
+use super::met::SurfaceInSight;
+use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide};
+use crate::record::Value;
+use crate::replay::rays::Verdict;
+use glam::DVec3;
+
+const LINE: f32 = 1.5;
+const ANGLES: Words = Words::new("angle with N", "sudut dengan N");
+const BLOCKED: Words = Words::new("blocked by", "terhalang oleh");
+const ARRIVES: Words = Words::new("arrives", "sampai");
+const AWAY: Words = Words::new("behind the surface", "di balik permukaan");
+const LEANS: Words = Words::new("out of the plane", "keluar bidang");
+const TOTAL: Words = Words::new("total internal reflection", "pantulan internal total");
+const CRITICAL: Words = Words::new("critical", "kritis");
+
+/// A line of the list: a symbol, a number, and what is to be said of it.
+struct Row {
+    symbol: String,
+    value: String,
+    /// From the longest to the shortest.
+    notes: Vec<String>,
+    ink: Ink,
+    tag: Tag,
+    /// The kind of step that tells it.
+    told_by: &'static str,
+}
+
+pub(super) struct Angles {
+    /// Of the object.
+    name: String,
+    title: String,
+    rows: Vec<Row>,
+}
+
+fn degrees(radians: f64) -> String {
+    format!("{}°", short(Value::Number(radians.to_degrees()), 1))
+}
+
+fn row(symbol: &str, radians: f64, tag: &'static str, told_by: &'static str) -> Row {
+    Row {
+        symbol: symbol.to_string(),
+        value: degrees(radians),
+        notes: Vec::new(),
+        ink: Ink::Muted,
+        tag: Tag::Field(tag),
+        told_by,
+    }
+}
+
+/// The height of the list of so many lights, with a title, three angles, and the highlight.
+pub(super) fn height(lights: usize, text: f32) -> f32 {
+    (lights + 5) as f32 * LINE * text
+}
+
+impl Angles {
+    pub fn of(surface: &SurfaceInSight, language: Language) -> Self {
+        let words = |words: Words| words.in_language(language);
+        let mut rows = Vec::new();
+        if let Some((_, cosine, _)) = surface.surface.facing {
+            rows.push(row(
+                "θ_i",
+                cosine.min(1.0).acos(),
+                "theta_i_degrees",
+                "Faced",
+            ));
+        }
+        if let Some(refraction) = surface.ray.refraction {
+            if refraction.radicand >= 0.0 {
+                let angle = refraction.radicand.sqrt().min(1.0).acos();
+                rows.push(row("θ_r", angle, "theta_r_degrees", "Refraction"));
+            }
+            if refraction.eta_i > refraction.eta_r {
+                let angle = (refraction.eta_r / refraction.eta_i).asin();
+                let note = if refraction.radicand < 0.0 {
+                    words(TOTAL)
+                } else {
+                    words(CRITICAL)
+                };
+                rows.push(Row {
+                    notes: vec![note.to_string()],
+                    ..row("θ_c", angle, "theta_c_degrees", "Refraction")
+                });
+            }
+        }
+        rows.extend(lights(surface, language));
+        Angles {
+            name: surface.name().to_string(),
+            title: format!("{} · {}", surface.name(), words(ANGLES)),
+            rows,
+        }
+    }
+
+    /// As many rows as there is room for, from the top.
+    pub fn draw(&self, picture: &mut Picture, kind: &str, text: f32, area: Rect) {
+        let line = LINE * text;
+        let room = (area.height / line) as usize;
+        let count = (self.rows.len() + 1).min(room);
+        let place = |i: usize| Rect::new(area.x, area.y + i as f32 * line, area.width, line);
+        if room == 0 {
+            return;
+        }
+        let bold = Style::Bold.size(text);
+        let title = if bold.width(&self.title) <= area.width {
+            self.title.clone()
+        } else {
+            elide(&self.name, Style::Bold, text, area.width)
+        };
+        picture.text_in(place(0), title, bold);
+        for (i, row) in self.rows.iter().enumerate().take(count - 1) {
+            let place = place(i + 1);
+            let here = row.told_by == kind;
+            let ink = if here { Ink::This } else { Ink::Text };
+            picture.tagged(row.tag, |picture| {
+                let symbol = Style::LabelBold.size(text).ink(row.ink);
+                picture.text_in(place, row.symbol.as_str(), symbol);
+                let value = Rect {
+                    x: place.x + 2.2 * text,
+                    ..place
+                };
+                let style = Style::Label.size(text).ink(ink);
+                picture.text_in(value, row.value.as_str(), style);
+                let x = place.x + note_start(row, style);
+                let style = Style::Label.size(text).ink(Ink::Muted);
+                let room = area.right() - x;
+                let note = row.notes.iter().find(|note| style.width(note) <= room);
+                if let Some(note) = note {
+                    picture.text_in(Rect { x, ..place }, note.as_str(), style);
+                }
+            });
+        }
+    }
+
+    pub fn in_words(&self) -> String {
+        let row = |row: &Row| {
+            let note = row.notes.first().map_or("", String::as_str);
+            let note = note.replace(['✕', '✓'], "");
+            format!("{} {} {}", row.symbol, row.value, note.trim())
+                .trim()
+                .to_string()
+        };
+        let rows: Vec<String> = self.rows.iter().map(row).collect();
+        format!("{}: {}.", self.title, rows.join("; "))
+    }
+}
+
+/// Where the note of a row begins: after its symbol and its number.
+fn note_start(row: &Row, style: Text) -> f32 {
+    2.2 * style.size + style.width(&row.value).max(3.2 * style.size) + 0.6 * style.size
+}
+
+/// What blocks a light, from the longest form to the shortest.
+fn blocked(surface: &SurfaceInSight, verdict: &Verdict, language: Language) -> Vec<String> {
+    let words = BLOCKED.in_language(language);
+    let Some(hit) = verdict.by else {
+        return vec![words.to_string()];
+    };
+    let name = names::object(&surface.state.stage, hit.object);
+    let t = short(Value::Number(hit.t), 2);
+    vec![
+        format!("{words} {name}, t {t}"),
+        format!("{name}, t {t}"),
+        name.to_string(),
+    ]
+}
+
+/// Each light: the angle of L with N, N·L, what the shadow ray found; then H or R of the light in hand.
+fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
+    let words = |words: Words| words.in_language(language);
+    let lean = |vector: DVec3| match surface.lean(vector) {
+        lean if lean < 0.05 => String::new(),
+        lean => format!(", {}° {}", short(Value::Number(lean), 1), words(LEANS)),
+    };
+    let Some(lit) = surface.lit() else {
+        return Vec::new();
+    };
+    let mut rows = Vec::new();
+    for light in &lit.lights {
+        let Some((to_light, cosine)) = light.to_light else {
+            continue;
+        };
+        let verdict = surface.verdict(light.light);
+        let (mark, found, ink) = match verdict {
+            _ if cosine <= 0.0 => ("✕", vec![words(AWAY).to_string()], Ink::Muted),
+            Some(verdict) if verdict.blocked => {
+                ("✕", blocked(surface, verdict, language), Ink::Bad)
+            }
+            Some(_) => ("✓", vec![words(ARRIVES).to_string()], Ink::Good),
+            None => ("", Vec::new(), Ink::Muted),
+        };
+        let n_dot_l = short(Value::Number(cosine), 3);
+        let first = found.first().map_or("", String::as_str);
+        let whole = format!("N·L {n_dot_l} {mark} {first}{}", lean(to_light));
+        let without_lean = found
+            .iter()
+            .map(|found| format!("N·L {n_dot_l} {mark} {found}"));
+        let shortest = [
+            format!("N·L {n_dot_l} {mark}"),
+            format!("{n_dot_l} {mark}"),
+            mark.to_string(),
+        ];
+        rows.push(Row {
+            notes: std::iter::once(whole)
+                .chain(without_lean)
+                .chain(shortest)
+                .collect(),
+            ink,
+            tag: Tag::Light(light.light as usize),
+            ..row(
+                &format!("L_{}", light.light),
+                cosine.clamp(-1.0, 1.0).acos(),
+                "N_dot_L",
+                "ToLight",
+            )
+        });
+    }
+    if let Some(light) = surface.light_in_hand() {
+        if let Some((halfway, cosine)) = light.halfway {
+            let n_dot_h = short(Value::Number(cosine), 3);
+            rows.push(Row {
+                notes: vec![
+                    format!("N·H {n_dot_h}{}", lean(halfway)),
+                    format!("N·H {n_dot_h}"),
+                ],
+                ..row("H", cosine.clamp(-1.0, 1.0).acos(), "N_dot_H", "Halfway")
+            });
+        }
+        if let Some((_, cosine)) = light.mirrored {
+            rows.push(Row {
+                symbol: "R_L".to_string(),
+                value: String::new(),
+                notes: vec![format!("R·V {}", short(Value::Number(cosine), 3))],
+                ..row("R_L", 0.0, "R_dot_V", "Mirrored")
+            });
+        }
+    }
+    rows
+}

@@ -1,0 +1,343 @@
+//! The drawing: the surface, the media, the vectors and the arcs of their angles.
+
+use super::super::labels::Labels;
+use super::super::words::{Language, Words};
+use super::met::SurfaceInSight;
+use crate::algorithms::ray_tree::RayKind;
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
+use crate::replay::rays::{BranchInHand, Outcome};
+use glam::{DVec3, Vec2};
+
+const NO_T: Words = Words::new("no T", "tanpa T");
+const POINT: f32 = 4.0;
+
+struct Drawing<'a> {
+    picture: &'a mut Picture,
+    labels: Labels,
+    middle: Vec2,
+    /// Length of a unit vector in the plane.
+    unit: f32,
+    text: f32,
+}
+
+/// What an arrow is called, whether this step tells it, and what it shows.
+struct Named<'a> {
+    name: &'a str,
+    here: bool,
+    tag: Tag,
+}
+
+pub(super) fn draw(
+    picture: &mut Picture,
+    surface: &SurfaceInSight,
+    kind: &str,
+    text: f32,
+    language: Language,
+    area: Rect,
+) {
+    // Where nothing passes, what lies below needs less room.
+    let share = if surface.is_transparent() { 0.5 } else { 0.7 };
+    let middle = Vec2::new(area.center().x, area.y + share * area.height);
+    let room = Vec2::new(
+        0.5 * area.width - 2.4 * text,
+        share * area.height - 1.6 * text,
+    );
+    let unit = room.min_element().max(12.0);
+    let below = Rect::new(area.x, middle.y, area.width, area.bottom() - middle.y);
+    picture.rect(below, Ink::Faint.fill().opacity(0.6));
+    picture.line(
+        (area.x, middle.y),
+        (area.right(), middle.y),
+        Ink::Text.stroke(1.5),
+    );
+    let mut drawing = Drawing {
+        picture,
+        labels: Labels::new(area),
+        middle,
+        unit,
+        text,
+    };
+    let left = Vec2::new(area.x, middle.y);
+    drawing
+        .labels
+        .spare(left, Vec2::new(area.right(), middle.y));
+    drawing
+        .labels
+        .keep_free(Rect::between(middle, middle).grown(POINT));
+
+    drawing.rays(surface, kind, language);
+    drawing.lights(surface, kind);
+    drawing.arcs(surface);
+    drawing.media(surface.media(language), area);
+    let disc = Ink::Surface.fill().outlined(Ink::Text.stroke(2.0));
+    drawing.picture.circle(middle, POINT, disc);
+}
+
+impl Drawing<'_> {
+    /// u, N, and the rays that the surface sends on.
+    fn rays(&mut self, surface: &SurfaceInSight, kind: &str, language: Language) {
+        let u = surface.project(surface.ray.ray.direction);
+        let incoming = kind == "Ray"
+            && surface
+                .state
+                .ray()
+                .is_some_and(|ray| ray.step == surface.ray.step);
+        self.picture
+            .tagged(Tag::Scope(surface.ray.step), |picture| {
+                let stroke = if incoming { Ink::This } else { Ink::Linked }.stroke(3.0);
+                let tip = self.middle - POINT * u;
+                picture.arrow(self.middle - self.unit * u, tip, stroke);
+            });
+        self.labels.spare(self.middle - self.unit * u, self.middle);
+        let normal = match surface.surface.facing {
+            Some((normal, ..)) => ("N", normal, kind == "Faced"),
+            None => ("N_g", surface.surface.geometric, kind == "SurfaceMet"),
+        };
+        let (name, direction, here) = normal;
+        let named = Named {
+            name,
+            here,
+            tag: Tag::Field("N"),
+        };
+        let direction = surface.project(direction);
+        self.arrow(direction, Ink::Text.stroke(3.5), &named);
+        let style = self.style(incoming);
+        let start = self.middle - self.unit * u;
+        self.labels.put(self.picture, (start, 3.0), -u, "u", style);
+
+        for branch in surface.ray.branches.iter().flatten() {
+            self.branch(surface, branch, kind);
+        }
+        let blocked = surface
+            .ray
+            .refraction
+            .filter(|refraction| refraction.radicand < 0.0);
+        if let Some(refraction) = blocked {
+            let end = self.middle + 0.75 * self.unit * u;
+            self.picture.tagged(Tag::Step(refraction.step), |picture| {
+                picture.line(self.middle, end, Ink::Muted.stroke(2.5).dashed());
+            });
+            self.labels.spare(self.middle, end);
+            let style = self.style(kind == "Refraction");
+            let name = NO_T.in_language(language);
+            self.labels.put(self.picture, (end, 3.0), u, name, style);
+        }
+    }
+
+    fn branch(&mut self, surface: &SurfaceInSight, branch: &BranchInHand, kind: &str) {
+        let Some(sent) = branch.branch else { return };
+        let (name, stroke, told_by) = match branch.kind {
+            RayKind::Primary | RayKind::Reflected => {
+                ("R", Ink::Series(0).stroke(3.0), "Reflection")
+            }
+            RayKind::Transmitted => ("T", Ink::Series(2).stroke(3.0), "Transmission"),
+            RayKind::TotalInternalReflection => (
+                "TIR",
+                Ink::Series(3).stroke(3.0).dashed(),
+                "TotalInternalReflection",
+            ),
+        };
+        // The branch goes on as a ray of its own, once it is traced.
+        let (tag, in_hand) = match branch.outcome {
+            Outcome::Ray(ray) => {
+                let step = surface
+                    .state
+                    .rays
+                    .get(ray)
+                    .map_or(branch.step, |ray| ray.step);
+                (Tag::Scope(step), surface.state.current == Some(ray))
+            }
+            Outcome::Open | Outcome::Ended(_) => (Tag::Step(branch.step), false),
+        };
+        let here = kind == told_by || in_hand;
+        self.arrow(
+            surface.project(sent.direction),
+            stroke,
+            &Named { name, here, tag },
+        );
+    }
+
+    /// L of each light, and V, H and R of the light in hand.
+    fn lights(&mut self, surface: &SurfaceInSight, kind: &str) {
+        let Some(lit) = surface.lit() else { return };
+        let in_hand = surface.light_in_hand();
+        for light in &lit.lights {
+            let Some((to_light, _)) = light.to_light else {
+                continue;
+            };
+            let newest = in_hand.is_some_and(|last| last.light == light.light);
+            let here =
+                newest && matches!(kind, "ToLight" | "ShadowRay" | "Shadow" | "BetweenTested");
+            let name = format!("L_{}", light.light);
+            let stroke = Ink::Series(1).stroke(if newest { 3.0 } else { 2.0 });
+            let named = Named {
+                name: &name,
+                here,
+                tag: Tag::Light(light.light as usize),
+            };
+            let tip = self.arrow(surface.project(to_light), stroke, &named);
+            if surface
+                .verdict(light.light)
+                .is_some_and(|verdict| verdict.blocked)
+            {
+                let half = self.middle.lerp(tip, 0.55);
+                self.cross(half);
+            }
+        }
+        let Some(light) = in_hand else { return };
+        let vectors: [(&str, Option<DVec3>, &str, Ink); 3] = [
+            ("V", lit.to_eye, "Viewer", Ink::Series(4)),
+            (
+                "H",
+                light.halfway.map(|(v, _)| v),
+                "Halfway",
+                Ink::Series(2),
+            ),
+            (
+                "R_L",
+                light.mirrored.map(|(v, _)| v),
+                "Mirrored",
+                Ink::Series(3),
+            ),
+        ];
+        for (name, vector, told_by, ink) in vectors {
+            let Some(vector) = vector else { continue };
+            let here = kind == told_by;
+            let field = match name {
+                "V" => "V",
+                "H" => "H",
+                _ => "R",
+            };
+            let along = surface.project(vector);
+            // V lies on the line of u: it is drawn beside it, and shorter.
+            let (aside, length) = if name == "V" {
+                (5.0 * along.perp(), 0.62)
+            } else {
+                (Vec2::ZERO, 0.9)
+            };
+            self.arrow_from(
+                aside,
+                length * along,
+                ink.stroke(2.0),
+                &Named {
+                    name,
+                    here,
+                    tag: Tag::Field(field),
+                },
+            );
+        }
+    }
+
+    /// θ_i, θ_r and the critical angle.
+    fn arcs(&mut self, surface: &SurfaceInSight) {
+        let Some((normal, cos_theta_i, _)) = surface.surface.facing else {
+            return;
+        };
+        let (up, u) = (
+            surface.project(normal),
+            surface.project(surface.ray.ray.direction),
+        );
+        let theta_i = cos_theta_i.min(1.0).acos() as f32;
+        // From N toward where the ray comes from.
+        let turn = up.perp_dot(-u).signum();
+        self.arc(up, turn * theta_i, 0.45, "θ_i");
+        let Some(refraction) = surface.ray.refraction else {
+            return;
+        };
+        if refraction.radicand >= 0.0 {
+            let theta_r = refraction.radicand.sqrt().min(1.0).acos() as f32;
+            self.arc(-up, turn * theta_r, 0.45, "θ_r");
+        }
+        if refraction.eta_i > refraction.eta_r {
+            let critical = (refraction.eta_r / refraction.eta_i).asin() as f32;
+            let toward = Vec2::from_angle(turn * critical).rotate(up);
+            let end = self.middle + 0.8 * self.unit * toward;
+            self.picture
+                .line(self.middle, end, Ink::Muted.stroke(1.25).dotted());
+            self.labels.spare(self.middle, end);
+            let style = Style::Label.size(self.text).ink(Ink::Muted);
+            self.labels
+                .put(self.picture, (end, 2.0), toward, "θ_c", style);
+        }
+    }
+
+    fn arc(&mut self, from: Vec2, angle: f32, radius: f32, name: &str) {
+        const PARTS: usize = 24;
+        if angle.abs() < 0.02 {
+            return;
+        }
+        let radius = radius * self.unit;
+        let point = |part: f32| self.middle + radius * Vec2::from_angle(part * angle).rotate(from);
+        let points = (0..=PARTS).map(|i| point(i as f32 / PARTS as f32));
+        self.picture.polyline(points, Ink::Muted.stroke(1.5));
+        let style = Style::Label.size(self.text).ink(Ink::Muted);
+        let middle = point(0.5);
+        let toward = middle - self.middle;
+        self.labels
+            .put(self.picture, (middle, 1.0), toward, name, style);
+    }
+
+    fn media(&mut self, [above, below]: [String; 2], area: Rect) {
+        let style = Style::Label
+            .size((self.text - 1.0).max(11.0))
+            .ink(Ink::Muted);
+        let height = style.bounds(Vec2::ZERO, "").height;
+        for (name, first, step) in [(above, -3.0 - height, -height), (below, 3.0, height)] {
+            let ends = [area.x + 3.0, area.right() - 3.0 - style.width(&name)];
+            let places = (0..4).flat_map(|row| {
+                let y = self.middle.y + first + row as f32 * step;
+                ends.map(|x| Vec2::new(x, y))
+            });
+            // On its own side of the surface, rather where it covers no arrow.
+            for crossing in [false, true] {
+                let mut places = places.clone();
+                if places.any(|at| self.labels.put_at(self.picture, at, &name, style, crossing)) {
+                    break;
+                }
+            }
+        }
+    }
+
+    fn style(&self, here: bool) -> crate::picture::Text {
+        let ink = if here { Ink::This } else { Ink::Text };
+        Style::LabelBold.size(self.text).ink(ink)
+    }
+
+    fn arrow(&mut self, along: Vec2, stroke: Stroke, named: &Named) -> Vec2 {
+        self.arrow_from(Vec2::ZERO, along, stroke, named)
+    }
+
+    /// From the point, moved aside, along a vector; returns the tip.
+    fn arrow_from(&mut self, aside: Vec2, along: Vec2, stroke: Stroke, named: &Named) -> Vec2 {
+        let start = self.middle + aside;
+        // Below an opaque surface there is room for a part of the length only.
+        let below = self.labels.area().bottom() - self.middle.y - 1.4 * self.text;
+        let part = (below / (self.unit * along.y).max(below)).min(1.0);
+        let tip = start + self.unit * part * along;
+        let stroke = if named.here {
+            Stroke {
+                ink: Ink::This,
+                ..stroke
+            }
+        } else {
+            stroke
+        };
+        self.picture.tagged(named.tag, |picture| {
+            picture.arrow(start, tip, stroke);
+        });
+        self.labels.spare(start, tip);
+        let style = self.style(named.here);
+        self.labels
+            .put(self.picture, (tip, 2.0), along, named.name, style);
+        tip
+    }
+
+    /// Where a light is blocked.
+    fn cross(&mut self, at: Vec2) {
+        let arm = Vec2::splat(5.0);
+        let other = Vec2::new(5.0, -5.0);
+        for arm in [arm, other] {
+            self.picture.line(at - arm, at + arm, Ink::Bad.stroke(2.5));
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! The surface in sight, its plane of incidence, and the media on both sides.
+
+use super::super::names;
+use super::super::words::{Language, Words};
+use crate::algorithms::ray_tree::RayKind;
+use crate::color::Rgb;
+use crate::replay::rays::{RayInHand, State, SurfaceInHand, Verdict};
+use crate::replay::shading::{LightInHand, PointInHand};
+use glam::{DVec3, Vec2};
+
+const AIR: Words = Words::new("air", "udara");
+
+/// The surface that the ray in hand met, or, while it has met none yet, the surface that it leaves.
+pub struct SurfaceInSight<'a> {
+    pub state: &'a State,
+    pub ray: &'a RayInHand,
+    pub surface: SurfaceInHand,
+    /// Of the ray in [`State::rays`].
+    index: usize,
+    /// Unit, in the plane and along the surface, the way u goes.
+    along: DVec3,
+}
+
+impl<'a> SurfaceInSight<'a> {
+    pub fn of(state: &'a State) -> Option<Self> {
+        let mut index = state.current?;
+        loop {
+            let ray = state.rays.get(index)?;
+            let Some(surface) = ray.surface else {
+                index = ray.parent?;
+                continue;
+            };
+            let (u, up) = (ray.ray.direction, surface.geometric);
+            let along = (u - u.dot(up) * up).try_normalize();
+            return Some(SurfaceInSight {
+                state,
+                ray,
+                surface,
+                index,
+                // At normal incidence every plane through N will do.
+                along: along.unwrap_or_else(|| up.any_orthonormal_vector()),
+            });
+        }
+    }
+
+    /// A vector in the plane of incidence, y down.
+    pub fn project(&self, vector: DVec3) -> Vec2 {
+        let up = vector.dot(self.surface.geometric);
+        Vec2::new(vector.dot(self.along) as f32, -up as f32)
+    }
+
+    /// How far a unit vector leans out of the plane of incidence, in degrees.
+    pub fn lean(&self, vector: DVec3) -> f64 {
+        let across = self.along.cross(self.surface.geometric);
+        vector
+            .dot(across)
+            .clamp(-1.0, 1.0)
+            .abs()
+            .asin()
+            .to_degrees()
+    }
+
+    /// What was told of the light that the surface sends on.
+    pub fn lit(&self) -> Option<&PointInHand> {
+        let current = self.state.current == Some(self.index);
+        let in_hand = self.state.point.as_ref().filter(|_| current);
+        in_hand.or(self.ray.lit.as_deref())
+    }
+
+    /// The light in hand, while the surface is being lit.
+    pub fn light_in_hand(&self) -> Option<&LightInHand> {
+        let lit = self.lit()?;
+        lit.lights.last().filter(|_| lit.intensity.is_none())
+    }
+
+    pub fn verdict(&self, light: u32) -> Option<&Verdict> {
+        self.ray
+            .shadows
+            .iter()
+            .find(|verdict| verdict.light == light)
+    }
+
+    pub fn name(&self) -> &str {
+        names::object(&self.state.stage, self.surface.object)
+    }
+
+    /// Whether light passes the surface at all.
+    pub fn is_transparent(&self) -> bool {
+        self.transmits(self.surface.object)
+    }
+
+    fn transmits(&self, object: u32) -> bool {
+        let scene = &self.state.stage.scene;
+        let material = scene.objects[object as usize].material;
+        scene.materials[material].transmission != Rgb::BLACK
+    }
+
+    /// Whether the ray comes from outside, or to the front.
+    pub fn from_above(&self) -> bool {
+        self.ray.ray.direction.dot(self.surface.geometric) < 0.0
+    }
+
+    /// What lies above and below the surface: names, and η where it was told.
+    pub fn media(&self, language: Language) -> [String; 2] {
+        let named = |object: Option<&u32>| match object {
+            Some(&object) => names::object(&self.state.stage, object).to_string(),
+            None => AIR.in_language(language).to_string(),
+        };
+        let around = self.media_around();
+        let object = self.surface.object;
+        if !self.transmits(object) {
+            return [named(around.last()), named(Some(&object))];
+        }
+        let mut outside = around.clone();
+        if let Some(at) = outside.iter().rposition(|&inner| inner == object) {
+            outside.remove(at);
+        }
+        let [above, below] = [named(outside.last()), named(Some(&object))];
+        match &self.ray.refraction {
+            Some(refraction) => {
+                let (incoming, beyond) = (refraction.eta_i, refraction.eta_r);
+                let (up, down) = if self.from_above() {
+                    (incoming, beyond)
+                } else {
+                    (beyond, incoming)
+                };
+                [format!("{above}  η {up}"), format!("{below}  η {down}")]
+            }
+            None => [above, below],
+        }
+    }
+
+    /// The transparent objects that the incoming ray is inside, outermost first.
+    fn media_around(&self) -> Vec<u32> {
+        let state = self.state;
+        let path: Vec<usize> = std::iter::successors(Some(self.index), |&index| {
+            state.rays.get(index).and_then(|ray| ray.parent)
+        })
+        .collect();
+        let mut media = state.stage.solids().around(state.stage.view.eye);
+        media.retain(|&object| self.transmits(object));
+        for pair in path.windows(2).rev() {
+            let (Some(child), Some(parent)) = (state.rays.get(pair[0]), state.rays.get(pair[1]))
+            else {
+                continue;
+            };
+            let Some(surface) = parent
+                .surface
+                .filter(|_| child.kind == RayKind::Transmitted)
+            else {
+                continue;
+            };
+            if surface.facing.is_some_and(|(.., entering)| entering) {
+                media.push(surface.object);
+            } else if let Some(at) = media.iter().rposition(|&inner| inner == surface.object) {
+                media.remove(at);
+            }
+        }
+        media
+    }
+}

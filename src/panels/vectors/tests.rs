@@ -1,0 +1,123 @@
+use super::super::crowd::{self, SIZES, assert_legible, texts};
+use super::super::names;
+use super::super::sample::{self, Sample};
+use super::super::values::short;
+use super::super::words::Language;
+use super::*;
+use crate::picture::Tag;
+use crate::record::Value;
+use crate::render::Method;
+
+const LARGE: Vec2 = Vec2::new(700.0, 500.0);
+
+fn printed(picture: &Picture) -> Vec<&str> {
+    texts(picture).into_iter().map(|(text, _)| text).collect()
+}
+
+#[test]
+fn every_step_is_legible_at_every_size() {
+    for mut sample in [
+        Sample::rays(Method::RayTracing, sample::BALL, 5),
+        Sample::rays(Method::RayTracing, sample::SPARK, 5),
+        crowd::rays(Method::RayTracing, 1),
+        crowd::rays(Method::RayCasting, 1),
+        crowd::crowd(Method::Gouraud),
+        crowd::nothing(),
+    ] {
+        for step in sample.some_steps(251) {
+            sample.seek(step);
+            for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
+                let picture = draw(&sample.show_in(language), size);
+                let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                assert_legible(&picture, &what);
+                assert!(!picture.items.is_empty(), "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn angles_are_those_that_the_steps_tell() {
+    let mut sample = Sample::rays(Method::RayTracing, sample::BALL, 5);
+    for (kind, n, name) in [
+        ("Faced", 0, "theta_i_degrees"),
+        ("Refraction", 0, "theta_r_degrees"),
+        ("Refraction", 1, "theta_c_degrees"),
+    ] {
+        sample.go_to(kind, n);
+        let told = sample.walk().own_fields(sample.walk().position()).get(name);
+        let Some(Value::Number(angle)) = told else {
+            panic!("{kind} {n} tells {name}")
+        };
+        let shown = format!("{}°", short(Value::Number(angle), 1));
+        let picture = draw(&sample.show(), LARGE);
+        assert!(
+            printed(&picture).contains(&shown.as_str()),
+            "{name} = {shown}"
+        );
+        assert!(picture.tagged_bounds(Tag::Field(name)).is_some());
+    }
+}
+
+#[test]
+fn where_nothing_passes_there_is_no_transmitted_ray() {
+    let mut sample = Sample::rays(Method::RayTracing, sample::BALL, 5);
+    sample.go_to("TotalInternalReflection", 0);
+    let picture = draw(&sample.show(), LARGE);
+    let printed = printed(&picture);
+    assert!(printed.contains(&"no T") && printed.contains(&"TIR"));
+    assert!(!printed.contains(&"T"));
+    assert!(
+        picture.alt.contains("total internal reflection"),
+        "{}",
+        picture.alt
+    );
+}
+
+#[test]
+fn a_mirrored_direction_leaves_at_the_angle_at_which_the_ray_came() {
+    let mut sample = Sample::rays(Method::RayTracing, sample::FLOOR, 5);
+    sample.go_to("Reflection", 0);
+    let Run::RayTracing(replay) = &sample.run else {
+        panic!("a ray tracer's run")
+    };
+    let surface = SurfaceInSight::of(replay.state()).expect("the floor");
+    let u = surface.project(surface.ray.ray.direction);
+    let sent = surface.ray.branches[0]
+        .and_then(|branch| branch.branch)
+        .expect("mirrored");
+    let r = surface.project(sent.direction);
+    // y is down: the ray comes from above and leaves upward.
+    assert!(u.y > 0.0 && (u.x - r.x).abs() < 1e-6 && (u.y + r.y).abs() < 1e-6);
+    assert!(surface.lean(sent.direction) < 1e-6);
+}
+
+#[test]
+fn media_are_named_outside_and_inside() {
+    let mut sample = Sample::rays(Method::RayTracing, sample::BALL, 5);
+    for n in [0, 1] {
+        sample.go_to("Refraction", n);
+        let picture = draw(&sample.show(), LARGE);
+        let printed = printed(&picture);
+        assert!(printed.contains(&"air  η 1"), "{printed:?}");
+        assert!(printed.contains(&"glass ball  η 1.5"), "{printed:?}");
+    }
+}
+
+#[test]
+fn a_blocked_light_says_by_what() {
+    let mut sample = crowd::rays(Method::RayTracing, 1);
+    let walk = sample.walk();
+    let blocked = (0..walk.len())
+        .find(|&step| walk.own_fields(step).get("blocked") == Some(Value::Truth(true)))
+        .expect("a shadow");
+    let fields = walk.own_fields(blocked);
+    let Some(Value::Integer(object)) = fields.get("blocker") else {
+        panic!("a blocker")
+    };
+    sample.seek(blocked);
+    let stage = names::stage(&sample.run);
+    let name = names::object(stage, object as u32).to_string();
+    let alt = draw(&sample.show(), LARGE).alt;
+    assert!(alt.contains(&format!("blocked by {name}")), "{alt}");
+}

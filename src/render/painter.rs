@@ -1,0 +1,44 @@
+//! How a picture is divided into work, whatever the method is.
+
+use super::crew::Crew;
+use super::pixels::{AT_ONCE, COARSE_FIRST};
+use crate::algorithms::frame::Frame;
+use crate::algorithms::stage::Stage;
+use crate::color::Rgb;
+use std::num::NonZeroUsize;
+
+/// Paints one picture: a method either fills [bands](Painter::bands) of rows, or colours each of the [pixels](Painter::pixels)
+/// by itself.
+///
+/// Its progress hears how many of how many parts are done, from any thread; an error that it returns ends the work.
+pub struct Painter<'a, P> {
+    pub(super) size: [u32; 2],
+    pub(super) background: Rgb,
+    pub(super) crew: Crew,
+    pub(super) progress: P,
+    /// Sides of the blocks of each pass, in pixels: each a multiple of the next, the last one 1.
+    pub(super) passes: &'static [u32],
+    /// Sees what there is after each pass but the last.
+    pub(super) show: Option<&'a mut dyn FnMut(&Frame)>,
+}
+
+impl<'a, P> Painter<'a, P> {
+    /// Paints the picture of the stage's view, all at once.
+    pub fn new(stage: &Stage, threads: NonZeroUsize, progress: P) -> Self {
+        Painter {
+            size: [stage.view.width, stage.view.height],
+            background: stage.scene.background,
+            crew: Crew::new(threads),
+            progress,
+            passes: &AT_ONCE,
+            show: None,
+        }
+    }
+
+    /// Paints a coarse picture first, where the method can; `show` sees it and those between.
+    pub fn coarse_first(mut self, show: &'a mut dyn FnMut(&Frame)) -> Self {
+        self.passes = &COARSE_FIRST;
+        self.show = Some(show);
+        self
+    }
+}

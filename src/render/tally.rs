@@ -1,0 +1,100 @@
+//! How many rays of which kind a picture takes: heard, as everything else is, from the events of the run.
+
+use crate::algorithms::ray_tree::{self, RayKind};
+use crate::algorithms::{ray_casting, ray_tracing};
+use crate::record::Recorder;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Rays by kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RayCounts {
+    pub primary: u64,
+    pub shadow: u64,
+    pub reflected: u64,
+    pub transmitted: u64,
+    pub total_internal_reflection: u64,
+}
+
+impl RayCounts {
+    fn count(&mut self, kind: RayKind) {
+        match kind {
+            RayKind::Primary => self.primary += 1,
+            RayKind::Reflected => self.reflected += 1,
+            RayKind::Transmitted => self.transmitted += 1,
+            RayKind::TotalInternalReflection => self.total_internal_reflection += 1,
+        }
+    }
+}
+
+impl Recorder<ray_tracing::Event> for RayCounts {
+    fn step(&mut self, _: impl FnOnce() -> ray_tracing::Event) {}
+
+    fn enter(&mut self, event: impl FnOnce() -> ray_tracing::Event) {
+        match event() {
+            ray_tracing::Event::Tree(ray_tree::Event::Ray { kind, .. }) => self.count(kind),
+            ray_tracing::Event::Tree(ray_tree::Event::ShadowRay { .. }) => self.shadow += 1,
+            _ => {}
+        }
+    }
+
+    fn leave(&mut self, _: impl FnOnce() -> ray_tracing::Event) {}
+}
+
+impl Recorder<ray_casting::Event> for RayCounts {
+    fn step(&mut self, _: impl FnOnce() -> ray_casting::Event) {}
+
+    fn enter(&mut self, event: impl FnOnce() -> ray_casting::Event) {
+        if let ray_casting::Event::Ray { .. } = event() {
+            self.primary += 1;
+        }
+    }
+
+    fn leave(&mut self, _: impl FnOnce() -> ray_casting::Event) {}
+}
+
+/// The sum over all threads.
+#[derive(Default)]
+pub(super) struct Totals([AtomicU64; 5]);
+
+impl Totals {
+    /// Adds what is counted while `work` is done.
+    pub fn counting<T>(&self, work: impl FnOnce(&mut RayCounts) -> T) -> T {
+        let mut counts = RayCounts::default();
+        let result = work(&mut counts);
+        let RayCounts {
+            primary,
+            shadow,
+            reflected,
+            transmitted,
+            total_internal_reflection,
+        } = counts;
+        let counts = [
+            primary,
+            shadow,
+            reflected,
+            transmitted,
+            total_internal_reflection,
+        ];
+        for (total, count) in self.0.iter().zip(counts) {
+            total.fetch_add(count, Ordering::Relaxed);
+        }
+        result
+    }
+
+    pub fn sum(self) -> RayCounts {
+        let [
+            primary,
+            shadow,
+            reflected,
+            transmitted,
+            total_internal_reflection,
+        ] = self.0.map(AtomicU64::into_inner);
+        RayCounts {
+            primary,
+            shadow,
+            reflected,
+            transmitted,
+            total_internal_reflection,
+        }
+    }
+}

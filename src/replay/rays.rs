@@ -1,0 +1,476 @@
+//! The state of ray casting and of ray tracing at one step: the picture so far, and of the pixel in hand the tree of its rays,
+//! with what has been told of each so far.
+
+use super::Canvas;
+use super::Fold;
+use super::grown::Grown;
+use super::in_hand::PointInHand;
+use super::shading::Dot;
+use crate::algorithms::ray_tree::{self, Branch, End, RayKind};
+use crate::algorithms::stage::Stage;
+use crate::algorithms::visible::{self, Met};
+use crate::algorithms::{primary, ray_casting, ray_tracing, surface};
+use crate::color::Rgb;
+use crate::scene::solids::{Hit, Ray};
+use glam::{DVec2, DVec3};
+use std::sync::Arc;
+
+#[derive(Clone, Debug)]
+pub struct State {
+    /// What does not change from step to step.
+    pub stage: Arc<Stage>,
+    pub canvas: Canvas<Dot>,
+    /// The pixel in hand, and the point of the screen that its primary ray goes through.
+    pub pixel: Option<(u32, u32)>,
+    pub through: Option<DVec2>,
+    /// The rays of the pixel, each behind its parent; the first is primary. They stay until the next primary ray.
+    pub rays: Grown<RayInHand>,
+    /// The ray in hand: the innermost that has not returned yet; the primary one, once all have.
+    pub current: Option<usize>,
+    /// What the search has found so far, while it goes on.
+    pub search: Option<SearchInHand>,
+    /// The shadow ray in hand.
+    pub shadow: Option<ShadowInHand>,
+    /// The point that is being lit, or was lit last.
+    pub point: Option<PointInHand>,
+}
+
+/// A ray of the tree, with what it met and what came of it.
+#[derive(Clone, Debug)]
+pub struct RayInHand {
+    pub kind: RayKind,
+    pub level: u16,
+    pub parent: Option<usize>,
+    pub ray: Ray,
+    /// The step that opened it.
+    pub step: usize,
+    /// What it met first, once the search is done.
+    pub met: Option<Met>,
+    pub surface: Option<SurfaceInHand>,
+    /// How its surface was lit, once that is done.
+    pub lit: Option<Arc<PointInHand>>,
+    /// Verdicts of the lights, in order, without those that the surface turns away from.
+    pub shadows: Vec<Verdict>,
+    /// Light that arrives from the lights, ambient light and emission.
+    pub local: Option<Rgb>,
+    pub refraction: Option<RefractionInHand>,
+    /// The reflected one, and the transmitted one (or the one that total internal reflection made of it).
+    pub branches: [Option<BranchInHand>; 2],
+    /// The sum so far: local light and what branches brought back.
+    pub sum: Option<Rgb>,
+    /// What came back along it, and the step that said so.
+    pub returned: Option<(Rgb, usize)>,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct SurfaceInHand {
+    pub object: u32,
+    pub position: DVec3,
+    /// N_geometric.
+    pub geometric: DVec3,
+    /// N, toward the incoming ray; cos θ_i; whether the ray enters.
+    pub facing: Option<(DVec3, f64, bool)>,
+    pub texture: Option<(DVec2, Rgb)>,
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct Verdict {
+    pub light: u32,
+    pub blocked: bool,
+    pub by: Option<Hit>,
+    /// L, and the distance of the light.
+    pub direction: DVec3,
+    pub distance: f64,
+    /// The step that closed the shadow ray.
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct RefractionInHand {
+    pub eta_i: f64,
+    pub eta_r: f64,
+    pub cos_theta_i: f64,
+    /// cos²θ_r; negative at total internal reflection.
+    pub radicand: f64,
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct BranchInHand {
+    /// None where the surface has no coefficient.
+    pub branch: Option<Branch>,
+    pub kind: RayKind,
+    pub outcome: Outcome,
+    /// Distance and divisor of the attenuation.
+    pub attenuation: Option<(f64, f64)>,
+    /// What is added, before the coefficient.
+    pub carried: Option<Rgb>,
+    /// The step that told it first.
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Asked for, not traced yet.
+    Open,
+    /// Index of the ray in [`State::rays`].
+    Ray(usize),
+    Ended(End),
+}
+
+/// How the search for the nearest object stands.
+#[derive(Clone, Copy, Debug)]
+pub struct SearchInHand {
+    pub objects: u32,
+    /// What was tested last: object (or light) and t, and whether it is nearer.
+    pub tested: Option<Tested>,
+    /// The nearest so far.
+    pub nearest: Option<Tested>,
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct Tested {
+    pub target: Target,
+    /// Infinite where the ray misses.
+    pub t: f64,
+    pub nearer: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    Object(u32),
+    Light(u32),
+}
+
+#[derive(Clone, Copy, Debug)]
+pub struct ShadowInHand {
+    pub light: u32,
+    pub direction: DVec3,
+    pub distance: f64,
+    /// What was tested last, and whether it blocks.
+    pub tested: Option<(u32, f64, bool)>,
+    pub step: usize,
+}
+
+impl State {
+    /// Before the first step: an empty picture.
+    pub fn new(stage: Arc<Stage>) -> Self {
+        State {
+            canvas: Canvas::blank(&stage),
+            stage,
+            pixel: None,
+            through: None,
+            rays: Grown::default(),
+            current: None,
+            search: None,
+            shadow: None,
+            point: None,
+        }
+    }
+
+    /// The ray in hand.
+    pub fn ray(&self) -> Option<&RayInHand> {
+        self.rays.get(self.current?)
+    }
+
+    fn ray_mut(&mut self) -> Option<&mut RayInHand> {
+        self.rays.get_mut(self.current?)
+    }
+
+    fn open_ray(&mut self, kind: RayKind, level: u16, ray: Ray, step: usize) {
+        if kind == RayKind::Primary {
+            self.rays = Grown::default();
+            self.current = None;
+        }
+        let index = self.rays.len();
+        if let Some(branch) = self.ray_mut().and_then(|ray| branch_mut(ray, kind)) {
+            branch.outcome = Outcome::Ray(index);
+        }
+        self.rays.push(RayInHand {
+            kind,
+            level,
+            parent: self.current,
+            ray,
+            step,
+            met: None,
+            surface: None,
+            lit: None,
+            shadows: Vec::new(),
+            local: None,
+            refraction: None,
+            branches: [None; 2],
+            sum: None,
+            returned: None,
+        });
+        self.current = Some(index);
+        self.point = None;
+    }
+
+    fn close_ray(&mut self, color: Rgb, step: usize) {
+        let Some(ray) = self.ray_mut() else { return };
+        ray.returned = Some((color, step));
+        let parent = ray.parent;
+        self.current = parent.or(self.current);
+        self.point = None;
+    }
+
+    fn color_pixel(&mut self, step: usize, event: &primary::Event) {
+        match *event {
+            primary::Event::Pixel { x, y, .. } => {
+                self.pixel = Some((x, y));
+                self.rays = Grown::default();
+                self.current = None;
+            }
+            primary::Event::Through { place } => self.through = Some(place),
+            primary::Event::PixelColored { color } => {
+                if let Some((x, y)) = self.pixel {
+                    let step = Some(step as u32);
+                    self.canvas.set(x as usize, y as usize, Dot { color, step });
+                }
+            }
+        }
+    }
+
+    fn look(&mut self, step: usize, event: &visible::Event) {
+        use visible::Event;
+        match *event {
+            Event::Search { objects } => {
+                self.search = Some(SearchInHand {
+                    objects,
+                    tested: None,
+                    nearest: None,
+                    step,
+                });
+            }
+            Event::ObjectTested {
+                object, t, nearer, ..
+            } => self.test(Target::Object(object), t, nearer),
+            Event::LightTested {
+                light, t, nearer, ..
+            } => self.test(Target::Light(light), t, nearer),
+            Event::Found { met } => {
+                self.search = None;
+                if let Some(ray) = self.ray_mut() {
+                    ray.met = Some(met);
+                }
+            }
+            Event::BetweenTested {
+                object, t, blocks, ..
+            } => {
+                if let Some(shadow) = &mut self.shadow {
+                    shadow.tested = Some((object, t, blocks));
+                }
+            }
+            Event::Unshadowing { .. } => {}
+        }
+    }
+
+    fn test(&mut self, target: Target, t: f64, nearer: bool) {
+        if let Some(search) = &mut self.search {
+            let tested = Tested { target, t, nearer };
+            search.tested = Some(tested);
+            if nearer {
+                search.nearest = Some(tested);
+            }
+        }
+    }
+
+    fn meet_surface(&mut self, step: usize, event: &surface::Event) {
+        use surface::Event;
+        let Some(ray) = self.ray_mut() else { return };
+        match (*event, &mut ray.surface) {
+            (
+                Event::SurfaceMet {
+                    object,
+                    position,
+                    normal,
+                },
+                surface,
+            ) => {
+                *surface = Some(SurfaceInHand {
+                    object,
+                    position,
+                    geometric: normal,
+                    facing: None,
+                    texture: None,
+                    step,
+                });
+            }
+            (
+                Event::Faced {
+                    normal,
+                    cos_theta_i,
+                    entering,
+                },
+                Some(surface),
+            ) => surface.facing = Some((normal, cos_theta_i, entering)),
+            (Event::Textured { uv, color }, Some(surface)) => surface.texture = Some((uv, color)),
+            _ => {}
+        }
+    }
+
+    fn set_local(&mut self, local: Rgb) {
+        let lit = self.point.clone().map(Arc::new);
+        if let Some(ray) = self.ray_mut() {
+            ray.lit = lit;
+            ray.local = Some(local);
+            ray.sum = Some(local);
+        }
+    }
+
+    fn grow_tree(&mut self, step: usize, event: &ray_tree::Event) {
+        use ray_tree::Event;
+        match *event {
+            Event::Ray { kind, level, ray } => self.open_ray(kind, level, ray, step),
+            Event::Returned { color } => self.close_ray(color, step),
+            Event::ShadowRay {
+                light,
+                direction,
+                distance,
+            } => {
+                self.shadow = Some(ShadowInHand {
+                    light,
+                    direction,
+                    distance,
+                    tested: None,
+                    step,
+                });
+            }
+            Event::Shadow { light, blocked, by } => {
+                let shadow = self.shadow.take();
+                if let (Some(shadow), Some(ray)) = (shadow, self.ray_mut()) {
+                    ray.shadows.push(Verdict {
+                        light,
+                        blocked,
+                        by,
+                        direction: shadow.direction,
+                        distance: shadow.distance,
+                        step,
+                    });
+                }
+            }
+            Event::Local { local, .. } => self.set_local(local),
+            Event::Refraction {
+                eta_i,
+                eta_r,
+                cos_theta_i,
+                radicand,
+            } => {
+                if let Some(ray) = self.ray_mut() {
+                    ray.refraction = Some(RefractionInHand {
+                        eta_i,
+                        eta_r,
+                        cos_theta_i,
+                        radicand,
+                        step,
+                    });
+                }
+            }
+            Event::Branched { branch } => {
+                if let Some(ray) = self.ray_mut() {
+                    ray.branches[side(branch.kind)] = Some(BranchInHand {
+                        branch: Some(branch),
+                        kind: branch.kind,
+                        outcome: Outcome::Open,
+                        attenuation: None,
+                        carried: None,
+                        step,
+                    });
+                }
+            }
+            Event::Ended { kind, end } => {
+                let Some(ray) = self.ray_mut() else { return };
+                let ended = ray.branches[side(kind)].get_or_insert(BranchInHand {
+                    branch: None,
+                    kind,
+                    outcome: Outcome::Open,
+                    attenuation: None,
+                    carried: None,
+                    step,
+                });
+                ended.outcome = Outcome::Ended(end);
+            }
+            Event::Attenuated {
+                kind,
+                distance,
+                attenuation,
+                ..
+            } => {
+                let divisor = ray_tree::divisor(attenuation, distance);
+                if let Some(branch) = self.ray_mut().and_then(|ray| branch_mut(ray, kind)) {
+                    branch.attenuation = Some((distance, divisor));
+                }
+            }
+            Event::Added { kind, carried, sum } => {
+                let Some(ray) = self.ray_mut() else { return };
+                ray.sum = Some(sum);
+                if let Some(branch) = branch_mut(ray, kind) {
+                    branch.carried = Some(carried);
+                }
+            }
+        }
+    }
+
+    fn beyond(&self, before: &Self) -> usize {
+        let lights = self
+            .point
+            .as_ref()
+            .map_or(0, |point| size_of_val(&*point.lights));
+        size_of::<Self>()
+            + lights
+            + self.rays.bytes_beyond(&before.rays)
+            + self.canvas.bytes_beyond(&before.canvas)
+    }
+}
+
+/// The place of a branch among the two of a surface.
+fn side(kind: RayKind) -> usize {
+    match kind {
+        RayKind::Primary | RayKind::Reflected => 0,
+        RayKind::Transmitted | RayKind::TotalInternalReflection => 1,
+    }
+}
+
+fn branch_mut(ray: &mut RayInHand, kind: RayKind) -> Option<&mut BranchInHand> {
+    ray.branches[side(kind)].as_mut()
+}
+
+impl Fold<ray_tracing::Event> for State {
+    fn apply(&mut self, step: usize, event: &ray_tracing::Event) {
+        use ray_tracing::Event;
+        match event {
+            Event::Stage(_) => {}
+            Event::Primary(event) => self.color_pixel(step, event),
+            Event::Visible(event) => self.look(step, event),
+            Event::Surface(event) => self.meet_surface(step, event),
+            Event::Illumination(event) => PointInHand::light(&mut self.point, step, event),
+            Event::Tree(event) => self.grow_tree(step, event),
+        }
+    }
+
+    fn bytes_beyond(&self, before: &Self) -> usize {
+        self.beyond(before)
+    }
+}
+
+impl Fold<ray_casting::Event> for State {
+    fn apply(&mut self, step: usize, event: &ray_casting::Event) {
+        use ray_casting::Event;
+        match event {
+            Event::Stage(_) => {}
+            Event::Primary(event) => self.color_pixel(step, event),
+            Event::Ray { ray } => self.open_ray(RayKind::Primary, 1, *ray, step),
+            Event::Visible(event) => self.look(step, event),
+            Event::Surface(event) => self.meet_surface(step, event),
+            Event::Illumination(event) => PointInHand::light(&mut self.point, step, event),
+            Event::Local { local, .. } => self.set_local(*local),
+            Event::Returned { color } => self.close_ray(*color, step),
+        }
+    }
+
+    fn bytes_beyond(&self, before: &Self) -> usize {
+        self.beyond(before)
+    }
+}
