@@ -57,7 +57,10 @@ pub(super) struct UnitRay<'a> {
 impl<'a> UnitRay<'a> {
     pub fn new(frame: &'a Frame, near: &'a Near, aim: &'a Aim) -> Self {
         UnitRay {
-            origin: frame.to_unit(near.ray.origin).to_array().map(Vec4::splat),
+            origin: frame
+                .unit_point(near.ray.origin)
+                .to_array()
+                .map(Vec4::splat),
             aim,
             frame,
             near,
@@ -66,7 +69,7 @@ impl<'a> UnitRay<'a> {
 
     /// A distance along the ray in the unit frame, rounded up so far that nothing at this distance is passed over.
     pub fn reach(&self, distance: f64) -> f32 {
-        let reach = self.frame.length_to_unit(self.near.reach(distance));
+        let reach = self.frame.unit_length(self.near.reach(distance));
         (reach * WIDER + PAD) * WIDER
     }
 }
