@@ -127,18 +127,21 @@ fn scene_of(mesh: Mesh) -> Scene {
     }
 }
 
-/// A way to find the nearest hit: how many of the rays hit.
-struct Contender<'a> {
+/// Finds the nearest hits, and counts them.
+type Hits = dyn Fn(&[Ray]) -> usize;
+
+/// A way to find the nearest hit.
+struct Contender {
     name: String,
     build: Duration,
-    hits: Box<dyn Fn(&[Ray]) -> usize + 'a>,
+    hits: Box<Hits>,
 }
 
 fn single(ray: &Ray) -> obvhs::ray::Ray {
     obvhs::ray::Ray::new_inf(ray.origin.as_vec3().into(), ray.direction.as_vec3().into())
 }
 
-fn obvhs_contenders(mesh: &Mesh, presets: &[(&str, BvhBuildParams)]) -> Vec<Contender<'static>> {
+fn obvhs_contenders(mesh: &Mesh, presets: &[(&str, BvhBuildParams)]) -> Vec<Contender> {
     let corner = |vertex: u32| Vec3A::from(mesh.position(vertex).as_vec3());
     let triangles: Vec<Triangle> = (0..mesh.face_count())
         .map(|face| {
@@ -184,7 +187,7 @@ fn obvhs_contenders(mesh: &Mesh, presets: &[(&str, BvhBuildParams)]) -> Vec<Cont
     contenders
 }
 
-fn ours(scene: &Scene) -> Contender<'static> {
+fn ours(scene: &Scene) -> Contender {
     let tessellation = Tessellation::of(scene);
     let start = Instant::now();
     let solids = Solids::of(scene, &tessellation);

@@ -85,7 +85,7 @@ impl Faces {
         let boxes: Vec<[Vec3; 2]> = triangles
             .iter()
             .map(|corners| {
-                let [a, b, c] = corners.map(|vertex| frame.to_unit(vertices[vertex as usize]));
+                let [a, b, c] = corners.map(|vertex| frame.unit_point(vertices[vertex as usize]));
                 [a.min(b).min(c), a.max(b).max(c)]
             })
             .collect();
@@ -97,7 +97,7 @@ impl Faces {
                 Packet::new(leaf, |triangle| {
                     let vertex_indices = triangles[triangle as usize];
                     let corners =
-                        vertex_indices.map(|vertex| frame.to_unit(vertices[vertex as usize]));
+                        vertex_indices.map(|vertex| frame.unit_point(vertices[vertex as usize]));
                     (vertex_indices, corners)
                 })
             })
@@ -190,7 +190,7 @@ impl Faces {
     ) {
         let shear = Shear::new(&near.ray, aim);
         let unit = UnitRay::new(&self.frame, near, aim);
-        let unit_shear = UnitShear::new(self.frame.to_unit(near.ray.origin), aim);
+        let unit_shear = UnitShear::new(self.frame.unit_point(near.ray.origin), aim);
         self.hierarchy
             .walk(&unit, unit.reach(reach), stack, |leaf, mut reach, _| {
                 let packet = &self.packets[leaf];

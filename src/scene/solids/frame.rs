@@ -69,12 +69,12 @@ impl Frame {
     }
 
     /// A point in this frame.
-    pub fn to_unit(&self, point: DVec3) -> Vec3 {
+    pub fn unit_point(&self, point: DVec3) -> Vec3 {
         ((point - self.center) * self.scale).as_vec3()
     }
 
     /// A length in this frame.
-    pub fn length_to_unit(&self, length: f64) -> f32 {
+    pub fn unit_length(&self, length: f64) -> f32 {
         (length * self.scale) as f32
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! The binary tree is built by `obvhs`: pairs of nearest clusters (Meister & Bittner 2018, "Parallel Locally-Ordered Clustering
 //! for Bounding Volume Hierarchy Construction"), improved by reinsertion (Meister & Bittner 2018, "Parallel Reinsertion for
-//! Bounding Volume Hierarchy Optimization"). Here four children are drawn into a node, so that one step tests four boxes at once
-//! (Wald, Benthin & Boulos 2008, "Getting Rid of Packets").
+//! Bounding Volume Hierarchy Optimization"). Here eight children are drawn into a node, so that one step tests eight boxes, four
+//! at once (Wald, Benthin & Boulos 2008, "Getting Rid of Packets").
 //!
 //! Boxes are f32, in the unit box of a [`Frame`], and conservative: a box that holds a hit of the exact test is never passed over.
 
@@ -25,17 +25,20 @@ const PAD: f32 = 1.0 / (1 << 21) as f32;
 /// Products of rounded differences with rounded inverses: four roundings of 2⁻²⁴ each, four times.
 const WIDER: f32 = 1.0 + 1.0 / (1 << 20) as f32;
 
+/// How many children a node has at most.
+const WIDTH: usize = 8;
+
 /// Marks a child that is a leaf.
 const LEAF: u32 = 1 << 31;
 
-/// Four children.
+/// Up to eight children.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Node {
-    /// Of the four boxes, by side (low, high) and axis. A child that is missing has an empty box.
-    bounds: [[Vec4; 3]; 2],
+    /// Of the boxes, by side (low, high), axis and half of the children. A child that is missing has an empty box.
+    bounds: [[[Vec4; 2]; 3]; 2],
     /// Indices of nodes, or of leaves with [`LEAF`].
-    children: [u32; 4],
+    children: [u32; WIDTH],
 }
 
 #[derive(Clone, Debug)]
@@ -54,7 +57,10 @@ pub(super) struct UnitRay<'a> {
 impl<'a> UnitRay<'a> {
     pub fn new(frame: &'a Frame, near: &'a Near, aim: &'a Aim) -> Self {
         UnitRay {
-            origin: frame.to_unit(near.ray.origin).to_array().map(Vec4::splat),
+            origin: frame
+                .unit_point(near.ray.origin)
+                .to_array()
+                .map(Vec4::splat),
             aim,
             frame,
             near,
@@ -63,7 +69,7 @@ impl<'a> UnitRay<'a> {
 
     /// A distance along the ray in the unit frame, rounded up so far that nothing at this distance is passed over.
     pub fn reach(&self, distance: f64) -> f32 {
-        let reach = self.frame.length_to_unit(self.near.reach(distance));
+        let reach = self.frame.unit_length(self.near.reach(distance));
         (reach * WIDER + PAD) * WIDER
     }
 }
@@ -139,7 +145,6 @@ impl Hierarchy {
                 let node = &self.nodes[current as usize];
                 let (near, mut hits) = node.meet(ray, reach);
                 if hits != 0 {
-                    let near = near.to_array();
                     let first = hits.trailing_zeros() as usize;
                     let mut nearest = (node.children[first], near[first]);
                     hits &= hits - 1;
@@ -173,23 +178,30 @@ impl Hierarchy {
 
 impl Node {
     const EMPTY: Node = Node {
-        bounds: [[Vec4::INFINITY; 3], [Vec4::NEG_INFINITY; 3]],
-        children: [u32::MAX; 4],
+        bounds: [[[Vec4::INFINITY; 2]; 3], [[Vec4::NEG_INFINITY; 2]; 3]],
+        children: [u32::MAX; WIDTH],
     };
 
     /// Where the ray enters each box, and the set of those that it passes within `reach`.
     ///
     /// An origin beyond the near side, or a box behind, makes a negative distance, which stays negative however it is rounded.
     #[inline]
-    fn meet(&self, ray: &UnitRay, reach: f32) -> (Vec4, u32) {
-        let to = |side: usize, axis: usize| {
-            (self.bounds[side & 1][axis] - ray.origin[axis]) * ray.aim.inverse[axis]
-        };
+    fn meet(&self, ray: &UnitRay, reach: f32) -> ([f32; WIDTH], u32) {
         let [x, y, z] = ray.aim.near_side;
-        let near = to(x, 0).max(to(y, 1)).max(to(z, 2).max(Vec4::ZERO));
-        let far = to(x ^ 1, 0).min(to(y ^ 1, 1)).min(to(z ^ 1, 2));
-        let far = (far * WIDER).min(Vec4::splat(reach));
-        (near, near.cmple(far).bitmask())
+        let half = |half: usize| {
+            let to = |side: usize, axis: usize| {
+                (self.bounds[side & 1][axis][half] - ray.origin[axis]) * ray.aim.inverse[axis]
+            };
+            let near = to(x, 0).max(to(y, 1)).max(to(z, 2).max(Vec4::ZERO));
+            let far = to(x ^ 1, 0).min(to(y ^ 1, 1)).min(to(z ^ 1, 2));
+            let far = (far * WIDER).min(Vec4::splat(reach));
+            (near, near.cmple(far).bitmask())
+        };
+        let ((first, hits), (second, more_hits)) = (half(0), half(1));
+        let mut near = [0.0; WIDTH];
+        near[..4].copy_from_slice(&first.to_array());
+        near[4..].copy_from_slice(&second.to_array());
+        (near, hits | more_hits << 4)
     }
 }
 
@@ -209,7 +221,7 @@ impl Leaves {
     }
 }
 
-/// From two children a node to four, by opening the child with the largest surface.
+/// From two children a node to eight, by opening the child with the largest surface.
 struct Widening<'a> {
     tree: &'a [Bvh2Node],
     nodes: Vec<Node>,
@@ -217,27 +229,27 @@ struct Widening<'a> {
 }
 
 impl Widening<'_> {
-    /// The children of a binary node, and theirs, up to four; a leaf stays as it is.
-    fn four(&self, binary: u32) -> Vec<u32> {
+    /// The children of a binary node, and theirs, up to eight; a leaf stays as it is.
+    fn below(&self, binary: u32) -> Vec<u32> {
         let node = |index: u32| &self.tree[index as usize];
-        let mut four = vec![binary];
-        while four.len() < 4 {
-            let area = |&i: &usize| node(four[i]).aabb().half_area();
-            let inner = (0..four.len()).filter(|&i| !node(four[i]).is_leaf());
+        let mut below = vec![binary];
+        while below.len() < WIDTH {
+            let area = |&i: &usize| node(below[i]).aabb().half_area();
+            let inner = (0..below.len()).filter(|&i| !node(below[i]).is_leaf());
             let Some(largest) = inner.max_by(|i, j| area(i).total_cmp(&area(j))) else {
                 break;
             };
-            let first = node(four.swap_remove(largest)).first_index;
-            four.extend([first, first + 1]);
+            let first = node(below.swap_remove(largest)).first_index;
+            below.extend([first, first + 1]);
         }
-        four
+        below
     }
 
     fn run(&mut self) {
         self.nodes.push(Node::EMPTY);
         let mut open = vec![(0, 0)];
         while let Some((binary, wide)) = open.pop() {
-            for (i, index) in self.four(binary).into_iter().enumerate() {
+            for (i, index) in self.below(binary).into_iter().enumerate() {
                 let child = &self.tree[index as usize];
                 let reference = if child.is_leaf() {
                     let start = child.first_index;
@@ -252,7 +264,7 @@ impl Widening<'_> {
                 node.children[i] = reference;
                 for (side, corner) in [child.aabb().min, child.aabb().max].into_iter().enumerate() {
                     for axis in 0..3 {
-                        node.bounds[side][axis][i] = corner[axis];
+                        node.bounds[side][axis][i / 4][i % 4] = corner[axis];
                     }
                 }
             }

@@ -83,7 +83,7 @@ enum Solid {
     Plane(Plane),
     /// `vertices` are those of a polygon, and none of other shapes.
     Faces {
-        faces: Faces,
+        faces: Box<Faces>,
         vertices: Vec<DVec3>,
     },
 }
@@ -99,12 +99,12 @@ impl Solids {
                     &Shape::Sphere { center, radius } => Solid::Sphere { center, radius },
                     &Shape::Plane { point, normal } => Solid::Plane(Plane { point, normal }),
                     Shape::Polygon { vertices } => Solid::Faces {
-                        faces: Faces::new(mesh, false),
+                        faces: Box::new(Faces::new(mesh, false)),
                         vertices: vertices.clone(),
                     },
                     Shape::Cylinder { .. } | Shape::Bezier { .. } | Shape::Mesh(_) => {
                         Solid::Faces {
-                            faces: Faces::new(mesh, is_textured),
+                            faces: Box::new(Faces::new(mesh, is_textured)),
                             vertices: Vec::new(),
                         }
                     }
@@ -126,7 +126,7 @@ impl Solids {
         let frame = Frame::around(low.unwrap_or_default(), high.unwrap_or_default());
         let boxes: Vec<[Vec3; 2]> = boxes
             .into_iter()
-            .map(|bounds| bounds.map(|corner| frame.to_unit(corner)))
+            .map(|bounds| bounds.map(|corner| frame.unit_point(corner)))
             .collect();
         let (hierarchy, leaves) = Hierarchy::new(&boxes, 1);
         Solids {

@@ -4,7 +4,7 @@
 type Entry = (u32, f32);
 
 /// Deep enough for a well-made hierarchy of many million boxes.
-const SHORT: usize = 64;
+const SHORT: usize = 96;
 
 /// A stack that takes no memory of its own until it is deeper than [`SHORT`].
 pub(super) struct Stack {
