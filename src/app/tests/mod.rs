@@ -2,6 +2,7 @@
 
 mod lights;
 mod painter;
+mod ray_tree;
 
 use super::question_card::rounded;
 use super::session::{Command, Session, Standing};

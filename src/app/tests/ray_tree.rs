@@ -1,0 +1,104 @@
+//! The ray tree in the window: zoomed, dragged, collapsed, and followed.
+
+use super::{Screen, screen, words};
+use crate::app::session::Command;
+use crate::panels::{Panel, TreeView, draw};
+use crate::picture::Tag;
+use egui_kittest::kittest::{NodeT, Queryable};
+
+/// The lesson of the ray tree at its end, without questions in the way.
+fn tree_screen() -> Screen {
+    screen(
+        "ray-tree",
+        [1280, 800],
+        1.0,
+        [Command::Questions, Command::End],
+    )
+}
+
+/// The place of the panel on the screen.
+fn panel(screen: &Screen) -> egui::Rect {
+    let images = screen.harness.get_all_by_label(words::RAY_TREE.en);
+    let panel = images.filter(|node| node.accesskit_node().role() == egui::Role::Image);
+    panel.last().expect("the panel").rect()
+}
+
+/// A click on what shows `tag` in the panel.
+fn click(screen: &mut Screen, tag: Tag) {
+    let rect = panel(screen);
+    let size = glam::Vec2::new(rect.width(), rect.height());
+    let picture = draw(Panel::RayTree, &screen.session().show(), size);
+    let bounds = picture.tagged_bounds(tag).expect("a place");
+    let at = rect.min + egui::vec2(bounds.center().x, bounds.center().y);
+    screen.harness.hover_at(at);
+    screen.harness.drag_at(at);
+    screen.harness.drop_at(at);
+    screen.harness.run();
+}
+
+fn tree(screen: &Screen) -> TreeView {
+    screen.session().tree().clone()
+}
+
+#[test]
+fn buttons_zoom_and_fit() {
+    let mut screen = tree_screen();
+    screen.keep("ray-tree");
+    screen.click(words::LARGER_TREE.en);
+    assert!((tree(&screen).zoom - 1.5).abs() < 1e-6);
+    screen.click(words::LARGER_TREE.en);
+    screen.click(words::SMALLER_TREE.en);
+    assert!((tree(&screen).zoom - 1.5).abs() < 1e-6);
+    screen.click(words::WHOLE_TREE.en);
+    assert_eq!(tree(&screen), TreeView::WHOLE);
+    // What cannot act is refused.
+    let whole = Command::ViewTree(TreeView::WHOLE);
+    assert!(screen.session().allows(&whole).is_err());
+}
+
+#[test]
+fn a_pinch_zooms_about_the_pointer_and_a_drag_drags() {
+    let mut screen = tree_screen();
+    let rect = panel(&screen);
+    screen
+        .harness
+        .hover_at(rect.center() + egui::vec2(40.0, -60.0));
+    screen.harness.event(egui::Event::Zoom(3.0));
+    screen.harness.run();
+    let zoomed = tree(&screen);
+    assert!((zoomed.zoom - 3.0).abs() < 1e-3, "{}", zoomed.zoom);
+    let before = zoomed.center.expect("a place of its own");
+    screen.harness.drag_at(rect.center());
+    screen.harness.step();
+    screen
+        .harness
+        .hover_at(rect.center() + egui::vec2(60.0, 20.0));
+    screen.harness.step();
+    screen
+        .harness
+        .drop_at(rect.center() + egui::vec2(60.0, 20.0));
+    screen.harness.run();
+    let after = tree(&screen).center.expect("a place");
+    assert!(after.x < before.x, "{before} {after}");
+    screen.keep("ray-tree-zoomed");
+}
+
+#[test]
+fn a_click_on_the_sign_collapses_and_one_on_a_node_goes_there() {
+    let mut screen = tree_screen();
+    let walk = screen.session().walk();
+    let rays: Vec<usize> = (0..walk.len())
+        .filter(|&step| walk.kind(step) == "Ray")
+        .collect();
+    click(&mut screen, Tag::Fold(rays[0]));
+    assert!(tree(&screen).collapsed.contains(&rays[0]));
+    click(&mut screen, Tag::Fold(rays[0]));
+    assert!(tree(&screen).collapsed.is_empty());
+    let before = screen.session().step();
+    screen
+        .session_mut()
+        .update(Command::Click(Tag::Scope(rays[1])))
+        .expect("a way");
+    screen.harness.run();
+    assert!(rays[1] < before && screen.session().step() == rays[1]);
+}
