@@ -58,8 +58,45 @@ impl Arrangement {
     }
 }
 
-/// Two rows, the upper one higher; the first panel, which shows the picture, stands in the upper one.
 fn arrange(panels: &[Panel]) -> Tree<Panel> {
+    if panels.contains(&Panel::RayTree) {
+        beside_the_tree(panels)
+    } else {
+        in_rows(panels)
+    }
+}
+
+/// Two columns: the ray tree needs room, so it has the wider one, with the rays in the scene under it.
+fn beside_the_tree(panels: &[Panel]) -> Tree<Panel> {
+    let mut tiles = Tiles::default();
+    let is_wide = |panel: &Panel| matches!(panel, Panel::RayTree | Panel::Rays);
+    let mut wide: Vec<Panel> = panels.iter().copied().filter(is_wide).collect();
+    wide.sort_by_key(|&panel| panel != Panel::RayTree);
+    let narrow = panels.iter().copied().filter(|panel| !is_wide(panel));
+    let narrow: Vec<TileId> = narrow.map(|panel| tiles.insert_pane(panel)).collect();
+    let wide: Vec<TileId> = wide
+        .into_iter()
+        .map(|panel| tiles.insert_pane(panel))
+        .collect();
+    let right = match wide[..] {
+        [tree, rays] => {
+            let rows = Linear::new_binary(LinearDir::Vertical, [tree, rays], 0.62);
+            tiles.insert_container(Container::Linear(rows))
+        }
+        _ => tiles.insert_vertical_tile(wide),
+    };
+    let root = if narrow.is_empty() {
+        right
+    } else {
+        let left = tiles.insert_vertical_tile(narrow);
+        let columns = Linear::new_binary(LinearDir::Horizontal, [left, right], 0.42);
+        tiles.insert_container(Container::Linear(columns))
+    };
+    Tree::new(egui::Id::unique("panels"), root, tiles)
+}
+
+/// Two rows, the upper one higher; the first panel, which shows the picture, stands in the upper one.
+fn in_rows(panels: &[Panel]) -> Tree<Panel> {
     let mut tiles = Tiles::default();
     let ids: Vec<TileId> = panels
         .iter()
