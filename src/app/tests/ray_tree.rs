@@ -19,8 +19,8 @@ fn tree_screen() -> Screen {
 /// The place of the panel on the screen.
 fn panel(screen: &Screen) -> egui::Rect {
     let images = screen.harness.get_all_by_label(words::RAY_TREE.en);
-    let panel = images.filter(|node| node.accesskit_node().role() == egui::Role::Image);
-    panel.last().expect("the panel").rect()
+    let mut panel = images.filter(|node| node.accesskit_node().role() == egui::Role::Image);
+    panel.next_back().expect("the panel").rect()
 }
 
 /// A click on what shows `tag` in the panel.

@@ -96,7 +96,7 @@ impl<'a> SurfaceInSight<'a> {
     }
 
     /// Whether the ray comes from outside, or to the front.
-    pub fn from_above(&self) -> bool {
+    pub fn comes_from_above(&self) -> bool {
         self.ray.ray.direction.dot(self.surface.geometric) < 0.0
     }
 
@@ -119,7 +119,7 @@ impl<'a> SurfaceInSight<'a> {
         match &self.ray.refraction {
             Some(refraction) => {
                 let (incoming, beyond) = (refraction.eta_i, refraction.eta_r);
-                let (up, down) = if self.from_above() {
+                let (up, down) = if self.comes_from_above() {
                     (incoming, beyond)
                 } else {
                     (beyond, incoming)
