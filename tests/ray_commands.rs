@@ -61,7 +61,12 @@ fn statistics_count_rays_and_say_what_was_left_out() {
     assert_eq!(cast["rays"]["primary"], 48 * 36);
     assert_eq!(cast["rays"]["shadow"], 0);
 
-    let shaded = stats("--method gouraud");
+    // A scan-line method follows no ray, and says that the infinite floor is not drawn.
+    let arguments = "render scene.json --out a.pfm --size 48x36 --stats --method gouraud";
+    let shaded = lightwalk(folder.path(), &arguments.split(' ').collect::<Vec<_>>());
+    assert_eq!(shaded.status.code(), Some(0));
+    assert!(text(&shaded.stderr).contains("leaves out the infinite plane \"floor\""));
+    let shaded: Value = serde_json::from_str(&text(&shaded.stdout)).unwrap();
     assert_eq!(shaded["rays"]["primary"], 0);
 }
 

@@ -61,10 +61,10 @@ struct LimitArguments {
 #[derive(Args, Clone, Copy)]
 struct RayArguments {
     /// Ray tracing shades rays up to this level; the primary ray is level 1
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::DEEPEST)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::DEEPEST)))]
     depth: Option<u32>,
     /// A pixel is the mean of N×N rays
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_SAMPLES)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_SAMPLES)))]
     samples: Option<u32>,
 }
 

@@ -18,7 +18,7 @@ pub struct Arguments {
     #[arg(long, value_parser = parse_size, value_name = "WxH", default_value = "640x480")]
     size: [u32; 2],
     /// As many as cores unless given, at most 256
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=256))]
     threads: Option<u16>,
     /// Scales a PNG by 2^EV
     #[arg(

@@ -16,7 +16,7 @@ fn ball() -> Screen {
             "objects": [{ "name": "ball", "material": "chalk", "sphere": { "center": [0, 0, 0], "radius": 1 } }],
             "lights": [{ "point": { "position": [1, 2, 1] } }, { "point": { "position": [-2, 2, -2] } }] },
         "method": "ray-tracing", "size": [24, 18], "focus": { "pixel": [12, 9] }, "panels": ["rays"], "movable_lights": [0],
-        "steps": [{ "at": { "kind": "Shadow" }, "say": { "en": "Lit", "id": "Terang" } }] }"#;
+        "steps": [{ "at": { "kind": "Diffuse" }, "say": { "en": "Lit", "id": "Terang" } }] }"#;
     let lesson = Lesson::read(
         json.as_bytes(),
         &Default::default(),
