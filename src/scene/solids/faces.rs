@@ -196,13 +196,16 @@ impl Faces {
                 let packet = &self.packets[leaf];
                 let mut candidates = packet.candidates(&unit_shear);
                 while candidates != 0 {
-                    let triangle = packet.triangles[candidates.trailing_zeros() as usize];
+                    let place = candidates.trailing_zeros() as usize;
                     candidates &= candidates - 1;
+                    let triangle = packet.triangles[place];
                     if triangle == NONE {
                         break;
                     }
+                    let corners =
+                        packet.vertices[place].map(|vertex| self.vertices[vertex as usize]);
                     let shorter = shear
-                        .meet(self.corners(triangle))
+                        .meet(corners)
                         .and_then(|meeting| met(triangle, meeting, &unit));
                     if let Some(shorter) = shorter {
                         reach = shorter;
