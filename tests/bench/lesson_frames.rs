@@ -1,0 +1,51 @@
+//! How soon a lesson's scene is seen at 640×480: the first coarse picture, and the whole one, on all cores; medians with quartiles,
+//! coarse and whole from the same runs.
+
+use lightwalk::algorithms::stage::Stage;
+use lightwalk::lesson::builtins;
+use lightwalk::render::preview;
+use lightwalk::scene::View;
+use std::num::NonZeroUsize;
+use std::thread::available_parallelism;
+use std::time::{Duration, Instant};
+
+const ROUNDS: usize = 15;
+
+/// Lower quartile, median, upper quartile, in milliseconds.
+fn quartiles(mut times: Vec<Duration>) -> [f64; 3] {
+    times.sort();
+    [1, 2, 3].map(|quarter| times[quarter * (times.len() - 1) / 4].as_secs_f64() * 1e3)
+}
+
+fn main() {
+    let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
+    println!("640×480, {threads} threads; milliseconds, median (quartiles)");
+    for builtin in builtins() {
+        let lesson = builtin.read().expect("a right lesson");
+        let settings = lesson.settings;
+        let camera = lesson.scene.camera.clone().expect("a camera");
+        let view = View::new(&camera, 640, 480);
+        let stage = Stage::new(lesson.scene, view).with_settings(settings);
+        let (mut coarse, mut whole) = (Vec::new(), Vec::new());
+        for round in 0..=ROUNDS {
+            let start = Instant::now();
+            let mut first = None;
+            let mut show = |_: &_| first = first.or(Some(start.elapsed()));
+            preview(&stage, lesson.method, threads, |_, _| Ok(()), &mut show)
+                .expect("nobody calls it off");
+            let all = start.elapsed();
+            // The first run makes the hierarchies.
+            if round > 0 {
+                coarse.push(first.unwrap_or(all));
+                whole.push(all);
+            }
+        }
+        let [low, median, high] = quartiles(coarse);
+        let [from, middle, to] = quartiles(whole);
+        println!(
+            "  {:22} {:12} first {median:6.1} ({low:.1} to {high:.1})  whole {middle:6.1} ({from:.1} to {to:.1})",
+            builtin.id,
+            lesson.method.name()
+        );
+    }
+}
