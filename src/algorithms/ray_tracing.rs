@@ -18,7 +18,7 @@ use super::surface::{self, Facing, face, without_object};
 use super::visible::{self, Met, Search, visible};
 use crate::color::Rgb;
 use crate::record::{self, Fields, Line, Listing, Recorder};
-use crate::scene::solids::{Hit, Ray, leaving};
+use crate::scene::solids::{Hit, Ray, leaving, short_of};
 use crate::scene::{Material, Needs};
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -211,7 +211,8 @@ impl<'a, S: Search> RayTracer<'a, S> {
             }
             .into()
         });
-        let blocker = self.search.blocker(scene, solids, &ray, distance, recorder);
+        let between = short_of(&ray, &facing.surface, distance);
+        let blocker = self.search.blocker(scene, solids, &ray, between, recorder);
         recorder.leave(|| {
             ray_tree::Event::Shadow {
                 light: to_light.light as u32,

@@ -158,21 +158,21 @@ impl Faces {
         best.map(|(t, triangle)| (near.moved + t, triangle))
     }
 
-    /// Whether some triangle is met within `reach` at a t that is `near_enough`.
+    /// Whether some triangle is met within `reach` at a t that is `near_enough`; that is told the triangle too.
     pub fn blocks(
         &self,
         ray: &Ray,
         aim: &Aim,
         reach: f64,
         stack: &mut Stack,
-        near_enough: impl Fn(f64) -> bool,
+        near_enough: impl Fn(f64, u32) -> bool,
     ) -> bool {
         let Some(near) = self.frame.near(ray) else {
             return false;
         };
         let mut is_blocked = false;
-        self.walk(&near, aim, reach, stack, |_, meeting, _| {
-            is_blocked = near_enough(near.moved + meeting.t);
+        self.walk(&near, aim, reach, stack, |triangle, meeting, _| {
+            is_blocked = near_enough(near.moved + meeting.t, triangle);
             is_blocked.then_some(-1.0)
         });
         is_blocked
@@ -216,6 +216,11 @@ impl Faces {
                 }
                 reach
             });
+    }
+
+    /// The t of a hit along a ray that came `near` to be tested, where it was met at `t`.
+    pub fn t_along(&self, ray: &Ray, near: &Near, t: f64, triangle: u32) -> f64 {
+        triangle::t_across(self.corners(triangle), ray).unwrap_or(near.moved + t)
     }
 
     /// The surface where a ray met a triangle, about at `position`.

@@ -21,7 +21,7 @@ mod stack;
 mod tests;
 mod triangle;
 
-pub use ray::{Ray, leaving};
+pub use ray::{Ray, leaving, short_of};
 pub use sphere::meet_ball;
 
 use super::{Scene, Shape, Tessellation};
@@ -159,7 +159,7 @@ impl Solids {
                 let near = self.frame.near(ray)?;
                 let aim = Aim::of(ray.direction);
                 let stack = &mut Stack::new();
-                self.meet_finite(object as u32, &near, &aim, f64::INFINITY, stack)
+                self.meet_finite(object as u32, ray, &near, &aim, f64::INFINITY, stack)
             }
         }
     }
@@ -186,7 +186,7 @@ impl Solids {
             self.hierarchy
                 .walk(&unit, unit.reach(distance), stack, |leaf, _, stack| {
                     let object = self.finite[leaf];
-                    distance = meet(self.meet_finite(object, &near, &aim, distance, stack));
+                    distance = meet(self.meet_finite(object, ray, &near, &aim, distance, stack));
                     unit.reach(distance)
                 });
         }
@@ -211,7 +211,7 @@ impl Solids {
         let near = self.frame.near(ray)?;
         let (t, triangle) = faces.meet_in_turn(&near.ray)?;
         Some(Hit {
-            t: near.moved + t,
+            t: faces.t_along(ray, &near, t, triangle),
             object: object as u32,
             triangle,
         })
@@ -238,10 +238,11 @@ impl Solids {
                 is_blocked = casts_shadow(object)
                     && match &self.solids[object as usize] {
                         Solid::Faces { faces, .. } => {
-                            let is_before = |t| near.moved + t < distance;
+                            let is_before =
+                                |t, triangle| faces.t_along(ray, &near, t, triangle) < distance;
                             faces.blocks(&near.ray, &aim, near.reach(distance), stack, is_before)
                         }
-                        _ => is_before(self.meet_finite(object, &near, &aim, distance, stack)),
+                        _ => is_before(self.meet_finite(object, ray, &near, &aim, distance, stack)),
                     };
                 if is_blocked { -1.0 } else { reach }
             });
@@ -301,20 +302,25 @@ impl Solids {
     fn meet_finite(
         &self,
         object: u32,
+        ray: &Ray,
         near: &Near,
         aim: &Aim,
         distance: f64,
         stack: &mut Stack,
     ) -> Option<Hit> {
         let (t, triangle) = match &self.solids[object as usize] {
-            Solid::Sphere { center, radius } => (meet_ball(*center, *radius, &near.ray)?, 0),
+            Solid::Sphere { center, radius } => {
+                let t = meet_ball(*center, *radius, &near.ray)?;
+                (near.moved + t, 0)
+            }
             Solid::Plane(_) => return None,
             Solid::Faces { faces, .. } => {
-                faces.meet(&near.ray, aim, near.reach(distance), stack)?
+                let (t, triangle) = faces.meet(&near.ray, aim, near.reach(distance), stack)?;
+                (faces.t_along(ray, near, t, triangle), triangle)
             }
         };
         Some(Hit {
-            t: near.moved + t,
+            t,
             object,
             triangle,
         })

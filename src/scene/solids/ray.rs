@@ -1,6 +1,7 @@
 //! Rays, and how one leaves a surface without meeting it again.
 
 use super::Surface;
+use super::error::gamma;
 use glam::DVec3;
 
 /// A half line. Points on it are `origin + t·direction`, t > 0.
@@ -45,4 +46,13 @@ pub fn leaving(surface: &Surface, direction: DVec3) -> Ray {
         ),
         direction,
     }
+}
+
+/// How far a ray that left `surface` runs before it is at a point `distance` away, as far as rounding lets one tell: what it
+/// meets farther on does not lie between. Infinite where `distance` is.
+pub fn short_of(ray: &Ray, surface: &Surface, distance: f64) -> f64 {
+    // What stands at the point is met off by as much as the origin was moved, times 1/cos of the angle from its normal: up to 89°.
+    const STEEPEST: f64 = 64.0;
+    let moved = ray.origin.distance(surface.position);
+    distance * (1.0 - STEEPEST * gamma(4)) - STEEPEST * moved
 }

@@ -13,7 +13,7 @@ use glam::DVec3;
 /// A ray, and the shear that turns it along the last axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shear<'a> {
-    origin: DVec3,
+    ray: &'a Ray,
     aim: &'a Aim,
 }
 
@@ -65,11 +65,8 @@ fn error_of_t(sheared: [[f64; 2]; 3], z: [f64; 3], determinant: f64) -> f64 {
 
 impl<'a> Shear<'a> {
     /// `aim` is that of the ray.
-    pub fn new(ray: &Ray, aim: &'a Aim) -> Self {
-        Shear {
-            origin: ray.origin,
-            aim,
-        }
+    pub fn new(ray: &'a Ray, aim: &'a Aim) -> Self {
+        Shear { ray, aim }
     }
 
     /// Where the ray meets a triangle, on either side, its edges and corners included. None where it runs along the triangle's
@@ -82,7 +79,7 @@ impl<'a> Shear<'a> {
             length,
             ..
         } = self.aim;
-        let [a, b, c] = corners.map(|corner| turned(corner - self.origin, axes[2]));
+        let [a, b, c] = corners.map(|corner| turned(corner - self.ray.origin, axes[2]));
         let sheared = |[x, y, z]: [f64; 3]| [x - slopes[0] * z, y - slopes[1] * z];
         let ([ax, ay], [bx, by], [cx, cy]) = (sheared(a), sheared(b), sheared(c));
         let u = area(cx, by, cy, bx);
@@ -100,8 +97,19 @@ impl<'a> Shear<'a> {
         // Only a triangle that reaches back to the origin can be met there by an error.
         let is_ahead =
             nearest > 0.0 || t > error_of_t([[ax, ay], [bx, by], [cx, cy]], z, determinant);
-        (is_ahead && t > 0.0 && t.is_finite()).then_some(Meeting { t, weights: [v, w] })
+        (is_ahead && t > 0.0 && t.is_finite()).then(|| Meeting {
+            t: t_across(corners, self.ray).unwrap_or(t),
+            weights: [v, w],
+        })
     }
+}
+
+/// The t of a ray that meets a triangle whose plane stands across a coordinate axis. It is the same, to the bit, for all triangles and
+/// planes there, which an area would round differently for each. None for triangles aslant.
+pub(super) fn t_across([a, b, c]: [DVec3; 3], ray: &Ray) -> Option<f64> {
+    let axis = (0..3).find(|&axis| a[axis] == b[axis] && a[axis] == c[axis])?;
+    let t = (a[axis] - ray.origin[axis]) / ray.direction[axis];
+    (t > 0.0 && t.is_finite()).then_some(t)
 }
 
 /// The surface at the weights of a meeting. `normal` is that of the face where it is known better than from this triangle.
