@@ -218,7 +218,7 @@ pub enum Event {
         object: u32,
         triangle: u32,
         t: f64,
-        /// Of the light.
+        /// From which on nothing lies between: that of the light, less what rounding may do.
         distance: f64,
         blocks: bool,
     },
