@@ -23,7 +23,7 @@ fn main() {
     for builtin in builtins() {
         let lesson = builtin.read().expect("a right lesson");
         let settings = lesson.settings;
-        let camera = lesson.scene.camera.clone().expect("a camera");
+        let camera = lesson.scene.camera.expect("a camera");
         let view = View::new(&camera, 640, 480);
         let stage = Stage::new(lesson.scene, view).with_settings(settings);
         let (mut coarse, mut whole) = (Vec::new(), Vec::new());
