@@ -10,12 +10,14 @@
 //! | [`gouraud`] | intensity interpolated from the vertices | Gouraud 1971 |
 //! | [`primary`], [`visible`], [`surface`] | a ray a pixel, the nearest object that it meets, the point that is lit | Appel 1968 |
 //! | [`ray_casting`] | the visible surface, lit | Appel 1968, Roth 1982 |
+//! | [`form_factor`] | the share of light that one patch sends to another, a file a method | Cohen & Greenberg 1985, Baum et al. 1989 |
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays that tells them | Whitted 1980 |
 //!
 //! [`stage`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
 
 pub mod flat;
 pub mod focus;
+pub mod form_factor;
 pub mod frame;
 pub mod gouraud;
 pub mod illumination;

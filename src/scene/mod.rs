@@ -10,6 +10,7 @@ mod mesh_path;
 mod needs;
 mod obj;
 mod obj_lines;
+pub mod patches;
 pub mod solids;
 mod tessellation;
 mod validate;

@@ -79,9 +79,11 @@ impl Tessellation {
 }
 
 /// Faces are counter-clockwise seen from outside, or from a polygon's front.
-fn mesh_of(shape: &Shape) -> Mesh {
+pub(super) fn mesh_of(shape: &Shape) -> Mesh {
     match shape {
-        Shape::Sphere { center, radius } => sphere(*center, *radius),
+        Shape::Sphere { center, radius } => {
+            sphere(*center, *radius, [SPHERE_LONGITUDES, SPHERE_LATITUDES])
+        }
         Shape::Plane { .. } => Mesh::default(),
         Shape::Polygon { vertices } => {
             let face: Vec<u32> = (0..vertices.len() as u32).collect();
@@ -99,9 +101,8 @@ fn mesh_of(shape: &Shape) -> Mesh {
     }
 }
 
-/// The poles on the y axis; longitudes from z toward x, latitudes from the north pole (+y) down.
-fn sphere(center: DVec3, radius: f64) -> Mesh {
-    let (longitudes, latitudes) = (SPHERE_LONGITUDES, SPHERE_LATITUDES);
+/// The poles on the y axis; longitudes from z toward x, latitudes from the north pole (+y) down. Faces latitude by latitude.
+pub(super) fn sphere(center: DVec3, radius: f64, [longitudes, latitudes]: [u32; 2]) -> Mesh {
     let mut positions = Vec::new();
     for i in 0..=latitudes {
         let (sin_theta, cos_theta) = match i {
@@ -288,7 +289,7 @@ mod tests {
     #[test]
     fn a_sphere_is_closed_and_faces_outward() {
         let center = DVec3::new(-1.3, 0.8, 0.5);
-        let mesh = sphere(center, 0.8);
+        let mesh = sphere(center, 0.8, [SPHERE_LONGITUDES, SPHERE_LATITUDES]);
         assert_eq!(mesh.face_count(), 512);
         // 15 rings of 32 and the two poles.
         assert_eq!(mesh.vertex_count(), 482);

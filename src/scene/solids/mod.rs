@@ -13,7 +13,7 @@ mod frame;
 mod hierarchy;
 mod packet;
 mod plane;
-mod polygon;
+pub(super) mod polygon;
 mod ray;
 mod sphere;
 mod stack;

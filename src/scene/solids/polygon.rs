@@ -8,7 +8,7 @@ use glam::DVec3;
 pub(super) const PLANAR: f64 = 1e-10;
 
 /// The corners of a polygon, and the plane through them.
-pub(super) struct Polygon {
+pub(in crate::scene) struct Polygon {
     corners: Vec<DVec3>,
     /// Unit, of the mean plane (Newell); zero where there is no area.
     pub normal: DVec3,
@@ -53,15 +53,19 @@ impl Polygon {
                 vec![[1, 2, 3], [1, 3, 0]]
             }
             4 => fan(),
-            count => {
-                let is_convex = || (0..count).all(|corner| !self.is_reflex(corner));
-                if self.normal == DVec3::ZERO || is_convex() {
+            _ => {
+                if self.normal == DVec3::ZERO || self.is_convex() {
                     fan()
                 } else {
                     self.ears()
                 }
             }
         }
+    }
+
+    /// Whether the polygon turns one way at all corners.
+    pub fn is_convex(&self) -> bool {
+        (0..self.corners.len()).all(|corner| !self.is_reflex(corner))
     }
 
     /// Whether the polygon turns the other way at a corner.

@@ -1,0 +1,105 @@
+//! From a differential element to a polygon, exactly, and its mean over a patch.
+//!
+//! F(dA, polygon) = 1/2π Σ_k N·Γ_k over the polygon's edges, Γ_k as long as the angle that the edge spans seen from dA, and normal to
+//! the plane through dA and the edge (Lambert 1760; Baum, Rushmeier & Winget 1989, "Improving radiosity solutions through the use of
+//! analytically determined form-factors", equation 8). The mean over the patch is taken at Gauss points.
+
+use super::Event;
+use super::polygon::Polygon;
+use crate::record::{Listing, Recorder};
+use glam::DVec3;
+use std::f64::consts::TAU;
+
+pub static PSEUDOCODE: Listing = Listing {
+    name: "element_to_polygon",
+    lines: &[
+        "element_to_polygon(i, j)",
+        "  for each Gauss point x of i, with weight w",
+        "    for each edge R_k, R_k+1 of j seen from x",
+        "      Γ_k ← angle between R_k and R_k+1, along R_k × R_k+1",
+        "      F_x ← F_x + N_i·Γ_k / 2π",
+        "    A_i F_ij ← A_i F_ij + w F_x",
+    ],
+};
+
+/// A_i F_ij, at n × n Gauss points of `i`. Each lies in front of the other.
+pub fn exchange<R: Recorder<Event>>(i: &Polygon, j: &Polygon, n: usize, recorder: &mut R) -> f64 {
+    let mut sum = 0.0;
+    i.points(n, |x, weight| {
+        recorder.enter(|| Event::Element { x, weight });
+        let f = from_element(x, i.normal, j, recorder);
+        sum += weight * f;
+        recorder.leave(|| Event::ElementSeen { f, sum });
+    });
+    sum
+}
+
+/// F from an element at `x` with the unit normal `n` to a polygon wholly above its horizon.
+#[inline]
+fn from_element<R: Recorder<Event>>(x: DVec3, n: DVec3, j: &Polygon, recorder: &mut R) -> f64 {
+    let mut sum = 0.0;
+    let corners = &*j.corners;
+    let mut before = corners[corners.len() - 1];
+    for (&corner, number) in corners.iter().zip(0..) {
+        let (from, edge) = (before - x, corner - before);
+        // R_k × R_k+1 = R_k × (R_k+1 − R_k), where less is lost of a short edge.
+        let normal = edge.cross(from);
+        let sine = normal.length();
+        let angle = sine.atan2(from.dot(corner - x));
+        // An edge that points at x, or through it, spans no area.
+        let term = if sine > 0.0 {
+            n.dot(normal) * (angle / sine) / TAU
+        } else {
+            0.0
+        };
+        sum += term;
+        recorder.step(|| Event::Edge {
+            edge: number,
+            corner: before,
+            angle,
+            term,
+            sum,
+        });
+        before = corner;
+    }
+    sum.max(0.0)
+}
+
+/// A_i F_ij to about `tolerance`, however near the two are: the parts of `i` where the sums at three and at four Gauss points differ
+/// are halved across their longest edge.
+pub fn adaptive_exchange<R: Recorder<Event>>(
+    i: &Polygon,
+    j: &Polygon,
+    tolerance: f64,
+    recorder: &mut R,
+) -> f64 {
+    const DEEPEST: u32 = 60;
+    let first = i.corners[0];
+    let mut parts: Vec<([DVec3; 3], u32)> = i.corners[1..]
+        .windows(2)
+        .map(|pair| ([first, pair[0], pair[1]], 0))
+        .collect();
+    // Every part is held to a share of what is known of the sum so far, and all are positive.
+    let mut whole = exchange(i, j, 3, recorder);
+    let mut sum = 0.0;
+    while let Some((corners, depth)) = parts.pop() {
+        let Some(part) = Polygon::new(corners.as_slice().into(), i.normal) else {
+            continue;
+        };
+        let coarse = exchange(&part, j, 3, recorder);
+        let fine = exchange(&part, j, 4, recorder);
+        let share = (part.area / i.area).sqrt();
+        if (fine - coarse).abs() <= 0.1 * tolerance * whole * share || depth == DEEPEST {
+            sum += fine;
+            whole = whole.max(sum);
+            continue;
+        }
+        let length = |k: usize| corners[k].distance_squared(corners[(k + 1) % 3]);
+        let longest = (0..3).fold(0, |best, k| if length(k) > length(best) { k } else { best });
+        let [a, b, c] = [0, 1, 2].map(|k| corners[(longest + k) % 3]);
+        let middle = 0.5 * (a + b);
+        parts.push(([middle, b, c], depth + 1));
+        parts.push(([a, middle, c], depth + 1));
+    }
+    sum
+}

@@ -1,0 +1,307 @@
+//! Form factors: F_ij is the share of the light that leaves patch i and arrives at patch j. A file a method.
+//!
+//! | file | method | source |
+//! | --- | --- | --- |
+//! | [`area_to_area`] | the double area integral at Gauss points | Goral et al. 1984 |
+//! | [`element_to_polygon`] | exact from an element, Gauss points over i | Lambert 1760, Baum et al. 1989 |
+//! | [`contour`] | the double contour integral | Sparrow 1963 |
+//! | [`monte_carlo`] | rays of a cosine distribution | Malley 1988 |
+//! | [`hemicube`] | a half cube of pixels | Cohen & Greenberg 1985 |
+//! | [`auto`], [`far`] | the cheapest of the first three that is exact enough | |
+//!
+//! The first three and their choice compute the exchange A_i F_ij = A_j F_ji (reciprocity), once a pair, between those parts of the patches
+//! that lie in front of each other. [`visibility`] says how much of it passes what stands between.
+
+pub mod area_to_area;
+pub mod auto;
+pub mod contour;
+pub mod element_to_polygon;
+mod event;
+pub mod far;
+pub mod gauss;
+pub mod hemicube;
+pub mod monte_carlo;
+pub mod polygon;
+pub mod report;
+pub mod sample;
+pub mod sobol;
+pub mod visibility;
+
+pub use event::{Event, PSEUDOCODE};
+pub use report::Report;
+pub use visibility::Blockers;
+
+use crate::record::{Recorder, Unrecorded};
+use crate::scene::patches::Patches;
+use far::Far;
+use hemicube::Hemicubes;
+use polygon::Polygon;
+use std::ops::Range;
+
+/// How a form factor is found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Method {
+    /// To a relative error of `tolerance`.
+    Auto {
+        tolerance: f64,
+    },
+    /// At `points`² Gauss points a patch.
+    AreaToArea {
+        points: usize,
+    },
+    /// At `points`² Gauss points of the smaller patch.
+    ElementToPolygon {
+        points: usize,
+    },
+    /// With an error of `tolerance`, a share of the smaller area.
+    Contour {
+        tolerance: f64,
+    },
+    MonteCarlo {
+        rays: u32,
+        seed: u64,
+    },
+    Hemicube(Hemicubes),
+}
+
+impl Method {
+    /// The names of the methods.
+    pub const NAMES: [&'static str; 6] = [
+        "auto",
+        "area-to-area",
+        "element-to-polygon",
+        "contour",
+        "monte-carlo",
+        "hemicube",
+    ];
+
+    /// The method of a name, as it is used where nothing more is said.
+    pub fn named(name: &str) -> Option<Method> {
+        Some(match name {
+            "auto" => Method::Auto { tolerance: 1e-6 },
+            "area-to-area" => Method::AreaToArea { points: 4 },
+            "element-to-polygon" => Method::ElementToPolygon { points: 4 },
+            "contour" => Method::Contour { tolerance: 1e-9 },
+            "monte-carlo" => Method::MonteCarlo {
+                rays: 1 << 12,
+                seed: 0,
+            },
+            "hemicube" => Method::Hemicube(Hemicubes {
+                resolution: 256,
+                points: 1,
+            }),
+            _ => return None,
+        })
+    }
+
+    pub fn name(&self) -> &'static str {
+        Method::NAMES[match self {
+            Method::Auto { .. } => 0,
+            Method::AreaToArea { .. } => 1,
+            Method::ElementToPolygon { .. } => 2,
+            Method::Contour { .. } => 3,
+            Method::MonteCarlo { .. } => 4,
+            Method::Hemicube(_) => 5,
+        }]
+    }
+
+    /// Whether F_ij and F_ji come from one computation.
+    pub fn is_reciprocal(&self) -> bool {
+        !matches!(self, Method::MonteCarlo { .. } | Method::Hemicube(_))
+    }
+}
+
+/// The form factors of a scene, one at a time, by the row, or by the block of rows.
+#[derive(Clone, Debug)]
+pub struct FormFactors<'a> {
+    patches: &'a Patches,
+    method: Method,
+    /// None: nothing stands between patches, whatever the scene.
+    blockers: Option<&'a Blockers>,
+    far: Far,
+}
+
+impl<'a> FormFactors<'a> {
+    pub fn new(patches: &'a Patches, method: Method, blockers: Option<&'a Blockers>) -> Self {
+        FormFactors {
+            patches,
+            method,
+            blockers,
+            far: Far::of(patches),
+        }
+    }
+
+    /// F_ij.
+    pub fn pair<R: Recorder<Event>>(&self, i: usize, j: usize, recorder: &mut R) -> f64 {
+        let method = self.method.name();
+        recorder.enter(|| Event::FormFactor {
+            i: i as u32,
+            j: j as u32,
+            method,
+        });
+        let area = self.patches[i].area;
+        let f = match self.method {
+            _ if i == j && self.patches.pieces(i).len() == 1 => 0.0,
+            Method::MonteCarlo { rays, seed } => {
+                monte_carlo::form_factor(self.patches, [i, j], rays, seed, self.blockers, recorder)
+            }
+            Method::Hemicube(hemicubes) => {
+                hemicubes.form_factor(self.patches, [i, j], |k| self.blocks(k), recorder)
+            }
+            _ => {
+                let exchange = self.unblocked(i, j, recorder);
+                let share = match self.blockers {
+                    Some(blockers) if exchange > 0.0 => {
+                        blockers.share(self.patches, i, j, recorder)
+                    }
+                    _ => 1.0,
+                };
+                exchange * share / area
+            }
+        };
+        recorder.leave(|| Event::FormFactorFound {
+            exchange: area * f,
+            f,
+        });
+        f
+    }
+
+    /// F_ij for every j. `row` has one entry a patch.
+    pub fn row(&self, i: usize, row: &mut [f64]) {
+        match self.method {
+            Method::Hemicube(hemicubes) => {
+                hemicubes.row(self.patches, i, |k| self.blocks(k), row);
+            }
+            Method::MonteCarlo { .. } => {
+                for (j, f) in row.iter_mut().enumerate() {
+                    *f = self.pair(i, j, &mut Unrecorded);
+                }
+            }
+            _ => {
+                self.exchanges(i, 0, row);
+                let area = self.patches[i].area;
+                row.iter_mut().for_each(|f| *f /= area);
+            }
+        }
+    }
+
+    /// Rows of the matrix, row-major in `block`. Of reciprocal methods only F_ij with j ≥ i: [`Self::complete`] makes the rest of it.
+    pub fn block(&self, rows: Range<usize>, block: &mut [f64]) {
+        let n = self.patches.len();
+        for (i, row) in rows.zip(block.chunks_mut(n.max(1))) {
+            if self.method.is_reciprocal() {
+                self.exchanges(i, i, &mut row[i..]);
+                let area = self.patches[i].area;
+                row[i..].iter_mut().for_each(|f| *f /= area);
+            } else {
+                self.row(i, row);
+            }
+        }
+    }
+
+    /// F_ji = F_ij A_i / A_j below the diagonal of a whole matrix whose blocks are there.
+    pub fn complete(&self, matrix: &mut [f64]) {
+        let n = self.patches.len();
+        if !self.method.is_reciprocal() {
+            return;
+        }
+        // In tiles that fit the cache, since one side of the copy runs down the columns.
+        const TILE: usize = 32;
+        for top in (0..n).step_by(TILE) {
+            for left in (0..=top).step_by(TILE) {
+                for j in top..n.min(top + TILE) {
+                    for i in left..j.min(left + TILE) {
+                        let share = self.patches[i].area / self.patches[j].area;
+                        matrix[j * n + i] = matrix[i * n + j] * share;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The whole matrix, row-major.
+    pub fn matrix(&self) -> Vec<f64> {
+        let n = self.patches.len();
+        let mut matrix = vec![0.0; n * n];
+        self.block(0..n, &mut matrix);
+        self.complete(&mut matrix);
+        matrix
+    }
+
+    /// A_i F_ij for j from `first` on.
+    fn exchanges(&self, i: usize, first: usize, row: &mut [f64]) {
+        let end = first + row.len();
+        match self.method {
+            Method::Auto { tolerance } => self.far.row(i, first..end, tolerance, row),
+            _ => row.fill(f64::NAN),
+        }
+        for (j, exchange) in (first..end).zip(row) {
+            if exchange.is_nan() {
+                *exchange = self.unblocked(i, j, &mut Unrecorded);
+            }
+            if let Some(blockers) = self.blockers
+                && *exchange > 0.0
+            {
+                *exchange *= blockers.share(self.patches, i, j, &mut Unrecorded);
+            }
+        }
+    }
+
+    /// A_i F_ij where nothing stands between.
+    fn unblocked<R: Recorder<Event>>(&self, i: usize, j: usize, recorder: &mut R) -> f64 {
+        let polygons = |patch: usize| {
+            let pieces = self.patches.pieces(patch);
+            pieces.filter_map(|piece| Polygon::new(piece.corners.into(), piece.normal))
+        };
+        let mut sum = 0.0;
+        for piece_i in polygons(i) {
+            for piece_j in polygons(j) {
+                let Some([a, b]) = facing(piece_i.clone(), piece_j) else {
+                    recorder.step(|| Event::FacesAway);
+                    continue;
+                };
+                recorder.step(|| Event::Pieces {
+                    corners: [a.corners.len() as u32, b.corners.len() as u32],
+                    areas: [a.area, b.area],
+                });
+                sum += self.exchange(&a, &b, recorder);
+            }
+        }
+        sum
+    }
+
+    fn exchange<R: Recorder<Event>>(&self, a: &Polygon, b: &Polygon, recorder: &mut R) -> f64 {
+        let (small, large) = if a.area <= b.area { (a, b) } else { (b, a) };
+        match self.method {
+            Method::AreaToArea { points } => {
+                area_to_area::exchange(a, b, [points, points], recorder)
+            }
+            Method::ElementToPolygon { points } => {
+                element_to_polygon::exchange(small, large, points, recorder)
+            }
+            Method::Contour { tolerance } => {
+                contour::exchange(a, b, tolerance * small.area, recorder)
+            }
+            Method::Auto { tolerance } => auto::exchange(a, b, tolerance, recorder),
+            Method::MonteCarlo { .. } | Method::Hemicube(_) => 0.0,
+        }
+    }
+
+    fn blocks(&self, patch: usize) -> bool {
+        self.blockers
+            .is_some_and(|blockers| blockers.includes(self.patches[patch].object))
+    }
+}
+
+/// The parts of two polygons that lie in front of each other. None where nothing passes between them.
+pub fn facing<'a>(i: Polygon<'a>, j: Polygon<'a>) -> Option<[Polygon<'a>; 2]> {
+    let reach = |polygon: &Polygon| polygon.center.abs().max_element() + polygon.radius;
+    // As far as rounding may have moved a corner off a plane.
+    let slack = 16.0 * f64::EPSILON * reach(&i).max(reach(&j));
+    let front_of_i = j.clone().in_front_of(&i, slack)?;
+    let front_of_j = i.in_front_of(&j, slack)?;
+    Some([front_of_j, front_of_i])
+}
+
+#[cfg(test)]
+mod tests;
