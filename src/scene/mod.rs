@@ -10,6 +10,7 @@ mod mesh_path;
 mod needs;
 mod obj;
 mod obj_lines;
+pub mod patch_solids;
 pub mod patches;
 pub mod solids;
 mod tessellation;

@@ -10,8 +10,9 @@ use super::sample::{self, Sample};
 use super::sobol::Sobol;
 use crate::record::{Listing, Recorder};
 use crate::scene::patches::Patches;
-use crate::scene::solids::{Ray, Solids};
-use crate::scene::{Mesh, Scene, Shape, Tessellation};
+use crate::scene::Scene;
+use crate::scene::patch_solids::PatchSolids;
+use crate::scene::solids::Ray;
 use glam::DVec3;
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -38,7 +39,7 @@ const SLACK: f64 = 1e-9;
 /// The patches of a scene as they stand in each other's way. Objects that cast no shadow do not.
 #[derive(Clone, Debug)]
 pub struct Blockers {
-    solids: Solids,
+    solids: PatchSolids,
     casts_shadow: Vec<bool>,
     groups: Vec<Group>,
     /// By patch, a bit a group: no corner behind its plane, and none in front.
@@ -67,8 +68,7 @@ impl Group {
 
 impl Blockers {
     pub fn of(scene: &Scene, patches: &Patches) -> Blockers {
-        let facets = facets(scene, patches);
-        let solids = Solids::of(&facets, &Tessellation::of(&facets));
+        let solids = PatchSolids::of(scene, patches);
         let extent = (0..patches.len())
             .flat_map(|patch| corners(patches, patch))
             .fold(0.0, |extent, corner| corner.abs().max_element().max(extent));
@@ -237,25 +237,6 @@ fn corners(patches: &Patches, patch: usize) -> impl Iterator<Item = DVec3> + Clo
     patches
         .pieces(patch)
         .flat_map(|piece| piece.corners.iter().copied())
-}
-
-/// The scene as it is divided: every object a mesh of its patches' pieces.
-fn facets(scene: &Scene, patches: &Patches) -> Scene {
-    let mut scene = scene.clone();
-    let mut meshes: Vec<(Vec<DVec3>, Vec<Vec<u32>>)> =
-        vec![Default::default(); scene.objects.len()];
-    for (number, patch) in patches.iter().enumerate() {
-        let (positions, faces) = &mut meshes[patch.object as usize];
-        for piece in patches.pieces(number) {
-            let first = positions.len() as u32;
-            positions.extend(piece.corners);
-            faces.push((first..positions.len() as u32).collect());
-        }
-    }
-    for (object, (positions, faces)) in scene.objects.iter_mut().zip(meshes) {
-        object.shape = Shape::Mesh(Mesh::new(&positions, faces, &[]));
-    }
-    scene
 }
 
 fn groups(scene: &Scene, patches: &Patches, slack: f64) -> Vec<Group> {
