@@ -25,6 +25,7 @@ pub mod primary;
 pub mod ray_casting;
 pub mod ray_tracing;
 pub mod ray_tree;
+pub mod room;
 pub mod scan_line;
 pub mod stage;
 pub mod surface;

@@ -4,6 +4,7 @@
 
 mod check;
 mod files;
+mod form_factors;
 mod frames;
 mod interrupt;
 mod list;
@@ -38,6 +39,8 @@ enum Command {
     Check(check::Arguments),
     /// Renders a scene to an image file
     Render(render::Arguments),
+    /// Finds the form factors of a scene's patches
+    FormFactors(form_factors::Arguments),
     /// Says what a scene needs of ray tracing, what is left out, and why
     Needs(needs::Arguments),
     /// Prints every step of a lesson, or of a scene, as JSON lines
@@ -150,6 +153,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::List(arguments) => list::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::Render(arguments) => render::run(arguments),
+        Command::FormFactors(arguments) => form_factors::run(arguments),
         Command::Needs(arguments) => needs::run(arguments),
         Command::Steps(arguments) => steps::run(arguments),
         Command::Frames(arguments) => frames::run(arguments),

@@ -2,6 +2,7 @@
 
 mod bands;
 mod crew;
+mod matrix;
 mod painter;
 mod pixels;
 mod tally;
@@ -21,6 +22,7 @@ use std::convert::Infallible;
 use std::num::NonZeroUsize;
 use tally::Totals;
 
+pub use matrix::matrix;
 pub use painter::Painter;
 pub use tally::RayCounts;
 

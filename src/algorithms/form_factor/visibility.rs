@@ -9,9 +9,9 @@ use super::area_to_area::{cosines, kernel};
 use super::sample::{self, Sample};
 use super::sobol::Sobol;
 use crate::record::{Listing, Recorder};
-use crate::scene::patches::Patches;
 use crate::scene::Scene;
 use crate::scene::patch_solids::PatchSolids;
+use crate::scene::patches::Patches;
 use crate::scene::solids::Ray;
 use glam::DVec3;
 

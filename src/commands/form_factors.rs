@@ -1,0 +1,133 @@
+//! `lightwalk form-factors`: the matrix of a scene's form factors.
+
+use super::progress::{Progress, named};
+use super::{Failure, LimitArguments, files};
+use crate::algorithms::form_factor::Method;
+use crate::algorithms::room::{Exchange, Room};
+use crate::render;
+use crate::scene::Scene;
+use crate::scene::patches::Patches;
+use clap::builder::PossibleValuesParser;
+use serde_json::{Value as Json, json};
+use std::convert::Infallible;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+use std::thread::available_parallelism;
+use web_time::Instant;
+
+/// The most memory that a matrix takes unless told otherwise, in MiB.
+const MAX_MEMORY: u64 = 8192;
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A scene file
+    scene: PathBuf,
+    /// How a form factor is found
+    #[arg(long, value_name = "METHOD", default_value = "auto", value_parser = PossibleValuesParser::new(Method::NAMES))]
+    method: String,
+    #[command(flatten)]
+    visibility: VisibilityArgument,
+    #[command(flatten)]
+    memory: MemoryArgument,
+    #[arg(long, value_name = "FILE.json")]
+    out: PathBuf,
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+#[derive(clap::Args, Clone)]
+pub struct VisibilityArgument {
+    /// Whether what stands between two patches counts
+    #[arg(long, value_name = "none,auto", default_value = "auto", value_parser = PossibleValuesParser::new(["auto", "none"]))]
+    visibility: String,
+}
+
+#[derive(clap::Args, Clone, Copy)]
+pub struct MemoryArgument {
+    /// The most memory that the matrix of form factors may take, in MiB
+    #[arg(long, value_name = "MIB", default_value_t = MAX_MEMORY)]
+    pub max_memory: u64,
+}
+
+impl MemoryArgument {
+    /// What is wrong with a matrix for this room, if it is too large. Nothing has been allocated then.
+    pub fn refusal(self, room: &Room) -> Option<String> {
+        let needed = room.matrix_bytes().div_ceil(1 << 20);
+        (needed > self.max_memory).then(|| {
+            format!(
+                "the form factors of {} patches take {needed} MiB; at most {} are allowed (--max-memory)",
+                room.patches.len(),
+                self.max_memory
+            )
+        })
+    }
+}
+
+/// How form factors are to be found, by the name of a method that clap has checked.
+pub fn exchange(method: &str, visibility: &VisibilityArgument) -> Result<Exchange, Failure> {
+    let method = Method::named(method)
+        .ok_or_else(|| Failure::Wrong(format!("{method}: there is no such method")))?;
+    Ok(Exchange {
+        method,
+        visibility: visibility.visibility == "auto",
+    })
+}
+
+/// A scene's patches, or what is wrong with them.
+pub fn room(
+    scene: &Scene,
+    path: &Path,
+    exchange: Exchange,
+    limits: LimitArguments,
+) -> Result<Room, Failure> {
+    named("dividing the scene into patches", || {
+        Room::of(scene, exchange, limits.max_patches)
+    })
+    .map_err(|error| files::wrong(&path.display(), &error))
+}
+
+/// The matrix of a room, with progress.
+pub fn matrix(room: &Room) -> &[f64] {
+    let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
+    let progress = Progress::new("form factors");
+    let show = |done, all| {
+        progress.show(done, all);
+        Ok::<(), Infallible>(())
+    };
+    let Ok(matrix) = render::matrix(room, threads, &show);
+    matrix
+}
+
+pub fn run(arguments: Arguments) -> Result<(), Failure> {
+    files::check_output(&arguments.out)?;
+    let exchange = exchange(&arguments.method, &arguments.visibility)?;
+    let (scene, _) = files::scene(&arguments.scene, &arguments.limits.into())?;
+    let room = room(&scene, &arguments.scene, exchange, arguments.limits)?;
+    if let Some(refusal) = arguments.memory.refusal(&room) {
+        return Err(files::wrong(&arguments.scene.display(), &refusal));
+    }
+    let start = Instant::now();
+    let matrix = matrix(&room);
+    let seconds = start.elapsed().as_secs_f64();
+    files::write_whole(&arguments.out, |out| {
+        let patches = serde_json::to_string(&patches(&scene, &room.patches))?;
+        write!(out, "{{\"patches\":{patches},\"matrix\":[")?;
+        let n = room.patches.len();
+        for (i, row) in matrix.chunks(n.max(1)).enumerate() {
+            out.write_all(if i == 0 { b"\n" } else { b",\n" })?;
+            serde_json::to_writer(&mut *out, row)?;
+        }
+        let method = exchange.method.name();
+        writeln!(out, "],\"method\":\"{method}\",\"seconds\":{seconds}}}")
+    })
+}
+
+/// Every patch by its object and cell, with its area.
+fn patches(scene: &Scene, patches: &Patches) -> Vec<Json> {
+    let told = patches.iter().map(|patch| {
+        let object = &scene.objects[patch.object as usize].name;
+        let [i, j] = patch.cell;
+        json!({ "object": object, "i": i, "j": j, "area": patch.area })
+    });
+    told.collect()
+}
