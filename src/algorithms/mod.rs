@@ -12,6 +12,7 @@
 //! | [`ray_casting`] | the visible surface, lit | Appel 1968, Roth 1982 |
 //! | [`form_factor`] | the share of light that one patch sends to another, a file a method | Cohen & Greenberg 1985, Baum et al. 1989 |
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays that tells them | Whitted 1980 |
+//! | [`radiosity`] | solvers of the radiosity system: gathering, shooting, Chebyshev, conjugate gradients, LU | Goral et al. 1984, Cohen et al. 1988 |
 //!
 //! [`stage`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
 
@@ -22,6 +23,7 @@ pub mod frame;
 pub mod gouraud;
 pub mod illumination;
 pub mod primary;
+pub mod radiosity;
 pub mod ray_casting;
 pub mod ray_tracing;
 pub mod ray_tree;

@@ -1,0 +1,95 @@
+//! Elimination: (I − ρF) is factorised once, P(I − ρF) = LU with partial pivoting, and solved for the residual; a second
+//! iteration, should one be needed, refines the result (Golub & Van Loan, "Matrix Computations", §3.4 and §3.5.3).
+
+use super::event::Told;
+use super::iterate::Method;
+use super::outcome::Unsolved;
+use super::system::System;
+use super::watch::Followed;
+use crate::record::{Listing, Recorder};
+use faer::linalg::solvers::{PartialPivLu, Solve};
+use faer::{Col, Mat};
+
+pub static PSEUDOCODE: Listing = Listing {
+    name: "direct",
+    lines: &[
+        "P (I − ρF) = L U;  B ← E",
+        "for k = 0, 1, … until ‖r‖ ≤ ε‖E‖, r = E − (I − ρF)B",
+        "  solve L U d = P r",
+        "  B ← B + d",
+    ],
+};
+
+pub(super) fn line(told: &Told) -> usize {
+    match told {
+        Told::Iteration { .. } | Told::IterationDone { .. } => 1,
+        Told::Converged { .. } | Told::NotConverged { .. } => 1,
+        Told::Updated { .. } => 3,
+        _ => 0,
+    }
+}
+
+pub(super) struct Direct<'a> {
+    system: System<'a>,
+    lu: Option<PartialPivLu<f64>>,
+    b: Vec<f64>,
+    r: Vec<f64>,
+}
+
+impl<'a> Direct<'a> {
+    pub fn new(system: System<'a>) -> Self {
+        let b = system.patches.emission.to_vec();
+        let mut r = vec![0.0; b.len()];
+        system.residual(&b, &mut r);
+        Direct {
+            system,
+            lu: None,
+            b,
+            r,
+        }
+    }
+}
+
+/// LU of I − ρF.
+fn factorise(system: &System) -> PartialPivLu<f64> {
+    let (n, rho) = (system.patches.len(), system.patches.rho);
+    let entry = |i: usize, j: usize| {
+        let diagonal = if i == j { 1.0 } else { 0.0 };
+        diagonal - rho[i] * system.matrix.of(i)[j]
+    };
+    Mat::from_fn(n, n, entry).partial_piv_lu()
+}
+
+impl Method for Direct<'_> {
+    fn iterate<R: Recorder<Told>>(
+        &mut self,
+        _: Followed,
+        recorder: &mut R,
+    ) -> Result<(), Unsolved> {
+        let lu = self.lu.get_or_insert_with(|| factorise(&self.system));
+        let d = lu.solve(Col::from_fn(self.r.len(), |i| self.r[i]));
+        for i in 0..self.b.len() {
+            let b_old = self.b[i];
+            self.b[i] += d[i];
+            recorder.step(|| Told::Updated {
+                i: i as u32,
+                b_old,
+                b_new: self.b[i],
+            });
+        }
+        self.system.residual(&self.b, &mut self.r);
+        Ok(())
+    }
+
+    fn radiosity(&self) -> &[f64] {
+        &self.b
+    }
+
+    fn residual(&self) -> &[f64] {
+        &self.r
+    }
+
+    fn gain(&self) -> Option<f64> {
+        Some(self.system.gain())
+    }
+}

@@ -1,0 +1,35 @@
+//! Radiosity: the light that diffuse patches exchange, B_i = E_i + ρ_i Σ_j F_ij B_j, or (I − ρF)B = E, a channel at a time
+//! (Goral, Torrance, Greenberg & Battaile 1984). Each solver is told to a recorder; told or not, the result is the same to the bit.
+//!
+//! | file | what | source |
+//! | --- | --- | --- |
+//! | [`gathering`] | Jacobi, Gauss–Seidel, over-relaxation | Jacobi 1845, Seidel 1874, Young 1954 |
+//! | [`shooting`] | shooting, and overshooting | Cohen et al. 1988, Feda & Purgathofer 1992 |
+//! | [`chebyshev`] | Chebyshev's semi-iteration | Golub & Varga 1961 |
+//! | [`conjugate_gradients`] | conjugate gradients, symmetrised | Hestenes & Stiefel 1952 |
+//! | [`direct`] | LU | Golub & Van Loan §3.4 |
+//!
+//! A small residual is not a small error: beside it stands the bound ‖B − B*‖_∞ ≤ ‖r‖_∞ / (1 − max_i ρ_i Σ_j F_ij).
+
+mod channels;
+pub mod chebyshev;
+pub mod conjugate_gradients;
+pub mod direct;
+mod event;
+pub mod gathering;
+mod iterate;
+mod lossless;
+mod outcome;
+pub mod shooting;
+mod solver;
+mod system;
+#[cfg(test)]
+mod tests;
+mod watch;
+
+pub use channels::{Channel, ChannelUnsolved, solve_channels};
+pub use event::{Event, Told};
+pub use outcome::{Solution, Stop, Unsolved};
+pub use solver::{Solver, chebyshev_on, over_relaxed, shoot, solve};
+pub use system::{Matrix, Patches, Rows, System};
+pub use watch::Watch;

@@ -1,0 +1,177 @@
+//! Shooting: the patch with the most unshot light sends it to all others, F_ji by reciprocity from its own row
+//! (progressive refinement: Cohen, Chen, Wallace & Greenberg 1988; the relaxation is Southwell's 1946).
+//! Overshooting sends, beside its unshot light, what it will come to have in the mean (Feda & Purgathofer 1992).
+//!
+//! Only the row of the patch that shoots is asked for, so no matrix need be stored: only at the end all rows, for the exact residual.
+
+use super::event::Told;
+use super::iterate::Method;
+use super::outcome::Unsolved;
+use super::system::{Patches, Rows, residual};
+use super::watch::Followed;
+use crate::record::{Listing, Recorder};
+use std::iter::zip;
+
+pub static SHOOTING: Listing = Listing {
+    name: "shooting",
+    lines: &[
+        "B ← 0;  unshot ← E",
+        "for k = 0, 1, 2, … until ‖unshot‖ ≤ ε‖E‖",
+        "  i ← the patch of largest |unshot_i| A_i",
+        "  for each patch j",
+        "    F_ji ← F_ij A_i / A_j",
+        "    unshot_j ← unshot_j + ρ_j F_ji unshot_i",
+        "  B_i ← B_i + unshot_i;  unshot_i ← what it received",
+    ],
+};
+
+pub static OVERSHOOTING: Listing = Listing {
+    name: "overshooting",
+    lines: &[
+        "B ← 0;  unshot ← E",
+        "for k = 0, 1, 2, … until ‖unshot‖ ≤ ε‖E‖",
+        "  ambient ← ⟨ρ⟩⟨unshot⟩ / (1 − ⟨ρ⟩), means by area",
+        "  i ← the patch of largest |unshot_i + ambient| A_i",
+        "  for each patch j",
+        "    F_ji ← F_ij A_i / A_j",
+        "    unshot_j ← unshot_j + ρ_j F_ji (unshot_i + ambient)",
+        "  B_i ← B_i + unshot_i + ambient;  unshot_i ← −ambient + what it received",
+    ],
+};
+
+pub(super) fn line(told: &Told) -> usize {
+    match told {
+        Told::Shooting { .. } => 2,
+        Told::Received { .. } => 5,
+        Told::ShotDone { .. } => 6,
+        Told::Iteration { .. } | Told::IterationDone { .. } => 1,
+        Told::Converged { .. } | Told::NotConverged { .. } => 1,
+        _ => 0,
+    }
+}
+
+pub(super) fn overshooting_line(told: &Told) -> usize {
+    match told {
+        Told::Ambient { .. } => 2,
+        Told::Shooting { .. } => 3,
+        Told::Received { .. } => 6,
+        Told::ShotDone { .. } => 7,
+        _ => line(told),
+    }
+}
+
+pub(super) struct Shooter<'a, F> {
+    rows: F,
+    patches: Patches<'a>,
+    overshoots: bool,
+    /// ⟨ρ⟩, and the area of all patches.
+    mean_rho: f64,
+    area: f64,
+    b: Vec<f64>,
+    unshot: Vec<f64>,
+    gain: Option<f64>,
+}
+
+impl<'a, F: Rows> Shooter<'a, F> {
+    /// `gain` is max_i ρ_i Σ_j F_ij, where it is known.
+    pub fn new(rows: F, patches: Patches<'a>, overshoots: bool, gain: Option<f64>) -> Self {
+        let area: f64 = patches.area.iter().sum();
+        let reflecting: f64 = zip(patches.area, patches.rho).map(|(a, rho)| a * rho).sum();
+        Shooter {
+            rows,
+            overshoots,
+            mean_rho: reflecting / area,
+            area,
+            b: vec![0.0; patches.len()],
+            unshot: patches.emission.to_vec(),
+            gain,
+            patches,
+        }
+    }
+
+    /// What the unshot light will come to in the mean, were the room evenly lit; 0 where nothing is lost.
+    fn ambient(&self) -> f64 {
+        let flux: f64 = zip(self.patches.area, &self.unshot)
+            .map(|(a, r)| a * r)
+            .sum();
+        if self.mean_rho < 1.0 {
+            self.mean_rho * (flux / self.area) / (1.0 - self.mean_rho)
+        } else {
+            0.0
+        }
+    }
+
+    /// The patch with the most to shoot; the first of equals.
+    fn brightest(&self, ambient: f64) -> usize {
+        let (mut brightest, mut most) = (0, -1.0);
+        for (i, (r, a)) in zip(&self.unshot, self.patches.area).enumerate() {
+            let flux = (r + ambient).abs() * a;
+            if flux > most {
+                (brightest, most) = (i, flux);
+            }
+        }
+        brightest
+    }
+}
+
+impl<F: Rows> Method for Shooter<'_, F> {
+    fn iterate<R: Recorder<Told>>(
+        &mut self,
+        followed: Followed,
+        recorder: &mut R,
+    ) -> Result<(), Unsolved> {
+        let ambient = if self.overshoots { self.ambient() } else { 0.0 };
+        if self.overshoots {
+            recorder.step(|| Told::Ambient { ambient });
+        }
+        let i = self.brightest(ambient);
+        let a_i = self.patches.area[i];
+        let shot = self.unshot[i] + ambient;
+        recorder.enter(|| Told::Shooting {
+            i: i as u32,
+            unshot: self.unshot[i],
+            shot,
+            a_i,
+        });
+        self.b[i] += shot;
+        self.unshot[i] = -ambient;
+        let Patches { area, rho, .. } = self.patches;
+        for (j, &f_ij) in self.rows.row(i).iter().enumerate() {
+            let f_ji = f_ij * a_i / area[j];
+            let delta = rho[j] * f_ji * shot;
+            self.unshot[j] += delta;
+            if followed.takes(i) || followed.takes(j) {
+                recorder.step(|| Told::Received {
+                    j: j as u32,
+                    f_ji,
+                    rho_j: rho[j],
+                    delta,
+                    b_j: self.b[j],
+                    unshot_j: self.unshot[j],
+                });
+            }
+        }
+        recorder.leave(|| Told::ShotDone {
+            i: i as u32,
+            b_i: self.b[i],
+            unshot: self.unshot[i],
+        });
+        Ok(())
+    }
+
+    fn radiosity(&self) -> &[f64] {
+        &self.b
+    }
+
+    fn residual(&self) -> &[f64] {
+        &self.unshot
+    }
+
+    fn confirm(&mut self) {
+        residual(&mut self.rows, &self.patches, &self.b, &mut self.unshot);
+    }
+
+    fn gain(&self) -> Option<f64> {
+        self.gain
+    }
+}

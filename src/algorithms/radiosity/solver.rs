@@ -1,0 +1,195 @@
+//! The solvers by name, and one channel solved by one of them.
+
+use super::chebyshev::Chebyshev;
+use super::conjugate_gradients::ConjugateGradients;
+use super::direct::Direct;
+use super::event::Event;
+use super::gathering::{Gathering, youngs_omega};
+use super::iterate::{By, run};
+use super::lossless::refuse_endless_light;
+use super::outcome::{Solution, Stop, Unsolved};
+use super::shooting::Shooter;
+use super::system::{Patches, Rows, System};
+use super::watch::Watch;
+use crate::record::Recorder;
+
+/// A way to solve the radiosity system.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Solver {
+    /// Conjugate gradients: few iterations however little light is lost. Where they fail, because the matrix given is too far from
+    /// reciprocal, elimination.
+    #[default]
+    Auto,
+    Jacobi,
+    GaussSeidel,
+    /// With Young's ω for the bound max_i ρ_i Σ_j F_ij on the spectral radius.
+    OverRelaxation,
+    Shooting,
+    Overshooting,
+    /// On [−μ, μ], μ = max_i ρ_i Σ_j F_ij.
+    Chebyshev,
+    ConjugateGradients,
+    Direct,
+}
+
+impl Solver {
+    pub const ALL: [Solver; 9] = [
+        Solver::Auto,
+        Solver::Jacobi,
+        Solver::GaussSeidel,
+        Solver::OverRelaxation,
+        Solver::Shooting,
+        Solver::Overshooting,
+        Solver::Chebyshev,
+        Solver::ConjugateGradients,
+        Solver::Direct,
+    ];
+
+    /// As on the command line and in lesson files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Solver::Auto => "auto",
+            Solver::Jacobi => "jacobi",
+            Solver::GaussSeidel => "gauss-seidel",
+            Solver::OverRelaxation => "over-relaxation",
+            Solver::Shooting => "shooting",
+            Solver::Overshooting => "overshooting",
+            Solver::Chebyshev => "chebyshev",
+            Solver::ConjugateGradients => "conjugate-gradients",
+            Solver::Direct => "direct",
+        }
+    }
+
+    pub fn from_name(name: &str) -> Option<Self> {
+        Solver::ALL.into_iter().find(|solver| solver.name() == name)
+    }
+}
+
+/// Solves one channel.
+///
+/// Errors: a system that has no solution, and whatever kept the solver from one within `stop`.
+pub fn solve<R: Recorder<Event>>(
+    system: &System,
+    solver: Solver,
+    stop: Stop,
+    watch: &Watch,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    refuse_endless_light(system)?;
+    let (system, patches, gain) = (*system, system.patches, system.gain());
+    let mut by = By { solver, recorder };
+    let by = &mut by;
+    let solution = match solver {
+        Solver::Auto => {
+            let fast = solve(
+                &system,
+                Solver::ConjugateGradients,
+                stop,
+                watch,
+                by.recorder,
+            );
+            return match fast {
+                Err(
+                    Unsolved::NotConverged { .. }
+                    | Unsolved::GainsLight
+                    | Unsolved::Diverges { .. },
+                ) => solve(&system, Solver::Direct, stop, watch, by.recorder),
+                done => done,
+            };
+        }
+        Solver::Jacobi => run(Gathering::jacobi(system), &patches, stop, watch, by),
+        Solver::GaussSeidel => run(Gathering::gauss_seidel(system), &patches, stop, watch, by),
+        Solver::OverRelaxation => {
+            let method = Gathering::over_relaxation(system, youngs_omega(gain));
+            run(method, &patches, stop, watch, by)
+        }
+        Solver::Shooting | Solver::Overshooting => {
+            let overshoots = solver == Solver::Overshooting;
+            let method = Shooter::new(system.matrix, patches, overshoots, Some(gain));
+            run(method, &patches, stop, watch, by)
+        }
+        Solver::Chebyshev => {
+            let method = Chebyshev::new(system, [-gain, gain])?;
+            run(method, &patches, stop, watch, by)
+        }
+        Solver::ConjugateGradients => {
+            run(ConjugateGradients::new(system), &patches, stop, watch, by)
+        }
+        Solver::Direct => run(Direct::new(system), &patches, stop, watch, by),
+    }?;
+    refuse_negative_light(&patches, &solution)?;
+    Ok(solution)
+}
+
+/// Over-relaxation with an ω of one's own, in (0, 2).
+pub fn over_relaxed<R: Recorder<Event>>(
+    system: &System,
+    omega: f64,
+    stop: Stop,
+    watch: &Watch,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    refuse_endless_light(system)?;
+    let solver = Solver::OverRelaxation;
+    let method = Gathering::over_relaxation(*system, omega);
+    run(
+        method,
+        &system.patches,
+        stop,
+        watch,
+        &mut By { solver, recorder },
+    )
+}
+
+/// Chebyshev's iteration on an interval of one's own, below 1, which ought to hold the spectrum of ρF.
+pub fn chebyshev_on<R: Recorder<Event>>(
+    system: &System,
+    interval: [f64; 2],
+    stop: Stop,
+    watch: &Watch,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    refuse_endless_light(system)?;
+    let solver = Solver::Chebyshev;
+    let method = Chebyshev::new(*system, interval)?;
+    run(
+        method,
+        &system.patches,
+        stop,
+        watch,
+        &mut By { solver, recorder },
+    )
+}
+
+/// Shooting, or overshooting, with no matrix stored: rows are asked for shot by shot, and all of them once at the end, for the
+/// residual. No bound on the error is known, since that takes the sums of all rows.
+pub fn shoot<F: Rows, R: Recorder<Event>>(
+    rows: F,
+    patches: &Patches,
+    overshoots: bool,
+    stop: Stop,
+    watch: &Watch,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    let solver = if overshoots {
+        Solver::Overshooting
+    } else {
+        Solver::Shooting
+    };
+    let method = Shooter::new(rows, *patches, overshoots, None);
+    run(method, patches, stop, watch, &mut By { solver, recorder })
+}
+
+/// Light that is emitted and reflected is nowhere negative (Perron & Frobenius), unless reflections gain light.
+fn refuse_negative_light(patches: &Patches, solution: &Solution) -> Result<(), Unsolved> {
+    let brightest = solution
+        .radiosity
+        .iter()
+        .fold(0.0, |most: f64, b| most.max(b.abs()));
+    let emits = patches.emission.iter().all(|&e| e >= 0.0);
+    let allowed = -1e-6 * brightest - solution.error_bound.unwrap_or(0.0);
+    if emits && solution.radiosity.iter().any(|&b| b < allowed) {
+        return Err(Unsolved::GainsLight);
+    }
+    Ok(())
+}

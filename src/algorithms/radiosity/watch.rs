@@ -1,0 +1,33 @@
+//! What of a run is recorded: some iterations, and in them the exchanges of some patch.
+
+use std::ops::Range;
+
+/// The part of a run that is looked at. By default all of it.
+///
+/// Outside the iterations watched nothing is told but the beginning and the end; on entering them the values of every patch are.
+/// With a patch, exchanges are told that concern it: what it gathers, what its own shots bring to all, what other shots bring to it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Watch {
+    /// Counted from 0; of the shooting methods, shots.
+    pub iterations: Option<Range<u32>>,
+    pub patch: Option<u32>,
+}
+
+impl Watch {
+    /// Whether iteration `k` is told.
+    pub fn takes(&self, k: u32) -> bool {
+        self.iterations
+            .as_ref()
+            .is_none_or(|iterations| iterations.contains(&k))
+    }
+}
+
+/// The patches whose exchanges are told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Followed(pub Option<u32>);
+
+impl Followed {
+    pub fn takes(self, patch: usize) -> bool {
+        self.0.is_none_or(|followed| followed as usize == patch)
+    }
+}
