@@ -9,6 +9,7 @@ mod grown;
 mod in_hand;
 pub mod moves;
 pub mod query;
+pub mod radiosity;
 pub mod rays;
 mod run;
 pub mod shading;

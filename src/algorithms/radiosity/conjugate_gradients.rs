@@ -91,15 +91,15 @@ impl Method for ConjugateGradients<'_> {
         recorder: &mut R,
     ) -> Result<(), Unsolved> {
         let rho = self.system.patches.rho;
-        for i in 0..self.p.len() {
-            if rho[i] > 0.0 {
+        for (i, &rho_i) in rho.iter().enumerate() {
+            if rho_i > 0.0 {
                 let row = self.system.matrix.of(i);
-                self.ap[i] = self.p[i] - rho[i] * gather(row, &self.p, &mut Unrecorded);
+                self.ap[i] = self.p[i] - rho_i * gather(row, &self.p, &mut Unrecorded);
             }
         }
         let curvature = weighted(&self.weight, &self.p, &self.ap);
         // Not positive definite: somewhere more light is reflected than arrives.
-        if !(curvature > 0.0) {
+        if curvature.is_nan() || curvature <= 0.0 {
             return Err(Unsolved::GainsLight);
         }
         let alpha = self.delta / curvature;

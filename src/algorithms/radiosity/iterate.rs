@@ -89,7 +89,7 @@ pub(super) fn run<R: Recorder<Told>>(
                 break Ok(());
             }
         }
-        if !(residual <= DIVERGED * first.max(1.0)) {
+        if residual.is_nan() || residual > DIVERGED * first.max(1.0) {
             break Err(Unsolved::Diverges {
                 iterations,
                 residual,

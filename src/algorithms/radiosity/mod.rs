@@ -14,6 +14,8 @@
 mod channels;
 pub mod chebyshev;
 pub mod conjugate_gradients;
+#[cfg(test)]
+pub(crate) mod cube;
 pub mod direct;
 mod event;
 pub mod gathering;

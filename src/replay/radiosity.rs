@@ -1,0 +1,242 @@
+//! The state of a radiosity solver at one step: what each patch has, what is in hand, and how the residual went.
+
+use super::Fold;
+use super::grown::Grown;
+use crate::algorithms::radiosity::{Event, Solver, Told};
+
+/// A patch so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PatchNow {
+    pub b: f64,
+    /// Its part of the residual, as told last: kept up by the shooting methods, by the others told only where watching begins.
+    pub unshot: f64,
+    /// The step that changed it last.
+    pub step: Option<u32>,
+}
+
+/// One iteration that was told to its end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IterationNow {
+    pub k: u32,
+    pub residual: f64,
+    pub error_bound: Option<f64>,
+    pub step: u32,
+}
+
+/// A solver's work on one channel.
+#[derive(Clone, Debug)]
+pub struct ChannelNow {
+    /// None where a channel was solved by itself, outside of a colour.
+    pub channel: Option<&'static str>,
+    pub solver: Solver,
+    pub patches: Grown<PatchNow>,
+    /// Relative residual and bound, by iteration told.
+    pub history: Grown<IterationNow>,
+    pub left_out: Option<(&'static str, Option<&'static str>)>,
+    /// Whether it converged, once it ended.
+    pub converged: Option<bool>,
+    pub step: usize,
+}
+
+/// What a patch does in the iteration in hand.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Focused {
+    /// The patch that gathers or shoots.
+    pub i: u32,
+    /// `Gathering`, or `Shooting`.
+    pub told: Told,
+    /// The exchange in hand: `Exchanged` or `Received`.
+    pub exchange: Option<(u32, Told)>,
+    pub step: usize,
+}
+
+/// Copies share what was not written: a checkpoint costs the chunks of patches that changed.
+#[derive(Clone, Debug, Default)]
+pub struct State {
+    pub channels: Vec<ChannelNow>,
+    pub iteration: Option<u32>,
+    pub focused: Option<Focused>,
+    /// The scalars of the iteration in hand: `Weighted`, `StepLengths` or `Ambient`.
+    pub scalars: Option<Told>,
+    /// The name of a channel that was opened, whose system is not yet.
+    opened: Option<&'static str>,
+}
+
+impl State {
+    /// The channel in hand, or the last one.
+    pub fn channel(&self) -> Option<&ChannelNow> {
+        self.channels.last()
+    }
+
+    fn begin(&mut self, channel: Option<&'static str>, solver: Solver, step: usize) {
+        self.channels.push(ChannelNow {
+            channel,
+            solver,
+            patches: Grown::default(),
+            history: Grown::default(),
+            left_out: None,
+            converged: None,
+            step,
+        });
+        self.iteration = None;
+        self.focused = None;
+        self.scalars = None;
+    }
+
+    fn change(&mut self, i: u32, step: usize, change: impl FnOnce(&mut PatchNow)) {
+        let channel = self.channels.last_mut();
+        if let Some(patch) = channel.and_then(|channel| channel.patches.get_mut(i as usize)) {
+            change(patch);
+            patch.step = Some(step as u32);
+        }
+    }
+
+    fn focus(&mut self, i: u32, told: Told, step: usize) {
+        self.focused = Some(Focused {
+            i,
+            told,
+            exchange: None,
+            step,
+        });
+    }
+
+    fn exchange(&mut self, j: u32, told: Told) {
+        if let Some(focused) = &mut self.focused {
+            focused.exchange = Some((j, told));
+        }
+    }
+
+    fn end(&mut self, converged: bool) {
+        if let Some(channel) = self.channels.last_mut() {
+            channel.converged = Some(converged);
+        }
+        (self.iteration, self.focused, self.scalars) = (None, None, None);
+    }
+}
+
+impl Fold<Event> for State {
+    fn apply(&mut self, step: usize, event: &Event) {
+        let told = event.told;
+        match told {
+            Told::Channel { channel } => self.opened = Some(channel),
+            Told::ChannelLeftOut { channel, why, like } => {
+                self.begin(Some(channel), event.solver, step);
+                if let Some(channel) = self.channels.last_mut() {
+                    channel.left_out = Some((why, like));
+                }
+            }
+            Told::ChannelDone { .. } => self.opened = None,
+            Told::System { patches, .. } => {
+                self.begin(self.opened, event.solver, step);
+                if let Some(channel) = self.channels.last_mut() {
+                    (0..patches).for_each(|_| channel.patches.push(PatchNow::default()));
+                }
+            }
+            Told::Started { i, b, unshot } => {
+                self.change(i, step, |patch| (patch.b, patch.unshot) = (b, unshot));
+            }
+            Told::Iteration { k } => {
+                self.iteration = Some(k);
+                (self.focused, self.scalars) = (None, None);
+            }
+            Told::Weighted { .. } | Told::StepLengths { .. } | Told::Ambient { .. } => {
+                self.scalars = Some(told);
+            }
+            Told::Gathering { i, .. } => self.focus(i, told, step),
+            Told::Exchanged { j, .. } => self.exchange(j, told),
+            Told::Gathered { i, b_new, .. } | Told::Updated { i, b_new, .. } => {
+                self.change(i, step, |patch| patch.b = b_new);
+            }
+            Told::Shooting {
+                i, unshot, shot, ..
+            } => {
+                self.focus(i, told, step);
+                // The shot leaves the patch at once, and what it shoots beyond its unshot light it owes.
+                self.change(i, step, |patch| {
+                    patch.b += shot;
+                    patch.unshot = unshot - shot;
+                });
+            }
+            Told::Received {
+                j, b_j, unshot_j, ..
+            } => {
+                self.exchange(j, told);
+                self.change(j, step, |patch| (patch.b, patch.unshot) = (b_j, unshot_j));
+            }
+            Told::ShotDone { i, b_i, unshot } => {
+                self.change(i, step, |patch| (patch.b, patch.unshot) = (b_i, unshot));
+            }
+            Told::IterationDone {
+                residual,
+                error_bound,
+            } => {
+                if let (Some(k), Some(channel)) = (self.iteration, self.channels.last_mut()) {
+                    channel.history.push(IterationNow {
+                        k,
+                        residual,
+                        error_bound,
+                        step: step as u32,
+                    });
+                }
+                self.focused = None;
+            }
+            Told::Converged { .. } => self.end(true),
+            Told::NotConverged { .. } => self.end(false),
+        }
+    }
+
+    fn bytes_beyond(&self, before: &Self) -> usize {
+        let empty = (Grown::default(), Grown::default());
+        let channels = self.channels.iter().enumerate().map(|(c, channel)| {
+            let (patches, history) = match before.channels.get(c) {
+                Some(before) => (&before.patches, &before.history),
+                None => (&empty.0, &empty.1),
+            };
+            size_of::<ChannelNow>()
+                + channel.patches.bytes_beyond(patches)
+                + channel.history.bytes_beyond(history)
+        });
+        size_of::<Self>() + channels.sum::<usize>()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algorithms::radiosity::cube::{cube, lamp};
+    use crate::algorithms::radiosity::{Matrix, Patches, Stop, System, Watch, solve};
+    use crate::record::{Recording, RecordingLimit};
+    use crate::replay::Timeline;
+
+    #[test]
+    fn the_last_state_is_the_result_whatever_is_watched_at_the_end() {
+        let (f, area) = cube(2);
+        let n = area.len();
+        let (rho, emission) = (vec![0.6; n], lamp(2));
+        let matrix = Matrix::new(&f, n).unwrap();
+        let patches = Patches::new(&area, &rho, &emission).unwrap();
+        let system = System::new(&matrix, patches).unwrap();
+        for solver in Solver::ALL {
+            for from in [0, 3] {
+                let iterations = Some(from..u32::MAX);
+                let watch = Watch {
+                    iterations,
+                    patch: None,
+                };
+                let mut recording = Recording::new(RecordingLimit::default());
+                let stop = Stop::default();
+                let found = solve(&system, solver, stop, &watch, &mut recording).unwrap();
+                if found.iterations < from {
+                    continue;
+                }
+                let timeline = Timeline::new(recording, State::default());
+                let state = timeline.state_at(timeline.len() - 1);
+                let channel = state.channel().unwrap();
+                let b: Vec<f64> = channel.patches.iter().map(|patch| patch.b).collect();
+                assert_eq!(b, found.radiosity, "{} from {from}", solver.name());
+                assert_eq!(channel.history.len() as u32, found.iterations - from);
+                assert_eq!(channel.converged, Some(true));
+            }
+        }
+    }
+}
