@@ -30,6 +30,7 @@ pub fn line_of(method: &str) -> usize {
 }
 
 /// How much one evaluation of each kind costs, in units of one pair of points.
+const SAFETY: f64 = 0.3;
 const EDGE_COST: f64 = 6.0;
 const CONTOUR_COST: f64 = 15.0 * 6.0;
 
@@ -51,7 +52,7 @@ pub fn exchange<R: Recorder<Event>>(
         // Low above the other's plane the cosine varies by as much as itself.
         let height = (receiver.center - other.center).dot(other.normal);
         let grazing = (height / distance).clamp(1e-9, 1.0);
-        points_needed(x + (x * x - 1.0).sqrt(), 0.1 * tolerance * grazing)
+        points_needed(x + (x * x - 1.0).sqrt(), SAFETY * tolerance * grazing)
     };
     let (n_small, n_large) = (points(small, large), points(large, small));
     let pairs = n_small * n_small * n_large * n_large;

@@ -20,6 +20,8 @@ pub struct Far {
     normal: [Vec<f64>; 3],
     /// Infinite for patches that are never far: those of several pieces, or of more than four corners.
     radius: Vec<f64>,
+    /// Half the sides of a rectangle about the centre that holds the patch.
+    sides: [[Vec<f64>; 3]; 2],
     points: [[Vec<f64>; 3]; POINTS],
     weights: [Vec<f64>; POINTS],
     slack: f64,
@@ -33,9 +35,13 @@ impl Far {
         let mut extent = 0.0_f64;
         for (number, patch) in patches.iter().enumerate() {
             let (points, is_simple) = points(patches, number);
+            let sides = sides(patches, number);
             for axis in 0..3 {
                 far.center[axis].push(patch.center[axis]);
                 far.normal[axis].push(patch.normal[axis]);
+                for side in 0..2 {
+                    far.sides[side][axis].push(sides[side][axis]);
+                }
             }
             far.radius.push(if is_simple {
                 patch.radius
@@ -88,6 +94,8 @@ impl Far {
         let [ix, iy, iz] = [0, 1, 2].map(|axis| self.center[axis][i]);
         let [ax, ay, az] = [0, 1, 2].map(|axis| self.normal[axis][i]);
         let radius_i = self.radius[i];
+        let sides_i = [0, 1].map(|side| [0, 1, 2].map(|axis| self.sides[side][axis][i]));
+        let sides_j = [0, 1].map(|side| [0, 1, 2].map(|axis| load(&self.sides[side][axis])));
         let mut state: Lanes = [0.0; LANES];
         let mut some_far = false;
         for lane in 0..LANES {
@@ -95,13 +103,19 @@ impl Far {
             let distance = (dx * dx + dy * dy + dz * dz).sqrt();
             let height_j = ax * dx + ay * dy + az * dz;
             let height_i = -(nx[lane] * dx + ny[lane] * dy + nz[lane] * dz);
-            let cosine = ax * nx[lane] + ay * ny[lane] + az * nz[lane];
-            let sine = (1.0 - cosine * cosine).max(0.0).sqrt();
-            let (rise_i, rise_j) = (radius_i * sine, radius_j[lane] * sine);
+            // How far a patch reaches on both sides of its centre, along the other's normal.
+            let rise_i: f64 = sides_i
+                .iter()
+                .map(|[x, y, z]| (nx[lane] * x + ny[lane] * y + nz[lane] * z).abs())
+                .sum();
+            let rise_j: f64 = sides_j
+                .iter()
+                .map(|[x, y, z]| (ax * x[lane] + ay * y[lane] + az * z[lane]).abs())
+                .sum();
             let behind = height_j + rise_j <= self.slack || height_i + rise_i <= self.slack;
-            let in_front = height_j >= rise_j && height_i >= rise_i;
+            let in_front = height_j >= rise_j - self.slack && height_i >= rise_i - self.slack;
             let radius = radius_i.max(radius_j[lane]);
-            let x = (distance - radius) / radius;
+            let x = distance / radius - 0.5;
             let height = height_i.min(height_j);
             let is_far =
                 in_front && x > 2.0 && x * x * x * x * height * tolerance >= FAR * distance;
@@ -151,7 +165,25 @@ impl Far {
 }
 
 /// By how much (R/d)⁴ · d/h stands below the tolerance in a far pair: found by measuring, see the tests.
-const FAR: f64 = 0.7;
+const FAR: f64 = 0.25;
+
+/// Half the sides, one of them along the first edge, of a rectangle about the centre that holds the patch.
+///
+/// Without end where the patch is not planar: neither in front of another nor behind it.
+fn sides(patches: &Patches, patch: usize) -> [DVec3; 2] {
+    if patches.pieces(patch).len() > 1 {
+        return [DVec3::INFINITY; 2];
+    }
+    let center = patches[patch].center;
+    let corners = || patches.pieces(patch).flat_map(|piece| piece.corners);
+    let first = patches.pieces(patch).next().map_or(DVec3::X, |piece| {
+        (piece.corners[1] - piece.corners[0]).normalize_or(DVec3::X)
+    });
+    [first, patches[patch].normal.cross(first)].map(|side| {
+        let reach = corners().map(|&corner| (corner - center).dot(side).abs());
+        reach.fold(0.0, f64::max) * side
+    })
+}
 
 /// Four points exact to the third degree, and whether they are the patch's.
 fn points(patches: &Patches, patch: usize) -> ([(DVec3, f64); POINTS], bool) {

@@ -152,7 +152,8 @@ impl<'a> FormFactors<'a> {
                 let exchange = self.unblocked(i, j, recorder);
                 let share = match self.blockers {
                     Some(blockers) if exchange > 0.0 => {
-                        blockers.share(self.patches, i, j, recorder)
+                        let f = self.larger(i, j, exchange);
+                        blockers.share(self.patches, [i, j], f, recorder)
                     }
                     _ => 1.0,
                 };
@@ -242,9 +243,15 @@ impl<'a> FormFactors<'a> {
             if let Some(blockers) = self.blockers
                 && *exchange > 0.0
             {
-                *exchange *= blockers.share(self.patches, i, j, &mut Unrecorded);
+                let f = self.larger(i, j, *exchange);
+                *exchange *= blockers.share(self.patches, [i, j], f, &mut Unrecorded);
             }
         }
+    }
+
+    /// The larger of F_ij and F_ji.
+    fn larger(&self, i: usize, j: usize, exchange: f64) -> f64 {
+        exchange / self.patches[i].area.min(self.patches[j].area)
     }
 
     /// A_i F_ij where nothing stands between.

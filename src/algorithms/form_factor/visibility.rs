@@ -9,11 +9,11 @@ use super::area_to_area::{cosines, kernel};
 use super::sample::{self, Sample};
 use super::sobol::Sobol;
 use crate::record::{Listing, Recorder};
-use crate::scene::Scene;
-use crate::scene::patch_solids::PatchSolids;
 use crate::scene::patches::Patches;
-use crate::scene::solids::Ray;
+use crate::scene::solids::{Ray, Solids};
+use crate::scene::{Mesh, Scene, Shape, Tessellation};
 use glam::DVec3;
+use std::ops::Range;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "visibility",
@@ -27,8 +27,13 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Rays between a pair of patches: so many at first, and so many in all where they do not agree.
-const RAYS: [u32; 2] = [16, 64];
+/// Rays for a form factor of 1: a pair gets its share of them, so that a row takes no more, within [`LEAST_RAYS`] and [`MOST_RAYS`].
+const RAYS_A_ROW: f64 = 32_768.0;
+const LEAST_RAYS: u32 = 8;
+const MOST_RAYS: u32 = 1024;
+
+/// So many times as many where the first ones do not agree.
+const UNCLEAR: u32 = 4;
 
 /// Above so many groups no pair is looked at group by group.
 const MOST_GROUPS: usize = 4096;
@@ -39,8 +44,11 @@ const SLACK: f64 = 1e-9;
 /// The patches of a scene as they stand in each other's way. Objects that cast no shadow do not.
 #[derive(Clone, Debug)]
 pub struct Blockers {
-    solids: PatchSolids,
+    solids: Solids,
     casts_shadow: Vec<bool>,
+    /// Patch `p` has the corners `starts[p]..starts[p + 1]`.
+    starts: Vec<usize>,
+    corners: Vec<DVec3>,
     groups: Vec<Group>,
     /// By patch, a bit a group: no corner behind its plane, and none in front.
     not_behind: Vec<u64>,
@@ -51,9 +59,12 @@ pub struct Blockers {
 }
 
 /// Patches of one object in one plane.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Group {
     object: u32,
+    patches: Range<usize>,
+    /// Of the one patch, where it is not planar.
+    piece: Option<usize>,
     normal: DVec3,
     point: DVec3,
     low: DVec3,
@@ -68,16 +79,30 @@ impl Group {
 
 impl Blockers {
     pub fn of(scene: &Scene, patches: &Patches) -> Blockers {
-        let solids = PatchSolids::of(scene, patches);
-        let extent = (0..patches.len())
-            .flat_map(|patch| corners(patches, patch))
-            .fold(0.0, |extent, corner| corner.abs().max_element().max(extent));
-        let slack = SLACK * extent;
-        let mut groups = groups(scene, patches, slack);
-        let has_too_many = groups.len() > MOST_GROUPS;
-        if has_too_many {
-            groups.clear();
+        let (mut starts, mut corners) = (vec![0], Vec::new());
+        for patch in 0..patches.len() {
+            corners.extend(patches.pieces(patch).flat_map(|piece| piece.corners));
+            starts.push(corners.len());
         }
+        let extent = corners.iter().fold(0.0, |extent, corner: &DVec3| {
+            corner.abs().max_element().max(extent)
+        });
+        let slack = SLACK * extent;
+        let groups = groups(scene, patches, slack);
+        let has_too_many = groups.len() > MOST_GROUPS;
+        // A wall of a convex room parts nothing from anything.
+        let groups: Vec<Group> = groups
+            .into_iter()
+            .filter(|group| {
+                let heights = || corners.iter().map(|&corner| group.height(corner));
+                has_too_many
+                    || (heights().any(|height| height < -slack)
+                        && heights().any(|height| height > slack))
+            })
+            .collect();
+        let facets = facets(scene, patches, &groups);
+        let solids = Solids::of(&facets, &Tessellation::of(&facets));
+        let groups = if has_too_many { Vec::new() } else { groups };
         let words = groups.len().div_ceil(64);
         let mut blockers = Blockers {
             solids,
@@ -88,24 +113,35 @@ impl Blockers {
                 .collect(),
             not_behind: vec![0; words * patches.len()],
             not_in_front: vec![0; words * patches.len()],
+            starts,
+            corners,
             groups,
             words,
             has_too_many,
             slack,
         };
-        for patch in 0..patches.len() {
-            for (number, group) in blockers.groups.iter().enumerate() {
-                let heights = || corners(patches, patch).map(|corner| group.height(corner));
-                let (word, bit) = (patch * words + number / 64, 1 << (number % 64));
-                if heights().all(|height| height >= -slack) {
-                    blockers.not_behind[word] |= bit;
+        blockers.take_sides(patches.len());
+        blockers
+    }
+
+    /// Says of each patch on which side of each group it lies.
+    fn take_sides(&mut self, patches: usize) {
+        for patch in 0..patches {
+            for (number, group) in self.groups.iter().enumerate() {
+                let (mut lowest, mut highest) = (f64::INFINITY, f64::NEG_INFINITY);
+                for &corner in &self.corners[self.starts[patch]..self.starts[patch + 1]] {
+                    let height = group.height(corner);
+                    (lowest, highest) = (lowest.min(height), highest.max(height));
                 }
-                if heights().all(|height| height <= slack) {
-                    blockers.not_in_front[word] |= bit;
-                }
+                let (word, bit) = (patch * self.words + number / 64, number % 64);
+                self.not_behind[word] |= u64::from(lowest >= -self.slack) << bit;
+                self.not_in_front[word] |= u64::from(highest <= self.slack) << bit;
             }
         }
-        blockers
+    }
+
+    fn corners_of(&self, patch: usize) -> &[DVec3] {
+        &self.corners[self.starts[patch]..self.starts[patch + 1]]
     }
 
     /// Whether an object stands in the way at all.
@@ -114,7 +150,7 @@ impl Blockers {
     }
 
     /// Whether anything can stand between two patches. False only where nothing does.
-    pub fn can_stand_between(&self, patches: &Patches, i: usize, j: usize) -> bool {
+    pub fn can_stand_between(&self, i: usize, j: usize) -> bool {
         if self.has_too_many {
             return true;
         }
@@ -130,7 +166,7 @@ impl Blockers {
             let mut can = !cannot & all;
             while can != 0 {
                 let group = &self.groups[64 * word + can.trailing_zeros() as usize];
-                if self.shaft_crosses(patches, i, j, group) {
+                if self.shaft_crosses(i, j, group) {
                     return true;
                 }
                 can &= can - 1;
@@ -140,23 +176,27 @@ impl Blockers {
     }
 
     /// Whether the convex hull of two patches crosses the plane of a group within its box.
-    fn shaft_crosses(&self, patches: &Patches, i: usize, j: usize, group: &Group) -> bool {
+    fn shaft_crosses(&self, i: usize, j: usize, group: &Group) -> bool {
+        const MOST_CORNERS: usize = 16;
+        let [of_i, of_j] = [i, j].map(|patch| self.corners_of(patch));
+        let count = of_i.len() + of_j.len();
+        if count > MOST_CORNERS {
+            return true;
+        }
+        let mut corners = [(DVec3::ZERO, 0.0); MOST_CORNERS];
+        for (place, &corner) in corners.iter_mut().zip(of_i.iter().chain(of_j)) {
+            *place = (corner, group.height(corner));
+        }
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        let all = || corners(patches, i).chain(corners(patches, j));
-        for a in all() {
-            let height_a = group.height(a);
+        for &(a, height_a) in &corners[..count] {
             if height_a > 0.0 {
                 continue;
             }
-            for b in all() {
-                let height_b = group.height(b);
+            for &(b, height_b) in &corners[..count] {
                 if height_b >= 0.0 {
                     let rise = height_b - height_a;
-                    let crossing = if rise > 0.0 {
-                        a - height_a / rise * (b - a)
-                    } else {
-                        a
-                    };
+                    let share = if rise > 0.0 { -height_a / rise } else { 0.0 };
+                    let crossing = a + share * (b - a);
                     low = low.min(crossing);
                     high = high.max(crossing);
                 }
@@ -187,80 +227,101 @@ impl Blockers {
             )
     }
 
-    /// The share of what i and j would exchange that nothing blocks.
+    /// The share of what i and j would exchange that nothing blocks. `f` is the larger of their form factors if nothing did.
     pub fn share<R: Recorder<Event>>(
         &self,
         patches: &Patches,
-        i: usize,
-        j: usize,
+        [i, j]: [usize; 2],
+        f: f64,
         recorder: &mut R,
     ) -> f64 {
-        if !self.can_stand_between(patches, i, j) {
+        if !self.can_stand_between(i, j) {
             return 1.0;
         }
+        let rays = ((f * RAYS_A_ROW) as u32)
+            .clamp(LEAST_RAYS, MOST_RAYS)
+            .next_power_of_two();
         let sobol = Sobol::new(((i as u64) << 32) | j as u64);
         let (mut whole, mut passing) = (0.0, 0.0);
         let mut cast = 0;
-        for most in RAYS {
-            for index in cast..most {
-                let [s, t, u, v] = sobol.point(index);
-                let x = sample::at(patches, i, [s, t]);
-                let y = sample::at(patches, j, [u, v]);
-                let [cos_x, cos_y, r2] = cosines(x.point, x.normal, y.point, y.normal);
-                let exchanged = kernel(cos_x, cos_y, r2);
-                if exchanged == 0.0 {
-                    continue;
-                }
-                let blocked = self.stand_between(&x, &y);
-                whole += exchanged;
-                passing += if blocked { 0.0 } else { exchanged };
-                recorder.step(|| Event::Sight {
-                    x: x.point,
-                    y: y.point,
-                    blocked,
-                    share: passing / whole,
-                });
+        while cast < rays || (cast < UNCLEAR * rays && passing > 0.0 && passing < whole) {
+            let [s, t, u, v] = sobol.point(cast);
+            cast += 1;
+            let x = sample::at(patches, i, [s, t]);
+            let y = sample::at(patches, j, [u, v]);
+            let [cos_x, cos_y, r2] = cosines(x.point, x.normal, y.point, y.normal);
+            let exchanged = kernel(cos_x, cos_y, r2);
+            if exchanged == 0.0 {
+                continue;
             }
-            cast = most;
-            if passing == 0.0 || passing == whole {
-                break;
-            }
+            let blocked = self.stand_between(&x, &y);
+            whole += exchanged;
+            passing += if blocked { 0.0 } else { exchanged };
+            recorder.step(|| Event::Sight {
+                x: x.point,
+                y: y.point,
+                blocked,
+                share: passing / whole,
+            });
         }
-        // Where not one pair of points sees each other, there is nothing to share.
+        // Where not one pair of points faces each other, nothing is known to be hidden.
         let share = if whole > 0.0 { passing / whole } else { 1.0 };
         recorder.step(|| Event::Visible { rays: cast, share });
         share
     }
 }
 
-fn corners(patches: &Patches, patch: usize) -> impl Iterator<Item = DVec3> + Clone {
-    patches
-        .pieces(patch)
-        .flat_map(|piece| piece.corners.iter().copied())
+/// The groups as a scene: every object a mesh of those of its patches that stand in the way.
+fn facets(scene: &Scene, patches: &Patches, groups: &[Group]) -> Scene {
+    let mut scene = scene.clone();
+    let mut meshes: Vec<(Vec<DVec3>, Vec<Vec<u32>>)> =
+        vec![Default::default(); scene.objects.len()];
+    for group in groups {
+        let (positions, faces) = &mut meshes[group.object as usize];
+        let pieces = (group.patches.clone()).flat_map(|patch| patches.pieces(patch).enumerate());
+        for (_, piece) in pieces.filter(|&(number, _)| group.piece.is_none_or(|one| one == number))
+        {
+            let first = positions.len() as u32;
+            positions.extend(piece.corners);
+            faces.push((first..positions.len() as u32).collect());
+        }
+    }
+    for (object, (positions, faces)) in scene.objects.iter_mut().zip(meshes) {
+        object.shape = Shape::Mesh(Mesh::new(&positions, faces, &[]));
+    }
+    scene
 }
 
+/// Patches in one plane that follow each other; of patches that are not planar, each piece.
 fn groups(scene: &Scene, patches: &Patches, slack: f64) -> Vec<Group> {
     let mut groups: Vec<Group> = Vec::new();
     for (number, patch) in patches.iter().enumerate() {
         if !scene.objects[patch.object as usize].casts_shadow {
             continue;
         }
-        for piece in patches.pieces(number) {
+        let is_whole = patches.pieces(number).len() == 1;
+        for (piece_number, piece) in patches.pieces(number).enumerate() {
             let corners = piece.corners.iter().copied();
             let low = corners.clone().fold(DVec3::INFINITY, DVec3::min);
             let high = corners.clone().fold(DVec3::NEG_INFINITY, DVec3::max);
             match groups.last_mut() {
                 Some(group)
-                    if group.object == patch.object
+                    if is_whole
+                        && group.piece.is_none()
+                        && group.object == patch.object
+                        && group.patches.end == number
                         && corners
                             .clone()
                             .all(|corner| group.height(corner).abs() <= slack) =>
                 {
                     group.low = group.low.min(low);
                     group.high = group.high.max(high);
+                    group.patches.end = number + 1;
                 }
                 _ => groups.push(Group {
                     object: patch.object,
+                    patches: number..number + 1,
+                    piece: (!is_whole).then_some(piece_number),
                     normal: piece.normal,
                     point: piece.corners[0],
                     low,
