@@ -204,10 +204,13 @@ fn points(patches: &Patches, patch: usize) -> ([(DVec3, f64); POINTS], bool) {
             };
             let mut k = 0;
             polygon.points(2, |point, weight| {
-                found[k] = (point, weight);
+                if let Some(place) = found.get_mut(k) {
+                    *place = (point, weight);
+                }
                 k += 1;
             });
-            (found, true)
+            // More than four where it is no parallelogram.
+            (found, k == POINTS)
         }
         _ => (found, false),
     }
