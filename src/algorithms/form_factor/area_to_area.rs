@@ -27,7 +27,7 @@ pub fn exchange<R: Recorder<Event>>(
     [n_i, n_j]: [usize; 2],
     recorder: &mut R,
 ) -> f64 {
-    let mut points = Vec::with_capacity(j.point_count(n_j));
+    let mut points = Vec::new();
     j.points(n_j, |y, weight| points.push((y, weight)));
     let mut sum = 0.0;
     i.points(n_i, |x, weight_x| {

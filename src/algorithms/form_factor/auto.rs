@@ -30,7 +30,7 @@ pub fn line_of(method: &str) -> usize {
 }
 
 /// How much one evaluation of each kind costs, in units of one pair of points.
-const SAFETY: f64 = 0.3;
+const SAFETY: f64 = 0.1;
 const EDGE_COST: f64 = 6.0;
 const CONTOUR_COST: f64 = 15.0 * 6.0;
 

@@ -74,6 +74,8 @@ pub fn adaptive_exchange<R: Recorder<Event>>(
     recorder: &mut R,
 ) -> f64 {
     const DEEPEST: u32 = 60;
+    // Two rules may agree by chance on a part that is too large to be seen through.
+    const SHALLOWEST: u32 = 6;
     let first = i.corners[0];
     let mut parts: Vec<([DVec3; 3], u32)> = i.corners[1..]
         .windows(2)
@@ -89,7 +91,8 @@ pub fn adaptive_exchange<R: Recorder<Event>>(
         let coarse = exchange(&part, j, 3, recorder);
         let fine = exchange(&part, j, 4, recorder);
         let share = (part.area / i.area).sqrt();
-        if (fine - coarse).abs() <= 0.1 * tolerance * whole * share || depth == DEEPEST {
+        let is_exact = (fine - coarse).abs() <= 0.1 * tolerance * whole * share;
+        if (is_exact && depth >= SHALLOWEST) || depth == DEEPEST {
             sum += fine;
             whole = whole.max(sum);
             continue;

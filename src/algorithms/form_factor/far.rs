@@ -36,12 +36,10 @@ impl Far {
         for (number, patch) in patches.iter().enumerate() {
             let (points, is_simple) = points(patches, number);
             let sides = sides(patches, number);
-            for axis in 0..3 {
-                far.center[axis].push(patch.center[axis]);
-                far.normal[axis].push(patch.normal[axis]);
-                for side in 0..2 {
-                    far.sides[side][axis].push(sides[side][axis]);
-                }
+            push(&mut far.center, patch.center);
+            push(&mut far.normal, patch.normal);
+            for (arrays, side) in far.sides.iter_mut().zip(sides) {
+                push(arrays, side);
             }
             far.radius.push(if is_simple {
                 patch.radius
@@ -50,9 +48,7 @@ impl Far {
             });
             extent = extent.max(patch.center.abs().max_element() + patch.radius);
             for (k, (point, weight)) in points.into_iter().enumerate() {
-                for axis in 0..3 {
-                    far.points[k][axis].push(point[axis]);
-                }
+                push(&mut far.points[k], point);
                 far.weights[k].push(weight);
             }
         }
@@ -164,6 +160,12 @@ impl Far {
     }
 }
 
+fn push(arrays: &mut [Vec<f64>; 3], vector: DVec3) {
+    for (array, coordinate) in arrays.iter_mut().zip(vector.to_array()) {
+        array.push(coordinate);
+    }
+}
+
 /// By how much (R/d)⁴ · d/h stands below the tolerance in a far pair: found by measuring, see the tests.
 const FAR: f64 = 0.25;
 
@@ -204,10 +206,13 @@ fn points(patches: &Patches, patch: usize) -> ([(DVec3, f64); POINTS], bool) {
             };
             let mut k = 0;
             polygon.points(2, |point, weight| {
-                found[k] = (point, weight);
+                if let Some(place) = found.get_mut(k) {
+                    *place = (point, weight);
+                }
                 k += 1;
             });
-            (found, true)
+            // More than four where it is no parallelogram.
+            (found, k == POINTS)
         }
         _ => (found, false),
     }

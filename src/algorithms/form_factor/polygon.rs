@@ -78,7 +78,7 @@ impl<'a> Polygon<'a> {
     }
 
     /// Calls `at` for n × n Gauss points and their weights, which sum to the area. Polygons of more than four corners are taken as a
-    /// fan of triangles; a triangle has one row more, where it narrows to its tip.
+    /// fan of triangles; a triangle has one row more, where it narrows to its tip, and a quadrilateral that is no parallelogram one row and column.
     pub fn points(&self, n: usize, mut at: impl FnMut(DVec3, f64)) {
         match *self.corners {
             [a, b, c, d] => quadrilateral_points([a, b, c, d], self.normal, n, &mut at),
@@ -88,14 +88,6 @@ impl<'a> Polygon<'a> {
                     triangle_points([first, pair[0], pair[1]], n, &mut at);
                 }
             }
-        }
-    }
-
-    /// How many points [`Self::points`] takes.
-    pub fn point_count(&self, n: usize) -> usize {
-        match self.corners.len() {
-            4 => n * n,
-            corners => (corners - 2) * n * (n + 1),
         }
     }
 }
@@ -126,6 +118,10 @@ fn quadrilateral_points(
     at: &mut impl FnMut(DVec3, f64),
 ) {
     let (along, across, twist) = (b - a, d - a, (c - d) - (b - a));
+    // The map of a parallelogram stretches evenly; any other is a polynomial factor more.
+    let is_even =
+        twist.length_squared() <= 1e-20 * along.length_squared().min(across.length_squared());
+    let n = if is_even { n } else { n + 1 };
     for &[v, weight_v] in gauss(n) {
         for &[u, weight_u] in gauss(n) {
             let stretch = (along + v * twist).cross(across + u * twist).dot(normal);
