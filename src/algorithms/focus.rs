@@ -1,4 +1,5 @@
-//! Which part of a frame a run carries out. A recorded run takes the part that is looked at, and nothing else.
+//! Which part of its work a run tells: of a frame, or of the exchange of light in a room. A recorded run takes the part that is looked
+//! at, and nothing else.
 
 use super::frame::Frame;
 use std::ops::Range;
@@ -14,6 +15,18 @@ pub enum Focus {
         x: u32,
         y: u32,
     },
+    /// Of a solver of radiosity: from `start` up to, but without, `end`.
+    Iterations {
+        start: u32,
+        end: u32,
+    },
+    /// What a patch of a room exchanges, counted from 0 over all objects.
+    Patch(u32),
+    /// The form factor from patch `i` to patch `j`.
+    FormFactor {
+        i: u32,
+        j: u32,
+    },
 }
 
 /// A rectangle of pixels, half-open.
@@ -24,10 +37,22 @@ pub struct Region {
 }
 
 impl Focus {
+    /// Whether it looks at the exchange of light between patches, and at no part of the picture.
+    pub fn is_of_patches(self) -> bool {
+        matches!(
+            self,
+            Focus::Iterations { .. } | Focus::Patch(_) | Focus::FormFactor { .. }
+        )
+    }
+
     /// The pixels of `frame` that can be looked at.
     pub fn region(self, frame: &Frame) -> Region {
         let (columns, rows) = match self {
-            Focus::Frame | Focus::Polygon(_) => (0..u32::MAX, 0..u32::MAX),
+            Focus::Frame
+            | Focus::Polygon(_)
+            | Focus::Iterations { .. }
+            | Focus::Patch(_)
+            | Focus::FormFactor { .. } => (0..u32::MAX, 0..u32::MAX),
             Focus::ScanLine(y) => (0..u32::MAX, y..y.saturating_add(1)),
             Focus::Pixel { x, y } => (x..x.saturating_add(1), y..y.saturating_add(1)),
         };

@@ -22,6 +22,7 @@ pub mod form_factor;
 pub mod frame;
 pub mod gouraud;
 pub mod illumination;
+pub mod patch_view;
 pub mod primary;
 pub mod radiosity;
 pub mod ray_casting;

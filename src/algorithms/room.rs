@@ -1,23 +1,38 @@
-//! A scene as radiosity sees it: patches, what stands between them, and their form factors.
+//! A scene as radiosity sees it: patches, what stands between them, their form factors, and in the end their light.
 
 use super::form_factor::{Blockers, FormFactors, Method};
-use crate::scene::Scene;
+use super::radiosity::{Channel, ChannelUnsolved, Event, Matrix, Solution, Solver, Stop, Watch};
+use super::radiosity::{Told, Unsolved, solve_channels};
+use crate::color::Rgb;
+use crate::record::{Recorder, Unrecorded};
+use crate::scene::patch_solids::PatchSolids;
 use crate::scene::patches::{PatchError, Patches};
+use crate::scene::{Limits, Scene};
 use std::sync::OnceLock;
 
-/// How the form factors of a room are found.
+/// How the light of a room is found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Exchange {
-    pub method: Method,
+pub struct Settings {
+    pub form_factors: Method,
     /// Whether what stands between two patches counts. What lies behind one of them never exchanges with it.
     pub visibility: bool,
+    pub solver: Solver,
+    pub stop: Stop,
+    /// Whether pictures interpolate radiosity between the corners of patches.
+    pub smooth: bool,
+    /// The most patches that a scene may be divided into.
+    pub max_patches: u64,
 }
 
-impl Default for Exchange {
+impl Default for Settings {
     fn default() -> Self {
-        Exchange {
-            method: Method::Auto { tolerance: 1e-6 },
+        Settings {
+            form_factors: Method::Auto { tolerance: 1e-6 },
             visibility: true,
+            solver: Solver::Auto,
+            stop: Stop::default(),
+            smooth: false,
+            max_patches: Limits::default().max_patches,
         }
     }
 }
@@ -27,27 +42,53 @@ impl Default for Exchange {
 pub struct Room {
     pub patches: Patches,
     pub blockers: Blockers,
-    pub exchange: Exchange,
+    pub settings: Settings,
+    /// By patch: ρ and E.
+    pub reflectance: Vec<Rgb>,
+    pub emission: Vec<Rgb>,
     matrix: OnceLock<Vec<f64>>,
+    light: OnceLock<Result<Light, ChannelUnsolved>>,
+    /// The patches as rays meet them.
+    pub solids: PatchSolids,
+}
+
+/// The light of a room.
+#[derive(Clone, Debug)]
+pub struct Light {
+    /// B of every patch.
+    pub radiosity: Vec<Rgb>,
+    /// By channel.
+    pub solutions: [Solution; 3],
 }
 
 impl Room {
-    /// `most` patches are allowed. Errors: planes, patches without area, too many patches.
-    pub fn of(scene: &Scene, exchange: Exchange, most: u64) -> Result<Room, PatchError> {
-        let patches = Patches::of(scene, most)?;
+    /// Errors: planes, patches without area, too many patches.
+    pub fn of(scene: &Scene, settings: Settings) -> Result<Room, PatchError> {
+        let patches = Patches::of(scene, settings.max_patches)?;
         let blockers = Blockers::of(scene, &patches);
+        let solids = PatchSolids::of(scene, &patches);
+        let materials = patches
+            .iter()
+            .map(|patch| &scene.materials[scene.objects[patch.object as usize].material]);
+        let (reflectance, emission) = materials
+            .map(|material| (material.reflectance, material.emission))
+            .unzip();
         Ok(Room {
             patches,
             blockers,
-            exchange,
+            settings,
+            reflectance,
+            emission,
+            solids,
             matrix: OnceLock::new(),
+            light: OnceLock::new(),
         })
     }
 
     /// By the pair, by the row, or all of them.
     pub fn form_factors(&self) -> FormFactors<'_> {
-        let blockers = self.exchange.visibility.then_some(&self.blockers);
-        FormFactors::new(&self.patches, self.exchange.method, blockers)
+        let blockers = self.settings.visibility.then_some(&self.blockers);
+        FormFactors::new(&self.patches, self.settings.form_factors, blockers)
     }
 
     /// F, row-major, n×n for n patches; `make` makes it where it is not there yet.
@@ -64,5 +105,61 @@ impl Room {
     pub fn matrix_bytes(&self) -> u64 {
         let n = self.patches.len() as u64;
         n.saturating_mul(n).saturating_mul(8)
+    }
+
+    /// The light of the room, given its matrix; solved for when it is first asked for. Errors: as of [`Room::solve`].
+    pub fn light(&self, matrix: &[f64]) -> Result<&Light, &ChannelUnsolved> {
+        let solve = || self.solve(matrix, &Watch::default(), &mut Unrecorded);
+        self.light.get_or_init(solve).as_ref()
+    }
+
+    /// Solves for the light of the room, given its matrix. Errors: those of the first channel that has no result.
+    pub fn solve<R: Recorder<Event>>(
+        &self,
+        matrix: &[f64],
+        watch: &Watch,
+        recorder: &mut R,
+    ) -> Result<Light, ChannelUnsolved> {
+        const NAMES: [&str; 3] = ["red", "green", "blue"];
+        let of = |colors: &[Rgb], channel: usize| -> Vec<f64> {
+            colors
+                .iter()
+                .map(|color| color.channels()[channel])
+                .collect()
+        };
+        let lists = [0, 1, 2].map(|c| (of(&self.reflectance, c), of(&self.emission, c)));
+        let channels = [0, 1, 2].map(|c| Channel {
+            name: NAMES[c],
+            rho: &lists[c].0,
+            emission: &lists[c].1,
+        });
+        let all = |why| ChannelUnsolved {
+            channel: "all channels",
+            why,
+        };
+        let matrix = Matrix::new(matrix, self.patches.len()).map_err(all)?;
+        let Settings { solver, stop, .. } = self.settings;
+        let areas = self.patches.areas();
+        let tell = |told| Event { solver, told };
+        let patches = self.patches.len() as u32;
+        recorder.enter(|| tell(Told::Room { patches }));
+        let solved = solve_channels(&matrix, &areas, &channels, solver, stop, watch, recorder);
+        recorder.leave(|| tell(Told::RoomDone));
+        let solutions = solved?;
+        let count = solutions.len();
+        let wrong = |_| Unsolved::Sizes {
+            what: "solutions",
+            found: count,
+            patches: 3,
+        };
+        let solutions: [Solution; 3] = solutions.try_into().map_err(wrong).map_err(all)?;
+        let [red, green, blue] = &solutions;
+        let radiosity = (0..self.patches.len())
+            .map(|i| Rgb::new(red.radiosity[i], green.radiosity[i], blue.radiosity[i]))
+            .collect();
+        Ok(Light {
+            radiosity,
+            solutions,
+        })
     }
 }

@@ -3,8 +3,10 @@
 use super::focus::{Focus, Region};
 use super::illumination::Lighting;
 use super::primary::Settings;
+use super::room::{self, Room};
 use crate::color::Rgb;
 use crate::record::Fields;
+use crate::scene::patches::PatchError;
 use crate::scene::solids::Solids;
 use crate::scene::{Light, Material, Mesh, Needs, Scene, Tessellation, View};
 use glam::{DVec2, DVec3};
@@ -18,11 +20,23 @@ pub struct Stage {
     pub view: View,
     /// How far the ray methods go.
     pub settings: Settings,
+    /// How the light of the room is found.
+    pub radiosity: room::Settings,
     /// By object, then by vertex of its mesh.
     vertices: Vec<Vec<StageVertex>>,
     /// Made when the first ray asks for them.
     solids: OnceLock<Solids>,
     needs: OnceLock<Needs>,
+    room: OnceLock<Result<Room, PatchError>>,
+}
+
+/// Something that is looked at, but is not there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{value}: there are {count} {what}, counted from 0")]
+pub struct Outside {
+    pub what: &'static str,
+    pub value: usize,
+    pub count: usize,
 }
 
 /// A vertex as the camera sees it.
@@ -87,15 +101,26 @@ impl Stage {
             tessellation,
             view,
             settings: Settings::default(),
+            radiosity: room::Settings::default(),
             vertices,
             solids: OnceLock::new(),
             needs: OnceLock::new(),
+            room: OnceLock::new(),
         }
     }
 
     /// The same stage, on which the ray methods go so far.
     pub fn with_settings(self, settings: Settings) -> Self {
         Stage { settings, ..self }
+    }
+
+    /// The same stage, whose light is found so.
+    pub fn with_radiosity(self, radiosity: room::Settings) -> Self {
+        Stage {
+            radiosity,
+            room: OnceLock::new(),
+            ..self
+        }
     }
 
     /// The same stage under other lights.
@@ -115,6 +140,33 @@ impl Stage {
     pub fn solids(&self) -> &Solids {
         self.solids
             .get_or_init(|| Solids::of(&self.scene, &self.tessellation))
+    }
+
+    /// The scene divided into patches. Errors: what cannot be divided.
+    pub fn room(&self) -> Result<&Room, &PatchError> {
+        let room = self
+            .room
+            .get_or_init(|| Room::of(&self.scene, self.radiosity));
+        room.as_ref()
+    }
+
+    /// Whether the stage has what `focus` looks at. Errors: what it has instead.
+    pub fn check(&self, focus: Focus) -> Result<(), Outside> {
+        let within = |what, value: usize, count: usize| match value < count {
+            true => Ok(()),
+            false => Err(Outside { what, value, count }),
+        };
+        let View { width, height, .. } = self.view;
+        let patches = || self.room().map_or(0, |room| room.patches.len());
+        match focus {
+            Focus::Frame | Focus::Iterations { .. } => Ok(()),
+            Focus::Polygon(number) => within("polygons", number, self.tessellation.polygon_count()),
+            Focus::ScanLine(y) => within("rows", y as usize, height as usize),
+            Focus::Pixel { x, y } => within("columns", x as usize, width as usize)
+                .and_then(|()| within("rows", y as usize, height as usize)),
+            Focus::Patch(number) => within("patches", number as usize, patches()),
+            Focus::FormFactor { i, j } => within("patches", i.max(j) as usize, patches()),
+        }
     }
 
     /// What rays need of the scene.

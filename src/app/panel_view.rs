@@ -207,14 +207,9 @@ pub fn menu(session: &Session, tag: Option<Tag>, ui: &mut Ui) -> Option<Command>
     chosen.map(|(_, command)| command)
 }
 
-/// The part of the frame that is looked at, in words.
+/// The part of the run that is looked at, in words.
 pub fn focus_words(session: &Session) -> String {
-    match session.focus() {
-        Focus::Frame => session.say(words::FRAME).to_owned(),
-        Focus::Polygon(number) => format!("{} {number}", session.say(words::POLYGON)),
-        Focus::ScanLine(y) => format!("{} {y}", session.say(words::LINE)),
-        Focus::Pixel { x, y } => format!("{} ({x}, {y})", session.say(words::PIXEL)),
-    }
+    crate::panels::words::focus(session.focus(), session.look.language)
 }
 
 pub fn title(panel: Panel) -> Words {

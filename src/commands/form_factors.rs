@@ -3,7 +3,7 @@
 use super::progress::{Progress, named};
 use super::{Failure, LimitArguments, files};
 use crate::algorithms::form_factor::Method;
-use crate::algorithms::room::{Exchange, Room};
+use crate::algorithms::room::{Room, Settings};
 use crate::render;
 use crate::scene::Scene;
 use crate::scene::patches::Patches;
@@ -64,24 +64,25 @@ impl MemoryArgument {
 }
 
 /// How form factors are to be found, by the name of a method that clap has checked.
-pub fn exchange(method: &str, visibility: &VisibilityArgument) -> Result<Exchange, Failure> {
-    let method = Method::named(method)
+pub fn settings(
+    method: &str,
+    visibility: &VisibilityArgument,
+    limits: LimitArguments,
+) -> Result<Settings, Failure> {
+    let form_factors = Method::named(method)
         .ok_or_else(|| Failure::Wrong(format!("{method}: there is no such method")))?;
-    Ok(Exchange {
-        method,
+    Ok(Settings {
+        form_factors,
         visibility: visibility.visibility == "auto",
+        max_patches: limits.max_patches,
+        ..Settings::default()
     })
 }
 
 /// A scene's patches, or what is wrong with them.
-pub fn room(
-    scene: &Scene,
-    path: &Path,
-    exchange: Exchange,
-    limits: LimitArguments,
-) -> Result<Room, Failure> {
+pub fn room(scene: &Scene, path: &Path, settings: Settings) -> Result<Room, Failure> {
     named("dividing the scene into patches", || {
-        Room::of(scene, exchange, limits.max_patches)
+        Room::of(scene, settings)
     })
     .map_err(|error| files::wrong(&path.display(), &error))
 }
@@ -100,9 +101,9 @@ pub fn matrix(room: &Room) -> &[f64] {
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     files::check_output(&arguments.out)?;
-    let exchange = exchange(&arguments.method, &arguments.visibility)?;
+    let settings = settings(&arguments.method, &arguments.visibility, arguments.limits)?;
     let (scene, _) = files::scene(&arguments.scene, &arguments.limits.into())?;
-    let room = room(&scene, &arguments.scene, exchange, arguments.limits)?;
+    let room = room(&scene, &arguments.scene, settings)?;
     if let Some(refusal) = arguments.memory.refusal(&room) {
         return Err(files::wrong(&arguments.scene.display(), &refusal));
     }
@@ -117,7 +118,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             out.write_all(if i == 0 { b"\n" } else { b",\n" })?;
             serde_json::to_writer(&mut *out, row)?;
         }
-        let method = exchange.method.name();
+        let method = settings.form_factors.name();
         writeln!(out, "],\"method\":\"{method}\",\"seconds\":{seconds}}}")
     })
 }

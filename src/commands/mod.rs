@@ -11,6 +11,7 @@ mod list;
 mod needs;
 mod open;
 mod progress;
+mod radiosity;
 mod render;
 mod steps;
 
@@ -41,6 +42,8 @@ enum Command {
     Render(render::Arguments),
     /// Finds the form factors of a scene's patches
     FormFactors(form_factors::Arguments),
+    /// Solves for the light that a scene's patches exchange
+    Radiosity(radiosity::Arguments),
     /// Says what a scene needs of ray tracing, what is left out, and why
     Needs(needs::Arguments),
     /// Prints every step of a lesson, or of a scene, as JSON lines
@@ -154,6 +157,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check(arguments) => check::run(arguments),
         Command::Render(arguments) => render::run(arguments),
         Command::FormFactors(arguments) => form_factors::run(arguments),
+        Command::Radiosity(arguments) => radiosity::run(arguments),
         Command::Needs(arguments) => needs::run(arguments),
         Command::Steps(arguments) => steps::run(arguments),
         Command::Frames(arguments) => frames::run(arguments),

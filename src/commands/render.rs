@@ -1,9 +1,14 @@
 //! `lightwalk render`: a picture of a scene.
 
+use super::form_factors::MemoryArgument;
 use super::progress::Progress;
+use super::radiosity::{SolutionArguments, light};
 use super::{Failure, LimitArguments, RayArguments, files, needs, parse_size};
+use crate::algorithms::room::Settings;
+use crate::algorithms::stage::Stage;
 use crate::color::{Rgb, pfm, png_rgb8};
 use crate::render::{Method, RayCounts, render, render_counted};
+use std::fmt::Display;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use web_time::Instant;
@@ -34,8 +39,15 @@ pub struct Arguments {
     /// Prints seconds by phase, what was drawn and what was left out, as one JSON object
     #[arg(long)]
     stats: bool,
+    /// Of radiosity: interpolated between the corners of patches, instead of constant over each
+    #[arg(long)]
+    smooth: bool,
     #[command(flatten)]
     rays: RayArguments,
+    #[command(flatten)]
+    solution: SolutionArguments,
+    #[command(flatten)]
+    memory: MemoryArgument,
     #[command(flatten)]
     limits: LimitArguments,
 }
@@ -72,7 +84,14 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let read = start.elapsed();
     let settings = arguments.rays.or(settings);
     let stage = files::stage(scene, arguments.size, method, &arguments.scene.display())?
-        .with_settings(settings);
+        .with_settings(settings)
+        .with_radiosity(Settings {
+            smooth: arguments.smooth,
+            ..arguments.solution.settings(arguments.limits)?
+        });
+    if method == Method::Radiosity {
+        solve(&stage, &arguments)?;
+    }
     let staged = start.elapsed();
     let threads = match arguments.threads {
         Some(threads) => NonZeroUsize::new(threads.into()).unwrap_or(NonZeroUsize::MIN),
@@ -127,6 +146,16 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         writeln!(std::io::stdout(), "{stats}")?;
     }
     Ok(())
+}
+
+/// Finds the light of the scene's room, or says why there is none.
+fn solve(stage: &Stage, arguments: &Arguments) -> Result<(), Failure> {
+    let wrong = |error: &dyn Display| files::wrong(&arguments.scene.display(), error);
+    let room = stage.room().map_err(|error| wrong(error))?;
+    if let Some(refusal) = arguments.memory.refusal(room) {
+        return Err(wrong(&refusal));
+    }
+    light(room).map(drop)
 }
 
 /// A method by the name that clap has already checked.

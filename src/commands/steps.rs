@@ -3,7 +3,7 @@
 use super::files::{self, Document};
 use super::progress::{self, Progress};
 use super::render::{method, method_names};
-use super::{Failure, LimitArguments, RayArguments, parse_size, tell};
+use super::{Failure, LimitArguments, RayArguments, parse_range, parse_size, tell};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::primary::Settings;
 use crate::record::{RecordingLimit, Value};
@@ -13,6 +13,7 @@ use crate::scene::Scene;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value as Json, json};
 use std::io::{BufWriter, Write};
+use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -51,13 +52,63 @@ struct FocusArguments {
     /// One polygon, counted from 0 over all objects
     #[arg(long, value_name = "N")]
     polygon: Option<usize>,
+    /// Of radiosity: iterations (or shots), counted from 0
+    #[arg(long, value_name = "A..B", value_parser = parse_range)]
+    iterations: Option<Range<usize>>,
+    /// Of radiosity: what one patch exchanges, counted from 0 over all objects
+    #[arg(long, value_name = "N")]
+    patch: Option<u32>,
+    /// Of radiosity: how the form factor from patch I to patch J is found
+    #[arg(long, value_name = "I,J", value_parser = parse_pair)]
+    form_factor: Option<[u32; 2]>,
+}
+
+impl FocusArguments {
+    fn focus(&self) -> Option<Focus> {
+        let bounded = |end: usize| u32::try_from(end).unwrap_or(u32::MAX);
+        match self {
+            Self {
+                pixel: Some([x, y]),
+                ..
+            } => Some(Focus::Pixel { x: *x, y: *y }),
+            Self {
+                scan_line: Some(y), ..
+            } => Some(Focus::ScanLine(*y)),
+            Self {
+                polygon: Some(number),
+                ..
+            } => Some(Focus::Polygon(*number)),
+            Self {
+                iterations: Some(range),
+                ..
+            } => Some(Focus::Iterations {
+                start: bounded(range.start),
+                end: bounded(range.end),
+            }),
+            Self {
+                patch: Some(number),
+                ..
+            } => Some(Focus::Patch(*number)),
+            Self {
+                form_factor: Some([i, j]),
+                ..
+            } => Some(Focus::FormFactor { i: *i, j: *j }),
+            _ => None,
+        }
+    }
 }
 
 fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
-    let pixel = text
-        .split_once(',')
-        .and_then(|(x, y)| Some([x.parse().ok()?, y.parse().ok()?]));
-    pixel.ok_or_else(|| "a pixel is written as 12,34".into())
+    two(text).ok_or_else(|| "a pixel is written as 12,34".into())
+}
+
+fn parse_pair(text: &str) -> Result<[u32; 2], String> {
+    two(text).ok_or_else(|| "a pair of patches is written as 12,34".into())
+}
+
+fn two(text: &str) -> Option<[u32; 2]> {
+    let (a, b) = text.split_once(',')?;
+    Some([a.parse().ok()?, b.parse().ok()?])
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
@@ -85,13 +136,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 
 fn record(arguments: &Arguments) -> Result<Run, Failure> {
     let wrong = |message: &str| Failure::Wrong(message.to_owned());
-    let focus = &arguments.focus;
-    let focus = match (focus.pixel, focus.scan_line, focus.polygon) {
-        (Some([x, y]), _, _) => Some(Focus::Pixel { x, y }),
-        (_, Some(y), _) => Some(Focus::ScanLine(y)),
-        (_, _, Some(number)) => Some(Focus::Polygon(number)),
-        _ => None,
-    };
+    let focus = arguments.focus.focus();
     let method = arguments.method.as_deref().map(method).transpose()?;
     match files::lesson_or_scene(&arguments.name, &arguments.limits.into())? {
         Document::Lesson(lesson)
@@ -138,35 +183,39 @@ fn record_scene(
     name: &str,
 ) -> Result<Run, Failure> {
     let stage = files::stage(scene, [width, height], method, &name)?.with_settings(settings);
-    let within = |value: usize, size: usize, option: &str, what: &str| {
-        if value < size {
-            Ok(())
-        } else {
-            Err(Failure::Wrong(format!(
-                "{option} {value}: there are {size} {what}, counted from 0"
-            )))
-        }
-    };
-    match focus {
-        Focus::Frame => {}
-        Focus::Polygon(_) if method.follows_rays() => {
-            let name = method.name();
-            return Err(Failure::Wrong(format!(
-                "--polygon: {name} goes pixel by pixel; choose --pixel or --scan-line"
-            )));
-        }
-        Focus::Polygon(number) => within(
-            number,
-            stage.tessellation.polygon_count(),
-            "--polygon",
-            "polygons",
-        )?,
-        Focus::ScanLine(y) => within(y as usize, height as usize, "--scan-line", "rows")?,
-        Focus::Pixel { x, y } => {
-            within(x as usize, width as usize, "--pixel", "columns")?;
-            within(y as usize, height as usize, "--pixel", "rows")?;
-        }
+    if method == Method::Radiosity {
+        let wrong = |error: &_| files::wrong(&name, error);
+        stage.room().map_err(|error| wrong(&error))?;
     }
+    let option = match focus {
+        Focus::Frame => "",
+        Focus::Polygon(_) => "--polygon",
+        Focus::ScanLine(_) => "--scan-line",
+        Focus::Pixel { .. } => "--pixel",
+        Focus::Iterations { .. } => "--iterations",
+        Focus::Patch(_) => "--patch",
+        Focus::FormFactor { .. } => "--form-factor",
+    };
+    if !method.tells_of(focus) {
+        let does = match method {
+            Method::Wireframe | Method::Flat | Method::Gouraud => {
+                "goes polygon by polygon; choose --pixel, --scan-line or --polygon"
+            }
+            Method::RayCasting | Method::RayTracing => {
+                "goes pixel by pixel; choose --pixel or --scan-line"
+            }
+            Method::Radiosity => {
+                "goes patch by patch; choose --iterations, --patch or --form-factor"
+            }
+        };
+        return Err(Failure::Wrong(format!(
+            "{option}: {} {does}",
+            method.name()
+        )));
+    }
+    stage
+        .check(focus)
+        .map_err(|outside| Failure::Wrong(format!("{option} {outside}")))?;
     Ok(progress::named("recording", || {
         Run::record(Arc::new(stage), method, focus, RecordingLimit::default())
     }))

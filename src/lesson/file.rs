@@ -35,6 +35,9 @@ pub struct LessonFile {
     /// Of the ray methods: n of n×n rays a pixel, 1 unless given.
     #[serde(default, deserialize_with = "present")]
     pub samples: Option<u32>,
+    /// Of radiosity: how the light of the room is found.
+    #[serde(default, deserialize_with = "present")]
+    pub radiosity: Option<Keyed<RadiosityFile>>,
     pub focus: FocusFile,
     /// Indices of the point lights that may be moved.
     #[serde(default, deserialize_with = "present")]
@@ -43,7 +46,23 @@ pub struct LessonFile {
     pub steps: Vec<Keyed<StepFile>>,
 }
 
-/// Which part of the frame is recorded.
+/// How the light of a room is found. What is not given is as on the command line.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RadiosityFile {
+    #[serde(default, deserialize_with = "present")]
+    pub solver: Option<String>,
+    #[serde(default, deserialize_with = "present")]
+    pub form_factors: Option<String>,
+    #[serde(default, deserialize_with = "present")]
+    pub visibility: Option<bool>,
+    #[serde(default, deserialize_with = "present")]
+    pub tolerance: Option<f64>,
+    #[serde(default, deserialize_with = "present")]
+    pub max_iterations: Option<u32>,
+}
+
+/// Which part of the frame, or of the exchange of light, is recorded.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum FocusFile {
@@ -51,6 +70,11 @@ pub enum FocusFile {
     Polygon(usize),
     ScanLine(u32),
     Pixel([u32; 2]),
+    /// From, and up to but without.
+    Iterations([u32; 2]),
+    Patch(u32),
+    /// From patch i to patch j.
+    FormFactor([u32; 2]),
 }
 
 /// A step at which something is said.

@@ -7,6 +7,7 @@ mod builtin;
 mod file;
 mod narrate;
 mod resolve;
+mod settings;
 pub mod template;
 
 pub use builtin::{Builtin, builtin, builtins};

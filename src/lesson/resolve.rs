@@ -2,8 +2,10 @@
 
 use super::file::{FocusFile, LessonFile, StepFile, Text};
 use super::narrate::narrate;
+use super::settings::{radiosity, rays};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::primary::Settings;
+use crate::algorithms::room;
 use crate::algorithms::stage::Stage;
 use crate::panels::Panel;
 use crate::panels::words::Language;
@@ -12,7 +14,6 @@ use crate::render::{MAX_PIXELS, MAX_SIDE, Method};
 use crate::replay::Run;
 use crate::scene::document::{self, Keyed, Problem};
 use crate::scene::{self, Light, Limits, Scene, SceneError, View};
-use std::num::NonZeroU32;
 use std::sync::Arc;
 
 /// What is wrong with a lesson. Displayed as one problem a line.
@@ -51,6 +52,8 @@ pub struct Lesson {
     pub size: [u32; 2],
     /// How far the ray methods go.
     pub settings: Settings,
+    /// How the light of a room is found.
+    pub radiosity: room::Settings,
     pub focus: Focus,
     /// Indices into the scene's lights: point lights that may be moved.
     pub movable_lights: Vec<usize>,
@@ -183,22 +186,28 @@ impl Lesson {
             FocusFile::Polygon(number) => Focus::Polygon(number),
             FocusFile::ScanLine(y) => Focus::ScanLine(y),
             FocusFile::Pixel([x, y]) => Focus::Pixel { x, y },
+            FocusFile::Iterations([start, end]) => Focus::Iterations { start, end },
+            FocusFile::Patch(number) => Focus::Patch(number),
+            FocusFile::FormFactor([i, j]) => Focus::FormFactor { i, j },
         };
-        let [width, height] = file.size;
-        let outside = match focus {
-            Focus::ScanLine(y) => y >= height,
-            Focus::Pixel { x, y } => x >= width || y >= height,
-            Focus::Frame | Focus::Polygon(_) => false,
-        };
-        if outside {
-            problems.push(problem("focus", format!("found {focus:?}; the picture has {width} columns and {height} rows, counted from 0")));
-        }
-
-        if method.is_some_and(Method::follows_rays) && matches!(focus, Focus::Polygon(_)) {
-            let message = "found a polygon; ray methods go pixel by pixel: allowed are `pixel`, `scan_line` and `frame`";
+        if let Some(method) = method.filter(|method| !method.tells_of(focus)) {
+            let allowed = match method {
+                Method::Wireframe | Method::Flat | Method::Gouraud => {
+                    "allowed are `frame`, `polygon`, `scan_line` and `pixel`"
+                }
+                Method::RayCasting | Method::RayTracing => {
+                    "ray methods go pixel by pixel: allowed are `pixel`, `scan_line` and `frame`"
+                }
+                Method::Radiosity => "allowed are `frame`, `iterations`, `patch` and `form_factor`",
+            };
+            let message = format!(
+                "found a focus that {} does not have; {allowed}",
+                method.name()
+            );
             problems.push(problem("focus", message));
         }
-        let settings = settings(&file, &mut problems);
+        let settings = rays(&file, &mut problems);
+        let radiosity = radiosity(&file, &mut problems);
 
         match (scene, method) {
             (Some(scene), Some(method)) if problems.is_empty() => Ok(Lesson {
@@ -211,6 +220,7 @@ impl Lesson {
                 method,
                 size: file.size,
                 settings,
+                radiosity,
                 focus,
                 movable_lights,
                 panels,
@@ -229,16 +239,15 @@ impl Lesson {
         let [width, height] = self.size;
         let stage = Arc::new(
             Stage::new(self.scene.clone(), View::new(&camera, width, height))
-                .with_settings(self.settings),
+                .with_settings(self.settings)
+                .with_radiosity(self.radiosity),
         );
-        if let Focus::Polygon(number) = self.focus
-            && stage.polygon(number).is_none()
-        {
-            let count = stage.tessellation.polygon_count();
-            let message =
-                format!("found polygon {number}; the scene has {count} polygons, counted from 0");
-            return Err(problem("focus.polygon", message).into());
+        if self.method == Method::Radiosity {
+            let wrong = |error: &_| problem("scene", format!("{error}"));
+            stage.room().map_err(wrong)?;
         }
+        let outside = |outside| problem("focus", format!("found {outside}"));
+        stage.check(self.focus).map_err(outside)?;
         let run = Run::record(
             stage.clone(),
             self.method,
@@ -257,30 +266,6 @@ impl Lesson {
     /// What is said in a run of the lesson's own part. Errors: every anchor, value and answer that is not in the run.
     pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
         narrate(&self.steps, run.walk())
-    }
-}
-
-/// How far the ray methods are to go.
-fn settings(file: &LessonFile, problems: &mut Vec<Problem>) -> Settings {
-    let mut within = |place: &str, asked: Option<u32>, most: u32, unless: NonZeroU32| {
-        let Some(asked) = asked else { return unless };
-        NonZeroU32::new(asked)
-            .filter(|asked| asked.get() <= most)
-            .unwrap_or_else(|| {
-                let message = format!("found {asked}; allowed are whole numbers from 1 to {most}");
-                problems.push(problem(place, message));
-                unless
-            })
-    };
-    let unless = Settings::default();
-    Settings {
-        depth: within("depth", file.depth, Settings::DEEPEST, unless.depth),
-        samples: within(
-            "samples",
-            file.samples,
-            Settings::MOST_SAMPLES,
-            unless.samples,
-        ),
     }
 }
 

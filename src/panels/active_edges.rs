@@ -41,7 +41,9 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         Run::Gouraud(replay) => table(show, replay.state(), size),
         Run::Flat(replay) => table(show, replay.state(), size),
         Run::Wireframe(_) => message(NO_TABLE, show.language, size),
-        Run::RayCasting(_) | Run::RayTracing(_) => message(NO_POLYGONS, show.language, size),
+        Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
+            message(NO_POLYGONS, show.language, size)
+        }
     };
     picture.alt = format!("{} {}", told_in_words(show), picture.alt);
     picture

@@ -8,7 +8,7 @@ mod marks;
 use super::Show;
 use super::fit::Fit;
 use super::values::step_in_words;
-use super::words::{Language, Words};
+use super::words::{Language, Words, focus};
 use crate::algorithms::focus::Focus;
 use crate::color::Rgb;
 use crate::picture::{Image, Ink, Picture, Rect, Style, ascent, elide};
@@ -26,10 +26,6 @@ const CAPTION: f32 = 11.5;
 const CAPTION_HEIGHT: f32 = 20.0;
 
 const ONLY: Words = Words::new("focus:", "fokus:");
-const WHOLE: Words = Words::new("the whole picture", "seluruh gambar");
-const POLYGON: Words = Words::new("polygon", "poligon");
-const LINE: Words = Words::new("scan line", "garis scan");
-const PIXEL: Words = Words::new("pixel", "piksel");
 const DRAWN: Words = Words::new("pixels drawn so far:", "piksel yang sudah digambar:");
 
 pub fn draw(show: &Show, size: Vec2) -> Picture {
@@ -40,6 +36,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         Run::Gouraud(replay) => Marks::of_shading(replay.state()),
         Run::RayCasting(replay) => Marks::of_rays(replay.state()),
         Run::RayTracing(replay) => Marks::of_rays(replay.state()),
+        Run::Radiosity(..) | Run::FormFactor(..) => return finished(show, size),
     };
     let (canvas, background) = (marks.canvas, marks.stage.scene.background);
     let (width, height) = (canvas.width(), canvas.height());
@@ -70,6 +67,30 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         step_in_words(show),
         in_hand(&marks, show.language).unwrap_or_else(|| focus(show.focus, show.language)),
         DRAWN.in_language(show.language),
+    );
+    picture
+}
+
+/// The finished picture alone: the exchange of light between patches draws no pixels.
+fn finished(show: &Show, size: Vec2) -> Picture {
+    let mut picture = Picture::new(size.x, size.y);
+    let (width, height) = (show.finished.width, show.finished.rows.len() as u32);
+    let area = Rect::new(0.0, 0.0, size.x, size.y);
+    if width == 0 || height == 0 || area.is_empty() {
+        return picture;
+    }
+    let zoom = zoom(Vec2::new(width as f32, height as f32), area);
+    let extent = Vec2::new(width as f32, height as f32) * zoom as f32;
+    let origin = (0.5 * (size - extent)).floor();
+    let frame = Rect::between(origin, origin + extent);
+    let colors = show.finished.color.iter();
+    let bytes: Vec<u8> = colors.flat_map(|color| color.to_srgb8()).collect();
+    picture.pixels(frame, Image::new(width, height, bytes), (0, 0));
+    picture.rect(frame, Ink::Rule.stroke(1.0));
+    picture.alt = format!(
+        "{}: {}.",
+        step_in_words(show),
+        focus(show.focus, show.language)
     );
     picture
 }
@@ -172,16 +193,6 @@ fn caption(
     let baseline = picture.height - 0.5 * (CAPTION_HEIGHT - ascent(Style::Body, CAPTION)) - 1.0;
     let middle = 0.5 * picture.width;
     picture.text((middle, baseline), text, set.ink(Ink::Muted).middle());
-}
-
-/// What the run recorded, in words.
-fn focus(focus: Focus, language: Language) -> String {
-    match focus {
-        Focus::Frame => WHOLE.in_language(language).to_string(),
-        Focus::Polygon(number) => format!("{} {number}", POLYGON.in_language(language)),
-        Focus::ScanLine(y) => format!("{} {y}", LINE.in_language(language)),
-        Focus::Pixel { x, y } => format!("{} ({x}, {y})", PIXEL.in_language(language)),
-    }
 }
 
 /// The smallest thing in hand, in words.

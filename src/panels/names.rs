@@ -31,6 +31,7 @@ pub(super) fn stage(run: &Run) -> &Stage {
         Run::Gouraud(replay) => &replay.state().stage,
         Run::RayCasting(replay) => &replay.state().stage,
         Run::RayTracing(replay) => &replay.state().stage,
+        Run::Radiosity(stage, _) | Run::FormFactor(stage, _) => stage,
     }
 }
 

@@ -91,7 +91,11 @@ fn state<'a>(show: &Show<'a>) -> Option<&'a State> {
     match show.run {
         Run::RayCasting(replay) => Some(replay.state()),
         Run::RayTracing(replay) => Some(replay.state()),
-        Run::Wireframe(_) | Run::Flat(_) | Run::Gouraud(_) => None,
+        Run::Wireframe(_)
+        | Run::Flat(_)
+        | Run::Gouraud(_)
+        | Run::Radiosity(..)
+        | Run::FormFactor(..) => None,
     }
 }
 

@@ -42,7 +42,9 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
             }
             None => silent(show, NO_LINE, size),
         },
-        Run::RayCasting(_) | Run::RayTracing(_) => message(NO_POLYGONS, show.language, size),
+        Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
+            message(NO_POLYGONS, show.language, size)
+        }
     }
 }
 

@@ -35,7 +35,11 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     let state = match show.run {
         Run::RayCasting(replay) => replay.state(),
         Run::RayTracing(replay) => replay.state(),
-        Run::Wireframe(_) | Run::Flat(_) | Run::Gouraud(_) => {
+        Run::Wireframe(_)
+        | Run::Flat(_)
+        | Run::Gouraud(_)
+        | Run::Radiosity(..)
+        | Run::FormFactor(..) => {
             return message(NO_RAYS, show.language, size);
         }
     };

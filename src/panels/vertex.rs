@@ -30,7 +30,9 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         Run::Gouraud(replay) => of_state(show, replay.state(), size),
         Run::Flat(replay) => of_state(show, replay.state(), size),
         Run::Wireframe(_) => message(WIREFRAME, show.language, size),
-        Run::RayCasting(_) | Run::RayTracing(_) => message(NO_POLYGONS, show.language, size),
+        Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
+            message(NO_POLYGONS, show.language, size)
+        }
     };
     picture.alt = format!("{} {}", told_in_words(show), picture.alt);
     picture

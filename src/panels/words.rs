@@ -1,5 +1,7 @@
 //! The words of panels and window in both languages: one typed table, so that no text can be missing in one of them.
 
+use crate::algorithms::focus::Focus;
+
 /// A language that lessons and the window speak.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
 pub enum Language {
@@ -37,5 +39,26 @@ impl Words {
             Language::English => self.en,
             Language::Indonesian => self.id,
         }
+    }
+}
+
+const WHOLE: Words = Words::new("the whole picture", "seluruh gambar");
+const POLYGON: Words = Words::new("polygon", "poligon");
+const LINE: Words = Words::new("scan line", "garis scan");
+const PIXEL: Words = Words::new("pixel", "piksel");
+const ITERATIONS: Words = Words::new("iterations", "iterasi");
+const PATCH: Words = Words::new("patch", "patch");
+
+/// The part of a run that is looked at.
+pub fn focus(focus: Focus, language: Language) -> String {
+    let say = |words: Words| words.in_language(language);
+    match focus {
+        Focus::Frame => say(WHOLE).to_owned(),
+        Focus::Polygon(number) => format!("{} {number}", say(POLYGON)),
+        Focus::ScanLine(y) => format!("{} {y}", say(LINE)),
+        Focus::Pixel { x, y } => format!("{} ({x}, {y})", say(PIXEL)),
+        Focus::Iterations { start, end } => format!("{} {start}–{}", say(ITERATIONS), end - 1),
+        Focus::Patch(number) => format!("{} {number}", say(PATCH)),
+        Focus::FormFactor { i, j } => format!("F({i}, {j})"),
     }
 }

@@ -2,7 +2,7 @@
 
 mod bands;
 mod crew;
-mod matrix;
+mod light;
 mod painter;
 mod pixels;
 mod tally;
@@ -11,18 +11,20 @@ use crate::algorithms::flat::flat;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud::gouraud;
+use crate::algorithms::patch_view::PatchView;
 use crate::algorithms::ray_casting::RayCaster;
 use crate::algorithms::ray_tracing::RayTracer;
 use crate::algorithms::stage::Stage;
 use crate::algorithms::visible::Hierarchy;
 use crate::algorithms::wireframe::wireframe;
+use crate::color::Rgb;
 use crate::record::Unrecorded;
 use crate::scene::{Needs, Part};
 use std::convert::Infallible;
 use std::num::NonZeroUsize;
 use tally::Totals;
 
-pub use matrix::matrix;
+pub use light::matrix;
 pub use painter::Painter;
 pub use tally::RayCounts;
 
@@ -34,15 +36,17 @@ pub enum Method {
     Gouraud,
     RayCasting,
     RayTracing,
+    Radiosity,
 }
 
 impl Method {
-    pub const ALL: [Method; 5] = [
+    pub const ALL: [Method; 6] = [
         Method::Wireframe,
         Method::Flat,
         Method::Gouraud,
         Method::RayCasting,
         Method::RayTracing,
+        Method::Radiosity,
     ];
 
     /// As on the command line and in lesson files.
@@ -53,21 +57,34 @@ impl Method {
             Method::Gouraud => "gouraud",
             Method::RayCasting => "ray-casting",
             Method::RayTracing => "ray-tracing",
+            Method::Radiosity => "radiosity",
         }
     }
 
     /// Whether it follows rays instead of converting polygons.
     pub fn follows_rays(self) -> bool {
         match self {
-            Method::Wireframe | Method::Flat | Method::Gouraud => false,
+            Method::Wireframe | Method::Flat | Method::Gouraud | Method::Radiosity => false,
             Method::RayCasting | Method::RayTracing => true,
+        }
+    }
+
+    /// Whether a run of it can be told of that part.
+    pub fn tells_of(self, focus: Focus) -> bool {
+        match focus {
+            Focus::Frame => true,
+            Focus::Polygon(_) => !self.follows_rays() && self != Method::Radiosity,
+            Focus::ScanLine(_) | Focus::Pixel { .. } => self != Method::Radiosity,
+            Focus::Iterations { .. } | Focus::Patch(_) | Focus::FormFactor { .. } => {
+                self == Method::Radiosity
+            }
         }
     }
 
     /// Whether it does that part of following rays, where the scene needs it.
     pub fn does(self, part: Part) -> bool {
         match self {
-            Method::Wireframe | Method::Flat | Method::Gouraud => false,
+            Method::Wireframe | Method::Flat | Method::Gouraud | Method::Radiosity => false,
             Method::RayCasting => part.concerns_primary_rays(),
             Method::RayTracing => true,
         }
@@ -171,6 +188,22 @@ fn draw<E: Send>(
                 Some(totals) => {
                     painter.pixels(|x, y| totals.counting(|counts| tracer.pixel(x, y, counts)))
                 }
+            }
+        }
+        // A room that cannot be divided or solved gives off no light: `Stage::room` and `Room::solve` say why.
+        Method::Radiosity => {
+            let light = match stage.room() {
+                Ok(room) => light::light(room, &painter.crew, &painter.progress)?
+                    .ok()
+                    .map(|light| (room, light)),
+                Err(_) => None,
+            };
+            match &light {
+                Some((room, light)) => {
+                    let view = PatchView::new(stage, room, &light.radiosity);
+                    painter.pixels(|x, y| view.pixel(x, y))
+                }
+                None => painter.pixels(|_, _| Rgb::BLACK),
             }
         }
     }

@@ -5,6 +5,7 @@
 
 mod canvas;
 mod cursor;
+pub mod form_factor;
 mod grown;
 mod in_hand;
 pub mod moves;

@@ -118,6 +118,7 @@ impl Fold<Event> for State {
     fn apply(&mut self, step: usize, event: &Event) {
         let told = event.told;
         match told {
+            Told::Room { .. } | Told::RoomDone => {}
             Told::Channel { channel } => self.opened = Some(channel),
             Told::ChannelLeftOut { channel, why, like } => {
                 self.begin(Some(channel), event.solver, step);

@@ -1,18 +1,23 @@
 //! One recorded run of one of the algorithms.
 
-use super::{Fold, Replay, Timeline, Walk, rays, shading, wireframe};
+use super::{Fold, Replay, Timeline, Walk, form_factor, radiosity, rays, shading, wireframe};
 use crate::algorithms::flat::{self, Nothing};
 use crate::algorithms::focus::Focus;
+use crate::algorithms::form_factor::{FormFactors, Method as Integration};
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud;
+use crate::algorithms::radiosity::Watch;
 use crate::algorithms::ray_casting::{self, RayCaster};
 use crate::algorithms::ray_tracing::{self, RayTracer};
 use crate::algorithms::stage::Stage;
 use crate::algorithms::visible::InTurn;
 use crate::color::Rgb;
-use crate::record::{Recording, RecordingLimit};
-use crate::render::Method;
+use crate::record::{Recorder, Recording, RecordingLimit, Unrecorded};
+use crate::render::{Method, matrix};
+use std::convert::Infallible;
+use std::num::NonZeroUsize;
 use std::sync::Arc;
+use std::thread::available_parallelism;
 
 /// A recorded run, standing at one of its steps.
 pub enum Run {
@@ -21,7 +26,18 @@ pub enum Run {
     Gouraud(Box<Replay<gouraud::Event, shading::State<Rgb>>>),
     RayCasting(Box<Replay<ray_casting::Event, rays::State>>),
     RayTracing(Box<Replay<ray_tracing::Event, rays::State>>),
+    Radiosity(
+        Arc<Stage>,
+        Box<Replay<crate::algorithms::radiosity::Event, radiosity::State>>,
+    ),
+    FormFactor(
+        Arc<Stage>,
+        Box<Replay<crate::algorithms::form_factor::Event, form_factor::State>>,
+    ),
 }
+
+/// How exact the form factor is that others are compared with.
+const REFERENCE: Integration = Integration::Contour { tolerance: 1e-10 };
 
 impl Run {
     /// Runs `method` on the part of the stage that `focus` takes, and keeps its steps within `limit`.
@@ -69,6 +85,16 @@ impl Run {
                     ray_tracing::ray_tracing(&tracer, focus, frame, recording);
                 },
             )),
+            Method::Radiosity => match focus {
+                Focus::FormFactor { i, j } => {
+                    let run = form_factor_run(&stage, i as usize, j as usize, limit);
+                    Run::FormFactor(stage, run)
+                }
+                _ => {
+                    let run = radiosity_run(&stage, focus, limit);
+                    Run::Radiosity(stage, run)
+                }
+            },
         }
     }
 
@@ -79,6 +105,8 @@ impl Run {
             Run::Gouraud(replay) => &**replay,
             Run::RayCasting(replay) => &**replay,
             Run::RayTracing(replay) => &**replay,
+            Run::Radiosity(_, replay) => &**replay,
+            Run::FormFactor(_, replay) => &**replay,
         }
     }
 
@@ -89,6 +117,8 @@ impl Run {
             Run::Gouraud(replay) => &mut **replay,
             Run::RayCasting(replay) => &mut **replay,
             Run::RayTracing(replay) => &mut **replay,
+            Run::Radiosity(_, replay) => &mut **replay,
+            Run::FormFactor(_, replay) => &mut **replay,
         }
     }
 }
@@ -108,5 +138,51 @@ fn replay<E, S: Fold<E>>(
     Box::new(Replay::new(Timeline::new(
         recording,
         initial(stage.clone()),
+    )))
+}
+
+/// The solution of a room. A room that cannot be divided tells nothing: `Stage::room` says why.
+fn radiosity_run(
+    stage: &Arc<Stage>,
+    focus: Focus,
+    limit: RecordingLimit,
+) -> Box<Replay<crate::algorithms::radiosity::Event, radiosity::State>> {
+    let mut recording = Recording::new(limit);
+    if let Ok(room) = stage.room() {
+        let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
+        let Ok(matrix) = matrix(room, threads, &|_, _| Ok::<(), Infallible>(()));
+        let mut watch = Watch::default();
+        match focus {
+            Focus::Iterations { start, end } => watch.iterations = Some(start..end),
+            Focus::Patch(patch) => watch.patch = Some(patch),
+            _ => {}
+        }
+        // What kept it from a solution is the last that the run tells.
+        let _ = room.solve(matrix, &watch, &mut recording);
+    }
+    Box::new(Replay::new(Timeline::new(
+        recording,
+        radiosity::State::default(),
+    )))
+}
+
+/// One form factor, and what it is compared with.
+fn form_factor_run(
+    stage: &Arc<Stage>,
+    i: usize,
+    j: usize,
+    limit: RecordingLimit,
+) -> Box<Replay<crate::algorithms::form_factor::Event, form_factor::State>> {
+    let mut recording = Recording::new(limit);
+    if let Ok(room) = stage.room() {
+        let blockers = room.settings.visibility.then_some(&room.blockers);
+        let reference = FormFactors::new(&room.patches, REFERENCE, blockers);
+        let f = reference.pair(i, j, &mut Unrecorded);
+        recording.step(|| crate::algorithms::form_factor::Event::Reference { f });
+        room.form_factors().pair(i, j, &mut recording);
+    }
+    Box::new(Replay::new(Timeline::new(
+        recording,
+        form_factor::State::default(),
     )))
 }

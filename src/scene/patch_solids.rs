@@ -39,11 +39,6 @@ impl PatchSolids {
         }
     }
 
-    /// Whether a patch of an object that casts a shadow is met at 0 < t < `distance`.
-    pub fn blocked(&self, ray: &Ray, distance: f64) -> bool {
-        self.solids.blocked(ray, distance)
-    }
-
     /// The patch that a ray meets first, and where.
     pub fn nearest(&self, ray: &Ray) -> Option<(usize, Hit)> {
         let hit = self.solids.nearest(ray)?;
@@ -76,7 +71,6 @@ mod tests {
                     direction: -piece.normal,
                 };
                 assert_eq!(solids.nearest(&ray).map(|(patch, _)| patch), Some(patch));
-                assert!(solids.blocked(&ray, 2e-3));
             }
         }
     }

@@ -7,6 +7,8 @@ use glam::DVec3;
 /// One event a sample, an edge, a pair of edges, a pixel. Exchanges and sums are A_i F_ij, unless said otherwise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
+    /// What F_ij is by a method more exact than the one that is looked at.
+    Reference { f: f64 },
     /// Opens F from patch `i` to patch `j`.
     FormFactor {
         i: u32,
@@ -103,6 +105,7 @@ pub static PSEUDOCODE: Listing = Listing {
 impl record::Event for Event {
     fn kind(&self) -> &'static str {
         match self {
+            Event::Reference { .. } => "Reference",
             Event::FormFactor { .. } => "FormFactor",
             Event::FacesAway => "FacesAway",
             Event::Pieces { .. } => "Pieces",
@@ -125,7 +128,7 @@ impl record::Event for Event {
 
     fn line(&self) -> Line {
         let (listing, number) = match self {
-            Event::FormFactor { .. } => (&PSEUDOCODE, 0),
+            Event::Reference { .. } | Event::FormFactor { .. } => (&PSEUDOCODE, 0),
             Event::FacesAway | Event::Pieces { .. } => (&PSEUDOCODE, 2),
             Event::Chosen { method, .. } => (&auto::PSEUDOCODE, auto::line_of(method)),
             Event::Points { .. } => (&area_to_area::PSEUDOCODE, 3),
@@ -161,6 +164,7 @@ impl record::Event for Event {
 
     fn fields(&self, fields: &mut Fields) {
         match *self {
+            Event::Reference { f } => fields.push("F_exact", f),
             Event::FormFactor { i, j, method } => {
                 fields.push("i", i).push("j", j).push("method", method)
             }

@@ -12,6 +12,11 @@ pub struct Event {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Told {
+    /// Opens the light of a room in all its channels, closed by `RoomDone`.
+    Room {
+        patches: u32,
+    },
+    RoomDone,
     /// Opens the system of one channel, closed by `ChannelDone`.
     Channel {
         channel: &'static str,
@@ -123,6 +128,8 @@ const _: () = assert!(size_of::<Event>() <= 64);
 impl record::Event for Event {
     fn kind(&self) -> &'static str {
         match self.told {
+            Told::Room { .. } => "Room",
+            Told::RoomDone => "RoomDone",
             Told::Channel { .. } => "Channel",
             Told::ChannelLeftOut { .. } => "ChannelLeftOut",
             Told::ChannelDone { .. } => "ChannelDone",
@@ -177,6 +184,10 @@ impl record::Event for Event {
 
     fn fields(&self, fields: &mut Fields) {
         match self.told {
+            Told::Room { patches } => {
+                fields.push("n", patches);
+            }
+            Told::RoomDone => {}
             Told::Channel { channel } | Told::ChannelDone { channel } => {
                 fields.push("channel", channel);
             }

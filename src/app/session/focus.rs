@@ -15,14 +15,8 @@ impl Session {
     /// Records another part of the frame, and goes to the step that is most like the present one; the lesson's own part
     /// goes on where it was left, so that no way around leads past a question.
     pub(super) fn look_at(&mut self, focus: Focus) -> Result<(), Refused> {
-        let view = &self.open.stage.view;
-        let exists = match focus {
-            Focus::Frame => true,
-            Focus::Polygon(number) => self.open.stage.polygon(number).is_some(),
-            Focus::ScanLine(y) => y < view.height,
-            Focus::Pixel { x, y } => x < view.width && y < view.height,
-        };
-        if !exists {
+        let told = self.open.lesson.method.tells_of(focus);
+        if !told || self.open.stage.check(focus).is_err() {
             return Err(words::OUTSIDE.into());
         }
         if focus == self.focus {

@@ -142,7 +142,10 @@ impl<'a> Marks<'a> {
     fn draw_focus(&self, picture: &mut Picture, focus: Focus, fit: &Fit) {
         let stroke = Ink::Linked.stroke(1.5).dotted();
         match focus {
-            Focus::Frame => {}
+            Focus::Frame
+            | Focus::Iterations { .. }
+            | Focus::Patch(_)
+            | Focus::FormFactor { .. } => {}
             Focus::Polygon(number) => {
                 let corners = staged(self.stage, number);
                 picture.polygon(corners.into_iter().map(|corner| fit.place(corner)), stroke);

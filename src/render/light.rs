@@ -1,14 +1,15 @@
-//! All form factors of a room, in blocks of rows.
+//! The light of a room: all form factors, in blocks of rows, and then the solution.
 
 use super::crew::Crew;
-use crate::algorithms::room::Room;
+use crate::algorithms::radiosity::ChannelUnsolved;
+use crate::algorithms::room::{Light, Room};
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Rows are dealt out in so many blocks a thread: the first ones are longer, where a pair counts once.
 const BLOCKS: usize = 16;
 
-/// The matrix of a room, made where it is not there yet. The same, bit for bit, for any number of threads.
+/// The matrix of a room, made on `threads` threads where it is not there yet. The same, bit for bit, for any number of them.
 ///
 /// `progress` hears how many of how many rows are done. Errors: those of `progress`, which end the work.
 pub fn matrix<'a, E: Send>(
@@ -16,11 +17,27 @@ pub fn matrix<'a, E: Send>(
     threads: NonZeroUsize,
     progress: &(impl Fn(usize, usize) -> Result<(), E> + Sync),
 ) -> Result<&'a [f64], E> {
+    matrix_by(room, &Crew::new(threads), progress)
+}
+
+/// What a room's light is, or why there is none to be shown.
+pub(super) fn light<'a, E: Send>(
+    room: &'a Room,
+    crew: &Crew,
+    progress: &(impl Fn(usize, usize) -> Result<(), E> + Sync),
+) -> Result<Result<&'a Light, &'a ChannelUnsolved>, E> {
+    matrix_by(room, crew, progress).map(|matrix| room.light(matrix))
+}
+
+fn matrix_by<'a, E: Send>(
+    room: &'a Room,
+    crew: &Crew,
+    progress: &(impl Fn(usize, usize) -> Result<(), E> + Sync),
+) -> Result<&'a [f64], E> {
     if let Some(matrix) = room.matrix() {
         return Ok(matrix);
     }
     let n = room.patches.len();
-    let crew = Crew::new(threads);
     let form_factors = room.form_factors();
     let rows = n.div_ceil(BLOCKS * crew.size()).max(1);
     let mut matrix = vec![0.0; n * n];

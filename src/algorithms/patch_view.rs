@@ -1,0 +1,117 @@
+//! A room in front of its camera: every patch in its radiosity, constant over the patch or interpolated between its corners
+//! (Cohen & Greenberg, "The hemi-cube", SIGGRAPH 1985, §5).
+//!
+//! Primary rays, and nothing else: what a diffuse surface gives off looks the same from everywhere. The back of a patch gives off
+//! nothing, and is black; so is what lies beside the room.
+
+use super::primary;
+use super::room::Room;
+use super::stage::Stage;
+use crate::color::Rgb;
+use crate::record::Unrecorded;
+use crate::scene::solids::Ray;
+use glam::DVec3;
+use std::collections::HashMap;
+
+/// The picture of a room whose light is known.
+pub struct PatchView<'a> {
+    stage: &'a Stage,
+    room: &'a Room,
+    radiosity: &'a [Rgb],
+    /// By patch, the radiosity at the corners of its pieces in their order; none where patches are shown constant.
+    corners: Option<Vec<Vec<Rgb>>>,
+}
+
+impl<'a> PatchView<'a> {
+    /// `radiosity` has one colour a patch. Whether they are interpolated is among the settings of the room.
+    pub fn new(stage: &'a Stage, room: &'a Room, radiosity: &'a [Rgb]) -> Self {
+        let smooth = room.settings.smooth;
+        PatchView {
+            stage,
+            room,
+            radiosity,
+            corners: smooth.then(|| corner_values(room, radiosity)),
+        }
+    }
+
+    /// The colour of pixel (x, y).
+    pub fn pixel(&self, x: u32, y: u32) -> Rgb {
+        let samples = self.stage.settings.samples;
+        let mut untold = Unrecorded;
+        let seen = |ray: &Ray, _: &mut Unrecorded| self.seen(ray);
+        primary::pixel::<primary::Event, _>(&self.stage.view, samples, (x, y), &mut untold, seen)
+    }
+
+    fn seen(&self, ray: &Ray) -> Rgb {
+        let Some((patch, hit)) = self.room.solids.nearest(ray) else {
+            return Rgb::BLACK;
+        };
+        if ray.direction.dot(self.room.patches[patch].normal) >= 0.0 {
+            return Rgb::BLACK;
+        }
+        match &self.corners {
+            None => self.radiosity[patch],
+            Some(corners) => self.interpolated(patch, &corners[patch], ray.at(hit.t)),
+        }
+    }
+
+    /// Between the corners of the triangle of the patch in which the point lies.
+    fn interpolated(&self, patch: usize, values: &[Rgb], point: DVec3) -> Rgb {
+        let mut first = 0;
+        let mut best = (f64::NEG_INFINITY, self.radiosity[patch]);
+        for piece in self.room.patches.pieces(patch) {
+            let values = &values[first..first + piece.corners.len()];
+            first += piece.corners.len();
+            for i in 2..piece.corners.len() {
+                let corners = [0, i - 1, i];
+                let [a, b, c] = corners.map(|corner| piece.corners[corner]);
+                let area = |p: DVec3, q: DVec3, r: DVec3| (q - p).cross(r - p).dot(piece.normal);
+                let whole = area(a, b, c);
+                let weights = [area(point, b, c), area(a, point, c), area(a, b, point)]
+                    .map(|part| part / whole);
+                let inside = weights.into_iter().fold(f64::INFINITY, f64::min);
+                if inside > best.0 {
+                    let sum = |sum: Rgb, i: usize| sum + values[corners[i]] * weights[i];
+                    best = (inside, (0..3).fold(Rgb::BLACK, sum));
+                }
+            }
+        }
+        best.1
+    }
+}
+
+/// At a corner it is the mean of the patches of one object that meet there.
+fn corner_values(room: &Room, radiosity: &[Rgb]) -> Vec<Vec<Rgb>> {
+    let place = |object: u32, corner: DVec3| (object, corner.to_array().map(f64::to_bits));
+    let mut sums: HashMap<(u32, [u64; 3]), (Rgb, f64)> = HashMap::new();
+    for (number, patch) in room.patches.iter().enumerate() {
+        // A corner that two pieces of a patch share counts once.
+        let mut places: Vec<_> = corners_of(room, number)
+            .map(|corner| place(patch.object, corner))
+            .collect();
+        places.sort_unstable();
+        places.dedup();
+        for place in places {
+            let (sum, count) = sums.entry(place).or_insert((Rgb::BLACK, 0.0));
+            *sum += radiosity[number];
+            *count += 1.0;
+        }
+    }
+    let mean = |object, corner| {
+        let (sum, count) = sums[&place(object, corner)];
+        sum * (1.0 / count)
+    };
+    let patches = room.patches.iter().enumerate();
+    patches
+        .map(|(number, patch)| {
+            corners_of(room, number)
+                .map(|corner| mean(patch.object, corner))
+                .collect()
+        })
+        .collect()
+}
+
+fn corners_of(room: &Room, patch: usize) -> impl Iterator<Item = DVec3> {
+    let pieces = room.patches.pieces(patch);
+    pieces.flat_map(|piece| piece.corners.iter().copied())
+}

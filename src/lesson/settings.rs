@@ -1,0 +1,84 @@
+//! How far ray methods go in a lesson, and how the light of its room is found.
+
+use super::file::LessonFile;
+use super::resolve::problem;
+use crate::algorithms::form_factor::Method;
+use crate::algorithms::primary::Settings;
+use crate::algorithms::radiosity::Solver;
+use crate::algorithms::room;
+use crate::scene::document::{Keyed, Problem};
+use std::num::NonZeroU32;
+
+/// How far the ray methods are to go.
+pub fn rays(file: &LessonFile, problems: &mut Vec<Problem>) -> Settings {
+    let mut within = |place: &str, asked: Option<u32>, most: u32, unless: NonZeroU32| {
+        let Some(asked) = asked else { return unless };
+        NonZeroU32::new(asked)
+            .filter(|asked| asked.get() <= most)
+            .unwrap_or_else(|| {
+                let message = format!("found {asked}; allowed are whole numbers from 1 to {most}");
+                problems.push(problem(place, message));
+                unless
+            })
+    };
+    let unless = Settings::default();
+    Settings {
+        depth: within("depth", file.depth, Settings::DEEPEST, unless.depth),
+        samples: within(
+            "samples",
+            file.samples,
+            Settings::MOST_SAMPLES,
+            unless.samples,
+        ),
+    }
+}
+
+/// How the light of a room is to be found.
+pub fn radiosity(file: &LessonFile, problems: &mut Vec<Problem>) -> room::Settings {
+    let mut settings = room::Settings::default();
+    let Some(Keyed(file)) = &file.radiosity else {
+        return settings;
+    };
+    let mut refuse = |key: &str, message| {
+        problems.push(problem(format!("radiosity.{key}"), message));
+    };
+    if let Some(name) = &file.solver {
+        match Solver::from_name(name) {
+            Some(solver) => settings.solver = solver,
+            None => {
+                let known = Solver::ALL.map(Solver::name).join(", ");
+                refuse("solver", format!("found \"{name}\"; allowed are {known}"));
+            }
+        }
+    }
+    if let Some(name) = &file.form_factors {
+        match Method::named(name) {
+            Some(method) => settings.form_factors = method,
+            None => {
+                let known = Method::NAMES.join(", ");
+                refuse(
+                    "form_factors",
+                    format!("found \"{name}\"; allowed are {known}"),
+                );
+            }
+        }
+    }
+    settings.visibility = file.visibility.unwrap_or(settings.visibility);
+    if let Some(tolerance) = file.tolerance {
+        settings.stop.tolerance = tolerance;
+        if !(tolerance > 0.0 && tolerance < 1.0) {
+            let message = format!("found {tolerance}; allowed are numbers above 0 and below 1");
+            refuse("tolerance", message);
+        }
+    }
+    if let Some(most) = file.max_iterations {
+        settings.stop.max_iterations = most;
+        if most == 0 {
+            refuse(
+                "max_iterations",
+                "found 0; allowed are whole numbers of 1 or more".into(),
+            );
+        }
+    }
+    settings
+}

@@ -1,0 +1,125 @@
+//! The state of a form factor at one step: the pair of patches, what was sampled so far, and the value as it runs.
+
+use super::Fold;
+use super::grown::Grown;
+use crate::algorithms::form_factor::Event;
+use glam::DVec3;
+
+#[derive(Clone, Debug, Default)]
+pub struct State {
+    /// From patch, to patch, method; and the step that opened them.
+    pub pair: Option<(u32, u32, &'static str, usize)>,
+    /// F_ij by the reference, and the step that told it.
+    pub reference: Option<(f64, usize)>,
+    /// The method that an automatic choice fell on, and the step.
+    pub chosen: Option<(&'static str, usize)>,
+    /// Segments between the patches so far: pairs of points, rays, lines of sight.
+    pub segments: Grown<Segment>,
+    /// The points of hemicubes and elements so far.
+    pub points: Grown<(DVec3, usize)>,
+    /// The corner of the polygon at which the edge in hand begins, seen from the last point.
+    pub edge: Option<(DVec3, usize)>,
+    /// The pixels of the hemicube in hand that show j: face, column, row, ΔF, step.
+    pub pixels: Grown<(u32, u32, u32, f64, usize)>,
+    pub resolution: Option<u32>,
+    /// The two points of a pair that has no term yet.
+    open: Option<[DVec3; 2]>,
+    /// A_i F_ij, or F_ij itself, as it runs: value and step.
+    pub running: Grown<(Running, usize)>,
+    /// The share that nothing blocks, and of how many rays.
+    pub visible: Option<(f64, usize)>,
+    /// F_ij at last, and the step.
+    pub found: Option<(f64, usize)>,
+}
+
+/// A running value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Running {
+    /// A_i F_ij.
+    Exchange(f64),
+    /// F_ij.
+    FormFactor(f64),
+    /// So many rays met j of those cast so far.
+    Hits(u32),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    pub from: DVec3,
+    pub way: Way,
+    pub step: usize,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// To a point of j.
+    To(DVec3),
+    /// A line of sight to a point of j, and whether something stands in it.
+    Sight { to: DVec3, blocked: bool },
+    /// A ray in a direction, and whether it met j.
+    Ray { direction: DVec3, met: bool },
+}
+
+impl State {
+    fn add(&mut self, from: DVec3, way: Way, step: usize) {
+        self.segments.push(Segment { from, way, step });
+    }
+}
+
+impl Fold<Event> for State {
+    fn apply(&mut self, step: usize, event: &Event) {
+        match *event {
+            Event::Reference { f } => self.reference = Some((f, step)),
+            Event::FormFactor { i, j, method } => self.pair = Some((i, j, method, step)),
+            Event::FacesAway | Event::Pieces { .. } => {}
+            Event::Chosen { method, .. } => self.chosen = Some((method, step)),
+            Event::Points { x, y } => self.open = Some([x, y]),
+            Event::Pair { sum, .. } => {
+                if let Some([x, y]) = self.open.take() {
+                    self.add(x, Way::To(y), step);
+                }
+                self.running.push((Running::Exchange(sum), step));
+            }
+            Event::Element { x, .. } => self.points.push((x, step)),
+            Event::Edge { corner, .. } => self.edge = Some((corner, step)),
+            Event::ElementSeen { sum, .. } => {
+                self.edge = None;
+                self.running.push((Running::Exchange(sum), step));
+            }
+            Event::EdgePair { sum, .. } => self.running.push((Running::Exchange(sum), step)),
+            Event::Ray {
+                x,
+                direction,
+                met,
+                hits,
+            } => {
+                self.add(x, Way::Ray { direction, met }, step);
+                self.running.push((Running::Hits(hits), step));
+            }
+            Event::Hemicube { x, resolution } => {
+                self.points.push((x, step));
+                self.pixels = Grown::default();
+                self.resolution = Some(resolution);
+            }
+            Event::Pixel {
+                face, x, y, delta, ..
+            } => self.pixels.push((face, x, y, delta, step)),
+            Event::HemicubeSeen { mean, .. } => {
+                self.running.push((Running::FormFactor(mean), step));
+            }
+            Event::Sight { x, y, blocked, .. } => {
+                self.add(x, Way::Sight { to: y, blocked }, step);
+            }
+            Event::Visible { share, .. } => self.visible = Some((share, step)),
+            Event::FormFactorFound { f, .. } => self.found = Some((f, step)),
+        }
+    }
+
+    fn bytes_beyond(&self, before: &Self) -> usize {
+        size_of::<Self>()
+            + self.segments.bytes_beyond(&before.segments)
+            + self.points.bytes_beyond(&before.points)
+            + self.pixels.bytes_beyond(&before.pixels)
+            + self.running.bytes_beyond(&before.running)
+    }
+}
