@@ -167,7 +167,7 @@ fn push(arrays: &mut [Vec<f64>; 3], vector: DVec3) {
 }
 
 /// By how much (R/d)⁴ · d/h stands below the tolerance in a far pair: found by measuring, see the tests.
-const FAR: f64 = 0.25;
+const FAR: f64 = 0.15;
 
 /// Half the sides, one of them along the first edge, of a rectangle about the centre that holds the patch.
 ///
