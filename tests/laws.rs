@@ -102,7 +102,7 @@ fn a_truncated_recording_still_draws_the_right_picture() {
 #[test]
 fn any_number_of_threads_draws_the_same_picture() {
     let stage = stage(TEAPOT, 97, 61);
-    for method in Method::ALL {
+    for method in PIXEL_BY_PIXEL {
         let one = unrecorded(&stage, method);
         for threads in [2, 3, 16] {
             let many = render(
@@ -259,7 +259,7 @@ fn how_far_away_the_target_is_changes_nothing() {
 #[test]
 fn every_scope_closes_and_every_step_has_a_line() {
     let stage = Arc::new(stage(TEAPOT, 32, 24));
-    for method in Method::ALL {
+    for method in PIXEL_BY_PIXEL {
         let run = Run::record(
             stage.clone(),
             method,

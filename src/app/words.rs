@@ -78,6 +78,10 @@ words! {
     NOTHING_LEFT_OUT: "Nothing", "Tidak ada";
     RAY_TREE: "Ray tree", "Pohon sinar";
     VECTORS: "Vectors at the hit", "Vektor di titik temu";
+    RADIOSITY: "Radiosity, patch by patch", "Radiositas, patch demi patch";
+    FORM_FACTOR: "Form factor", "Faktor bentuk";
+    MATRIX: "Matrix of form factors", "Matriks faktor bentuk";
+    CONVERGENCE: "Convergence", "Konvergensi";
     RAYS: "Rays in the scene", "Sinar di dalam adegan";
     TREE_FIT: "fit", "pas";
     WHOLE_TREE: "show the whole tree", "tampilkan seluruh pohon";

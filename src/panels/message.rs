@@ -22,6 +22,12 @@ pub const NO_RAYS: Words = Words::new(
     "Metode ini mengolah poligon dan tidak mengikuti sinar. Buka pelajaran tentang ray casting atau ray tracing.",
 );
 
+/// Where no light is exchanged between patches.
+pub const NO_PATCHES: Words = Words::new(
+    "This run exchanges no light between patches. Open a lesson on radiosity.",
+    "Proses ini tidak mempertukarkan cahaya antar-patch. Buka pelajaran tentang radiositas.",
+);
+
 /// A picture of one friendly sentence, centred.
 pub fn message(words: Words, language: Language, size: Vec2) -> Picture {
     const LINE: f32 = 18.0;

@@ -2,15 +2,19 @@
 
 mod active_edges;
 mod code;
+mod convergence;
 #[cfg(test)]
 mod crowd;
 mod fit;
+mod form_factor;
 mod formula;
 mod image;
 mod inspector;
 mod labels;
+mod matrix;
 mod message;
 mod names;
+mod radiosity;
 mod ray_tree;
 mod rays;
 #[cfg(test)]
@@ -51,6 +55,14 @@ pub enum Panel {
     Vectors,
     /// The rays of the pixel among the objects, from the side and from above.
     Rays,
+    /// The patches of the room, each in its light, with the exchange in hand.
+    Radiosity,
+    /// Two patches, and the form factor between them as it is found.
+    FormFactor,
+    /// The form factors of the system, row by row.
+    Matrix,
+    /// Residual and error bound, iteration by iteration.
+    Convergence,
     /// All values of the step, and where each came from.
     Inspector,
     /// The pseudocode, with the current line.
@@ -62,7 +74,7 @@ pub enum Panel {
 }
 
 impl Panel {
-    pub const ALL: [Panel; 11] = [
+    pub const ALL: [Panel; 15] = [
         Panel::Image,
         Panel::ScanLine,
         Panel::ActiveEdges,
@@ -70,6 +82,10 @@ impl Panel {
         Panel::RayTree,
         Panel::Vectors,
         Panel::Rays,
+        Panel::Radiosity,
+        Panel::FormFactor,
+        Panel::Matrix,
+        Panel::Convergence,
         Panel::Inspector,
         Panel::Code,
         Panel::Formula,
@@ -86,6 +102,10 @@ impl Panel {
             Panel::RayTree => "ray-tree",
             Panel::Vectors => "vectors",
             Panel::Rays => "rays",
+            Panel::Radiosity => "radiosity",
+            Panel::FormFactor => "form-factor",
+            Panel::Matrix => "matrix",
+            Panel::Convergence => "convergence",
             Panel::Inspector => "inspector",
             Panel::Code => "code",
             Panel::Formula => "formula",
@@ -126,6 +146,10 @@ pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
         Panel::RayTree => ray_tree::draw(show, size),
         Panel::Vectors => vectors::draw(show, size),
         Panel::Rays => rays::draw(show, size),
+        Panel::Radiosity => radiosity::draw(show, size),
+        Panel::FormFactor => form_factor::draw(show, size),
+        Panel::Matrix => matrix::draw(show, size),
+        Panel::Convergence => convergence::draw(show, size),
         Panel::Inspector => inspector::draw(show, size),
         Panel::Code => code::draw(show, size),
         Panel::Formula => formula::draw(show, size),

@@ -21,6 +21,10 @@ pub enum Tag {
     Line(usize),
     /// A named value of the event at hand.
     Field(&'static str),
+    /// A patch of the room.
+    Patch(usize),
+    /// The form factor from patch i to patch j.
+    FormFactor { i: usize, j: usize },
     /// A light of the scene.
     Light(usize),
     /// A scope of the time line, by the step that opens it.

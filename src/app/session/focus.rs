@@ -9,7 +9,9 @@ use crate::record::{RecordingLimit, Value};
 use crate::replay::{Comparison, Condition, Operand, Query, Run, Walk, query};
 
 /// Fields that say where a step is, from the whole to its parts.
-const PLACES: [&str; 7] = ["polygon", "vertex", "light", "corner", "y", "edge", "x"];
+const PLACES: [&str; 11] = [
+    "polygon", "vertex", "light", "corner", "y", "edge", "x", "channel", "k", "i", "j",
+];
 
 impl Session {
     /// Records another part of the frame, and goes to the step that is most like the present one; the lesson's own part
@@ -95,6 +97,11 @@ impl Session {
             Tag::Pixel { x, y } => Some(Focus::Pixel { x, y }),
             Tag::ScanLine(y) => u32::try_from(y).ok().map(Focus::ScanLine),
             Tag::Polygon(number) => Some(Focus::Polygon(number)),
+            Tag::Patch(number) => u32::try_from(number).ok().map(Focus::Patch),
+            Tag::FormFactor { i, j } => Some(Focus::FormFactor {
+                i: u32::try_from(i).ok()?,
+                j: u32::try_from(j).ok()?,
+            }),
             _ => None,
         }
     }

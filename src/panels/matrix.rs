@@ -1,0 +1,10 @@
+//! The form factors of the system, row by row.
+
+use super::Show;
+use super::message::{NO_PATCHES, message};
+use crate::picture::Picture;
+use glam::Vec2;
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    message(NO_PATCHES, show.language, size)
+}
