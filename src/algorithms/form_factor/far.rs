@@ -3,7 +3,6 @@
 //! The same sum as [`super::area_to_area`], laid out so that several j go through the processor at once. Which pairs are far enough is
 //! decided as in [`super::auto`].
 
-use super::polygon::Polygon;
 use crate::scene::patches::Patches;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -200,22 +199,36 @@ fn points(patches: &Patches, patch: usize) -> ([(DVec3, f64); POINTS], bool) {
             found = triangle_points([a, b, c], piece.area);
             (found, true)
         }
-        [_, _, _, _] => {
-            let Some(polygon) = Polygon::new(piece.corners.into(), piece.normal) else {
-                return (found, false);
-            };
-            let mut k = 0;
-            polygon.points(2, |point, weight| {
-                if let Some(place) = found.get_mut(k) {
-                    *place = (point, weight);
-                }
-                k += 1;
-            });
-            // More than four where it is no parallelogram.
-            (found, k == POINTS)
-        }
+        [a, b, c, d] => (
+            quadrilateral_points([a, b, c, d], piece.normal),
+            is_almost_a_parallelogram([a, b, c, d]),
+        ),
         _ => (found, false),
     }
+}
+
+/// How far a fourth corner may be from where it would make a parallelogram, as a share of the shortest side: the size of the element of area
+/// then varies so little that it takes no point more.
+const ALMOST: f64 = 1e-3;
+
+fn is_almost_a_parallelogram([a, b, c, d]: [DVec3; 4]) -> bool {
+    let shortest = [b - a, c - b, d - c, a - d]
+        .into_iter()
+        .map(DVec3::length)
+        .fold(f64::INFINITY, f64::min);
+    (a - b + c - d).length() <= ALMOST * shortest
+}
+
+/// Two points of Gauss each way of the bilinear map, weighted by its element of area.
+fn quadrilateral_points([a, b, c, d]: [DVec3; 4], normal: DVec3) -> [(DVec3, f64); POINTS] {
+    let half = 0.5 / 3.0_f64.sqrt();
+    std::array::from_fn(|k| {
+        let [u, v] = [k % 2, k / 2].map(|side| if side == 0 { 0.5 - half } else { 0.5 + half });
+        let along_u = (1.0 - v) * (b - a) + v * (c - d);
+        let along_v = (1.0 - u) * (d - a) + u * (c - b);
+        let point = (1.0 - v) * (a + u * (b - a)) + v * (d + u * (c - d));
+        (point, 0.25 * along_u.cross(along_v).dot(normal))
+    })
 }
 
 /// The conical product of two points of Gauss and two of Gauss & Jacobi with the weight 1 − v (Stroud 1971, Approximate Calculation of Multiple Integrals, §2.4).

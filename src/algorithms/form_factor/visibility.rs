@@ -69,11 +69,19 @@ struct Group {
     point: DVec3,
     low: DVec3,
     high: DVec3,
+    /// Between which heights it lies: in its plane unless it is warped.
+    heights: [f64; 2],
+    /// The steepest slope of a warped one against its plane.
+    slope: f64,
 }
 
 impl Group {
     fn height(&self, point: DVec3) -> f64 {
         self.normal.dot(point - self.point)
+    }
+
+    fn is_warped(&self) -> bool {
+        self.heights[0] < self.heights[1]
     }
 }
 
@@ -96,6 +104,7 @@ impl Blockers {
             .filter(|group| {
                 let heights = || corners.iter().map(|&corner| group.height(corner));
                 has_too_many
+                    || group.is_warped()
                     || (heights().any(|height| height < -slack)
                         && heights().any(|height| height > slack))
             })
@@ -134,8 +143,9 @@ impl Blockers {
                     (lowest, highest) = (lowest.min(height), highest.max(height));
                 }
                 let (word, bit) = (patch * self.words + number / 64, number % 64);
-                self.not_behind[word] |= u64::from(lowest >= -self.slack) << bit;
-                self.not_in_front[word] |= u64::from(highest <= self.slack) << bit;
+                let [bottom, top] = group.heights;
+                self.not_behind[word] |= u64::from(lowest >= top - self.slack) << bit;
+                self.not_in_front[word] |= u64::from(highest <= bottom + self.slack) << bit;
             }
         }
     }
@@ -166,13 +176,37 @@ impl Blockers {
             let mut can = !cannot & all;
             while can != 0 {
                 let group = &self.groups[64 * word + can.trailing_zeros() as usize];
-                if self.shaft_crosses(i, j, group) {
+                let crosses = match group.is_warped() {
+                    true => !self.rises_from(i, j, group),
+                    false => self.shaft_crosses(i, j, group),
+                };
+                if crosses {
                     return true;
                 }
                 can &= can - 1;
             }
             false
         })
+    }
+
+    /// Whether every ray between two patches, one of a warped group, is steeper than the group anywhere: such a ray leaves the group and does
+    /// not come back to it.
+    fn rises_from(&self, i: usize, j: usize, group: &Group) -> bool {
+        let heights = |patch: usize| {
+            self.corners_of(patch)
+                .iter()
+                .map(|&corner| group.height(corner))
+        };
+        let rises = |from: usize, to: usize| {
+            let top = heights(from).fold(f64::NEG_INFINITY, f64::max);
+            let bottom = heights(to).fold(f64::INFINITY, f64::min);
+            let distances = self
+                .corners_of(from)
+                .iter()
+                .flat_map(|a| self.corners_of(to).iter().map(|b| a.distance(*b)));
+            bottom - top > group.slope * distances.fold(0.0, f64::max)
+        };
+        (group.patches.contains(&i) && rises(i, j)) || (group.patches.contains(&j) && rises(j, i))
     }
 
     /// Whether the convex hull of two patches crosses the plane of a group within its box.
@@ -292,11 +326,61 @@ fn facets(scene: &Scene, patches: &Patches, groups: &[Group]) -> Scene {
     scene
 }
 
+/// The steepest slope of patches that count as one warped group.
+const STEEPEST: f64 = 0.1;
+
+/// The patches of an object that are not planar, but almost: all of them as one group.
+fn warped(patches: &Patches, range: Range<usize>) -> Option<Group> {
+    let pieces = || range.clone().flat_map(|patch| patches.pieces(patch));
+    if range.clone().all(|patch| patches.pieces(patch).len() == 1) {
+        return None;
+    }
+    let normal = pieces()
+        .map(|piece| piece.area * piece.normal)
+        .sum::<DVec3>()
+        .normalize_or_zero();
+    let cosine = pieces()
+        .map(|piece| piece.normal.dot(normal))
+        .fold(1.0, f64::min);
+    let slope = (1.0 - cosine * cosine).max(0.0).sqrt() / cosine;
+    if !(cosine > 0.0 && slope <= STEEPEST) {
+        return None;
+    }
+    let corners = || pieces().flat_map(|piece| piece.corners.iter().copied());
+    let point = corners().next()?;
+    let heights = || corners().map(|corner| normal.dot(corner - point));
+    Some(Group {
+        object: patches[range.start].object,
+        patches: range.clone(),
+        piece: None,
+        normal,
+        point,
+        low: corners().fold(DVec3::INFINITY, DVec3::min),
+        high: corners().fold(DVec3::NEG_INFINITY, DVec3::max),
+        heights: [
+            heights().fold(f64::INFINITY, f64::min),
+            heights().fold(f64::NEG_INFINITY, f64::max),
+        ],
+        slope,
+    })
+}
+
 /// Patches in one plane that follow each other; of patches that are not planar, each piece.
 fn groups(scene: &Scene, patches: &Patches, slack: f64) -> Vec<Group> {
     let mut groups: Vec<Group> = Vec::new();
     for (number, patch) in patches.iter().enumerate() {
         if !scene.objects[patch.object as usize].casts_shadow {
+            continue;
+        }
+        let surface = &patches.surfaces[patch.object as usize];
+        let all = surface.first..surface.first + (surface.grid[0] * surface.grid[1]) as usize;
+        if number == all.start {
+            groups.extend(warped(patches, all));
+        }
+        if groups
+            .last()
+            .is_some_and(|group| group.is_warped() && group.patches.contains(&number))
+        {
             continue;
         }
         let is_whole = patches.pieces(number).len() == 1;
@@ -326,6 +410,8 @@ fn groups(scene: &Scene, patches: &Patches, slack: f64) -> Vec<Group> {
                     point: piece.corners[0],
                     low,
                     high,
+                    heights: [0.0; 2],
+                    slope: 0.0,
                 }),
             }
         }

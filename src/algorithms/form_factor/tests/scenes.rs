@@ -135,6 +135,48 @@ fn a_block_in_a_room_hides_and_nothing_leaks_past_it() {
 }
 
 #[test]
+fn a_warped_wall_hides_nothing_that_rises_from_it() {
+    // A saddle under a shelf: where nothing is said to stand between, no line of sight is blocked.
+    let wall = r#"{"name": "saddle", "material": "m", "patches": 4,
+        "polygon": {"vertices": [[0, 0, 0], [1, 0, 0.03], [1, 1, 0], [0, 1, 0.03]]}}"#;
+    let mut objects = faces("shelf", [0.3, 0.3, 0.4], [0.7, 0.7, 0.5], 2, false);
+    objects.extend([
+        wall.to_owned(),
+        wall.replace("saddle", "lid")
+            .replace("0, 0, 0]", "0, 0, 1]")
+            .replace("1, 0, 0.03]", "0, 1, 1]")
+            .replace("1, 1, 0]", "1, 1, 1]")
+            .replace("0, 1, 0.03]", "1, 0, 1]"),
+    ]);
+    let scene = scene(&objects);
+    let patches = patches(&scene);
+    let blockers = Blockers::of(&scene, &patches);
+    let (mut clear, mut rays) = (0, 0);
+    for i in 0..patches.len() {
+        for j in 0..i {
+            if blockers.can_stand_between(i, j) {
+                continue;
+            }
+            clear += 1;
+            let sobol = super::super::sobol::Sobol::new(7);
+            for index in 0..32 {
+                let [s, t, u, v] = sobol.point(index);
+                let x = super::super::sample::at(&patches, i, [s, t]);
+                let y = super::super::sample::at(&patches, j, [u, v]);
+                let [cos_x, cos_y, _] =
+                    super::super::area_to_area::cosines(x.point, x.normal, y.point, y.normal);
+                if cos_x > 0.0 && cos_y > 0.0 {
+                    rays += 1;
+                    assert!(!blockers.stand_between(&x, &y), "{i} {j}");
+                }
+            }
+        }
+    }
+    // And that is said of many: of most pairs of saddle and lid that the shelf does not part.
+    assert!(clear > 300 && rays > 2000, "{clear} {rays}");
+}
+
+#[test]
 fn facets_of_a_sphere_do_not_hide_each_other_from_outside() {
     let objects = [
         faces("wall", [-1.0; 3], [1.0; 3], 4, true),
