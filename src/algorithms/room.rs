@@ -1,8 +1,10 @@
 //! A scene as radiosity sees it: patches, what stands between them, their form factors, and in the end their light.
 
 use super::form_factor::{Blockers, FormFactors, Method};
-use super::radiosity::{Channel, ChannelUnsolved, Event, Matrix, Solution, Solver, Stop, Watch};
-use super::radiosity::{Told, Unsolved, solve_channels};
+use super::radiosity::{
+    self, Channel, ChannelUnsolved, Event, Matrix, Rows, Solution, Solver, Stop, System, Told,
+    Unsolved, Watch, shoot, solve, solve_channels,
+};
 use crate::color::Rgb;
 use crate::record::{Recorder, Unrecorded};
 use crate::scene::patch_solids::PatchSolids;
@@ -120,6 +122,39 @@ impl Room {
         watch: &Watch,
         recorder: &mut R,
     ) -> Result<Light, ChannelUnsolved> {
+        let Settings { solver, stop, .. } = self.settings;
+        let matrix = Matrix::new(matrix, self.patches.len()).map_err(|why| ChannelUnsolved {
+            channel: "all channels",
+            why,
+        })?;
+        self.solve_by(recorder, |patches, recorder| {
+            let system = System::new(&matrix, *patches)?;
+            solve(&system, solver, stop, watch, recorder)
+        })
+    }
+
+    /// Shoots for the light of the room with no matrix: the row of a patch is found when it shoots. Errors: as of [`Room::solve`].
+    pub fn shoot<R: Recorder<Event>>(
+        &self,
+        watch: &Watch,
+        recorder: &mut R,
+    ) -> Result<Light, ChannelUnsolved> {
+        let Settings { solver, stop, .. } = self.settings;
+        let overshoots = solver == Solver::Overshooting;
+        self.solve_by(recorder, |patches, recorder| {
+            let rows = FoundRows {
+                form_factors: self.form_factors(),
+                row: vec![0.0; patches.len()],
+            };
+            shoot(rows, patches, overshoots, stop, watch, recorder)
+        })
+    }
+
+    fn solve_by<R: Recorder<Event>>(
+        &self,
+        recorder: &mut R,
+        solve: impl FnMut(&radiosity::Patches, &mut R) -> Result<Solution, Unsolved>,
+    ) -> Result<Light, ChannelUnsolved> {
         const NAMES: [&str; 3] = ["red", "green", "blue"];
         let of = |colors: &[Rgb], channel: usize| -> Vec<f64> {
             colors
@@ -133,26 +168,13 @@ impl Room {
             rho: &lists[c].0,
             emission: &lists[c].1,
         });
-        let all = |why| ChannelUnsolved {
-            channel: "all channels",
-            why,
-        };
-        let matrix = Matrix::new(matrix, self.patches.len()).map_err(all)?;
-        let Settings { solver, stop, .. } = self.settings;
-        let areas = self.patches.areas();
+        let solver = self.settings.solver;
         let tell = |told| Event { solver, told };
         let patches = self.patches.len() as u32;
         recorder.enter(|| tell(Told::Room { patches }));
-        let solved = solve_channels(&matrix, &areas, &channels, solver, stop, watch, recorder);
+        let solved = solve_channels(&self.patches.areas(), channels, solver, recorder, solve);
         recorder.leave(|| tell(Told::RoomDone));
         let solutions = solved?;
-        let count = solutions.len();
-        let wrong = |_| Unsolved::Sizes {
-            what: "solutions",
-            found: count,
-            patches: 3,
-        };
-        let solutions: [Solution; 3] = solutions.try_into().map_err(wrong).map_err(all)?;
         let [red, green, blue] = &solutions;
         let radiosity = (0..self.patches.len())
             .map(|i| Rgb::new(red.radiosity[i], green.radiosity[i], blue.radiosity[i]))
@@ -161,5 +183,18 @@ impl Room {
             radiosity,
             solutions,
         })
+    }
+}
+
+/// Rows of form factors, found one by one.
+struct FoundRows<'a> {
+    form_factors: FormFactors<'a>,
+    row: Vec<f64>,
+}
+
+impl Rows for FoundRows<'_> {
+    fn row(&mut self, i: usize) -> &[f64] {
+        self.form_factors.row(i, &mut self.row);
+        &self.row
     }
 }

@@ -2,10 +2,11 @@
 
 use super::form_factors::{MemoryArgument, VisibilityArgument, matrix, room, settings};
 use super::progress::named;
-use super::{Failure, LimitArguments, files};
+use super::{Failure, LimitArguments, files, tell};
 use crate::algorithms::form_factor::Method;
-use crate::algorithms::radiosity::{Solver, Stop};
+use crate::algorithms::radiosity::{ChannelUnsolved, Solver, Stop, Watch};
 use crate::algorithms::room::{Light, Room, Settings};
+use crate::record::Unrecorded;
 use crate::scene::Scene;
 use clap::builder::PossibleValuesParser;
 use serde_json::{Value as Json, json};
@@ -71,13 +72,25 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let (scene, _) = files::scene(&arguments.scene, &arguments.limits.into())?;
     let start = Instant::now();
     let room = room(&scene, &arguments.scene, settings)?;
-    if let Some(refusal) = arguments.memory.refusal(&room) {
-        return Err(files::wrong(&arguments.scene.display(), &refusal));
-    }
     let divided = start.elapsed();
-    matrix(&room);
-    let exchanged = start.elapsed();
-    let light = light(&room)?;
+    let shot: Light;
+    let (exchanged, light) = match arguments.memory.refusal(&room) {
+        None => {
+            matrix(&room);
+            (start.elapsed(), light(&room)?)
+        }
+        Some(refusal) if room.settings.solver.shoots() => {
+            tell(format_args!(
+                "lightwalk: {refusal}: they are found row by row, shot by shot"
+            ));
+            shot = shoot(&room)?;
+            (divided, &shot)
+        }
+        Some(refusal) => {
+            let advice = format!("{refusal}; --solver shooting and overshooting need no matrix");
+            return Err(files::wrong(&arguments.scene.display(), &advice));
+        }
+    };
     let solved = start.elapsed();
     let solutions = &light.solutions;
     let result = json!({
@@ -101,9 +114,16 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 /// The light of a room, or a failure of the work: what did not converge is no result.
 pub fn light(room: &Room) -> Result<&Light, Failure> {
     let matrix = matrix(room);
-    let solver = room.settings.solver.name();
-    named("solving", || room.light(matrix))
-        .map_err(|unsolved| Failure::Failed(format!("{solver}: {unsolved}")))
+    named("solving", || room.light(matrix)).map_err(|why| unsolved(room, why))
+}
+
+fn shoot(room: &Room) -> Result<Light, Failure> {
+    let untold = &mut Unrecorded;
+    named("shooting", || room.shoot(&Watch::default(), untold)).map_err(|why| unsolved(room, &why))
+}
+
+fn unsolved(room: &Room, why: &ChannelUnsolved) -> Failure {
+    Failure::Failed(format!("{}: {why}", room.settings.solver.name()))
 }
 
 fn surfaces(scene: &Scene, room: &Room, light: &Light) -> Vec<Json> {

@@ -3,10 +3,8 @@
 use super::Solver;
 use super::event::{Event, Told};
 use super::iterate::By;
-use super::outcome::{Solution, Stop, Unsolved};
-use super::solver::solve;
-use super::system::{Matrix, Patches, System};
-use super::watch::Watch;
+use super::outcome::{Solution, Unsolved};
+use super::system::Patches;
 use crate::record::Recorder;
 use thiserror::Error;
 
@@ -27,17 +25,15 @@ pub struct ChannelUnsolved {
     pub why: Unsolved,
 }
 
-/// Solves each channel by itself, in their order. Errors: those of the first channel that has no result.
-pub fn solve_channels<R: Recorder<Event>>(
-    matrix: &Matrix,
+/// Solves each channel by itself, in their order, with `solve`. Errors: those of the first channel that has no result.
+pub fn solve_channels<const N: usize, R: Recorder<Event>>(
     area: &[f64],
-    channels: &[Channel],
+    channels: [Channel; N],
     solver: Solver,
-    stop: Stop,
-    watch: &Watch,
     recorder: &mut R,
-) -> Result<Vec<Solution>, ChannelUnsolved> {
-    let mut solutions: Vec<Solution> = Vec::new();
+    mut solve: impl FnMut(&Patches, &mut R) -> Result<Solution, Unsolved>,
+) -> Result<[Solution; N], ChannelUnsolved> {
+    let mut solutions: [Solution; N] = std::array::from_fn(|_| Solution::dark(area.len()));
     for (c, channel) in channels.iter().enumerate() {
         let name = channel.name;
         let because = |why| ChannelUnsolved { channel: name, why };
@@ -52,20 +48,19 @@ pub fn solve_channels<R: Recorder<Event>>(
                 why: "nothing emits",
                 like: None,
             });
-            solutions.push(Solution::dark(patches.len()));
         } else if let Some(equal) = equal {
             by.step(|| Told::ChannelLeftOut {
                 channel: name,
                 why: "equal channel",
                 like: Some(channels[equal].name),
             });
-            solutions.push(solutions[equal].clone());
+            solutions[c] = solutions[equal].clone();
         } else {
-            let system = System::new(matrix, patches).map_err(because)?;
             by.enter(|| Told::Channel { channel: name });
-            let solution = solve(&system, solver, stop, watch, by.recorder);
+            let solution = solve(&patches, by.recorder);
+            let mut by = By { solver, recorder };
             by.leave(|| Told::ChannelDone { channel: name });
-            solutions.push(solution.map_err(because)?);
+            solutions[c] = solution.map_err(because)?;
         }
     }
     Ok(solutions)

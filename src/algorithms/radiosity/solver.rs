@@ -60,6 +60,11 @@ impl Solver {
         }
     }
 
+    /// Whether it needs one row of form factors at a time, and so no stored matrix.
+    pub fn shoots(self) -> bool {
+        matches!(self, Solver::Shooting | Solver::Overshooting)
+    }
+
     pub fn from_name(name: &str) -> Option<Self> {
         Solver::ALL.into_iter().find(|solver| solver.name() == name)
     }

@@ -276,13 +276,14 @@ fn dark_and_equal_channels_are_not_solved() {
     let mut recording = Recording::new(RecordingLimit::default());
     let (solver, stop, watch) = (Solver::Auto, Stop::default(), Watch::default());
     let found = solve_channels(
-        &matrix,
         &area,
-        &channels,
+        channels,
         solver,
-        stop,
-        &watch,
         &mut recording,
+        |patches, recorder| {
+            let system = System::new(&matrix, *patches)?;
+            solve(&system, solver, stop, &watch, recorder)
+        },
     )
     .unwrap();
     assert_eq!(found[0], found[1]);
