@@ -42,6 +42,10 @@ const BUILTINS: &[Builtin] = &[
         "texture-transparency",
         include_str!("../../lessons/17-texture-transparency.json"),
     ),
+    lesson(
+        "form-factors",
+        include_str!("../../lessons/18-form-factors.json"),
+    ),
 ];
 
 /// What those lessons name, by its path relative to them.
