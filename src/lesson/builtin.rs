@@ -46,6 +46,10 @@ const BUILTINS: &[Builtin] = &[
         "form-factors",
         include_str!("../../lessons/18-form-factors.json"),
     ),
+    lesson(
+        "assumptions",
+        include_str!("../../lessons/19-assumptions.json"),
+    ),
 ];
 
 /// What those lessons name, by its path relative to them.
