@@ -50,6 +50,10 @@ const BUILTINS: &[Builtin] = &[
         "assumptions",
         include_str!("../../lessons/19-assumptions.json"),
     ),
+    lesson(
+        "linear-system",
+        include_str!("../../lessons/20-linear-system.json"),
+    ),
 ];
 
 /// What those lessons name, by its path relative to them.
