@@ -42,6 +42,18 @@ const BUILTINS: &[Builtin] = &[
         "texture-transparency",
         include_str!("../../lessons/17-texture-transparency.json"),
     ),
+    lesson(
+        "form-factors",
+        include_str!("../../lessons/18-form-factors.json"),
+    ),
+    lesson(
+        "assumptions",
+        include_str!("../../lessons/19-assumptions.json"),
+    ),
+    lesson(
+        "linear-system",
+        include_str!("../../lessons/20-linear-system.json"),
+    ),
 ];
 
 /// What those lessons name, by its path relative to them.
