@@ -42,6 +42,8 @@ const BUILTINS: &[Builtin] = &[
         "texture-transparency",
         include_str!("../../lessons/17-texture-transparency.json"),
     ),
+    lesson("gathering", include_str!("../../lessons/21-gathering.json")),
+    lesson("shooting", include_str!("../../lessons/22-shooting.json")),
 ];
 
 /// What those lessons name, by its path relative to them.
