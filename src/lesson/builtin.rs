@@ -53,6 +53,15 @@ const BUILTINS: &[Builtin] = &[
     lesson(
         "linear-system",
         include_str!("../../lessons/20-linear-system.json"),
+    lesson("gathering", include_str!("../../lessons/21-gathering.json")),
+    lesson("shooting", include_str!("../../lessons/22-shooting.json")),
+    lesson(
+        "color-bleeding",
+        include_str!("../../lessons/23-color-bleeding.json"),
+    ),
+    lesson(
+        "cornell-box",
+        include_str!("../../lessons/24-cornell-box.json"),
     ),
 ];
 
@@ -65,6 +74,10 @@ const FILES: &[(&str, &[u8])] = &[
     (
         "meshes/prism.obj",
         include_bytes!("../../lessons/meshes/prism.obj"),
+    ),
+    (
+        "scenes/cornell-box.json",
+        include_bytes!("../../lessons/scenes/cornell-box.json"),
     ),
 ];
 
