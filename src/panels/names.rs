@@ -23,6 +23,45 @@ const RAYS: [(&str, Words, &str); 4] = [
     ),
 ];
 
+/// Words that events tell, where a sentence has others for them.
+const WORDS: [(&str, Words); 11] = [
+    ("red", Words::new("red", "merah")),
+    ("green", Words::new("green", "hijau")),
+    ("blue", Words::new("blue", "biru")),
+    ("jacobi", Words::new("Jacobi’s iteration", "iterasi Jacobi")),
+    (
+        "gauss-seidel",
+        Words::new("Gauss–Seidel iteration", "iterasi Gauss–Seidel"),
+    ),
+    (
+        "over-relaxation",
+        Words::new(
+            "successive over-relaxation",
+            "relaksasi lebih berturut-turut",
+        ),
+    ),
+    ("shooting", Words::new("shooting", "penembakan")),
+    (
+        "overshooting",
+        Words::new("overshooting", "penembakan lebih"),
+    ),
+    (
+        "chebyshev",
+        Words::new("Chebyshev’s iteration", "iterasi Chebyshev"),
+    ),
+    (
+        "conjugate-gradients",
+        Words::new("conjugate gradients", "gradien konjugat"),
+    ),
+    ("direct", Words::new("elimination", "eliminasi")),
+];
+
+/// A word that an event tells, in a sentence.
+pub(super) fn word(word: &'static str, language: Language) -> &'static str {
+    let known = WORDS.iter().find(|(told, _)| *told == word);
+    known.map_or(word, |(_, words)| words.in_language(language))
+}
+
 /// What the run shows.
 pub(super) fn stage(run: &Run) -> &Stage {
     match run {
