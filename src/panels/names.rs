@@ -1,6 +1,7 @@
 //! What objects, lights and rays are called.
 
 use super::words::{Language, Words};
+use crate::algorithms::room::Room;
 use crate::algorithms::stage::Stage;
 use crate::record::Value;
 use crate::replay::{Run, Walk};
@@ -23,6 +24,45 @@ const RAYS: [(&str, Words, &str); 4] = [
     ),
 ];
 
+/// Words that events tell, where a sentence has others for them.
+const WORDS: [(&str, Words); 11] = [
+    ("red", Words::new("red", "merah")),
+    ("green", Words::new("green", "hijau")),
+    ("blue", Words::new("blue", "biru")),
+    ("jacobi", Words::new("Jacobi’s iteration", "iterasi Jacobi")),
+    (
+        "gauss-seidel",
+        Words::new("Gauss–Seidel iteration", "iterasi Gauss–Seidel"),
+    ),
+    (
+        "over-relaxation",
+        Words::new(
+            "successive over-relaxation",
+            "relaksasi lebih berturut-turut",
+        ),
+    ),
+    ("shooting", Words::new("shooting", "penembakan")),
+    (
+        "overshooting",
+        Words::new("overshooting", "penembakan lebih"),
+    ),
+    (
+        "chebyshev",
+        Words::new("Chebyshev’s iteration", "iterasi Chebyshev"),
+    ),
+    (
+        "conjugate-gradients",
+        Words::new("conjugate gradients", "gradien konjugat"),
+    ),
+    ("direct", Words::new("elimination", "eliminasi")),
+];
+
+/// A word that an event tells, in a sentence.
+pub(super) fn word(word: &'static str, language: Language) -> &'static str {
+    let known = WORDS.iter().find(|(told, _)| *told == word);
+    known.map_or(word, |(_, words)| words.in_language(language))
+}
+
 /// What the run shows.
 pub(super) fn stage(run: &Run) -> &Stage {
     match run {
@@ -39,6 +79,18 @@ pub(super) fn stage(run: &Run) -> &Stage {
 pub(super) fn object(stage: &Stage, number: u32) -> &str {
     let object = stage.scene.objects.get(number as usize);
     object.map_or("", |object| object.name.as_str())
+}
+
+/// A patch of the room: its object, and its cell where there is more than one.
+pub(super) fn patch(stage: &Stage, room: &Room, number: usize) -> String {
+    let patch = &room.patches[number];
+    let name = object(stage, patch.object);
+    let [nu, nv] = room.patches.surfaces[patch.object as usize].grid;
+    match patch.cell {
+        _ if nu * nv == 1 => name.to_string(),
+        [i, _] if nv == 1 => format!("{name} {i}"),
+        [i, j] => format!("{name} ({i}, {j})"),
+    }
 }
 
 /// The light of that number: lights have no names.

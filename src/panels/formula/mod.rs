@@ -79,6 +79,7 @@ fn holds(when: When, known: &Known) -> bool {
     let value = |name| known.get(name).map(|told| told.field.value);
     let number = |name| match value(name) {
         Some(Value::Number(v)) => v,
+        Some(Value::Integer(v)) => v as f64,
         _ => f64::NAN,
     };
     match when {
@@ -147,6 +148,7 @@ fn filled(words: Words, known: &Known, stage: &Stage, language: Language) -> Str
         match piece {
             Piece::Text(part) => text.push_str(&part),
             Piece::Place(place) => match known.values(&place).as_deref() {
+                Some([Value::Word(word), ..]) => text.push_str(names::word(word, language)),
                 Some([value, ..]) => {
                     text.push_str(&shown(*value, 4, language));
                     // Lights have no names, only kinds.

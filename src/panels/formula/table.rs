@@ -1,5 +1,7 @@
 //! What each kind of step says, and its formulas. An entry is taken by its kind and condition; the first that fits holds.
 
+mod form_factor;
+mod radiosity;
 mod rays;
 
 use super::super::words::Words;
@@ -50,6 +52,14 @@ const fn if_told(name: &'static str, template: &'static str) -> Formula {
     }
 }
 
+const fn if_finite(name: &'static str, template: &'static str) -> Formula {
+    Formula {
+        template,
+        when: When::Finite(name),
+        note: None,
+    }
+}
+
 const fn noted(template: &'static str, note: Words) -> Formula {
     Formula {
         template,
@@ -93,8 +103,8 @@ const ON_THE_SLIDE: Words = Words::new(
     "Seperti pada slide, sebagai ganti f_{att} · (N·L); nilainya membesar dengan jarak:",
 );
 
-/// Those of rays go first: they say more where the same step occurs along a ray.
-pub const TABLES: [&[Entry]; 2] = [rays::TABLE, TABLE];
+/// Those of one method go first: they say more where a step of the same kind occurs in others too.
+pub const TABLES: [&[Entry]; 4] = [radiosity::TABLE, form_factor::TABLE, rays::TABLE, TABLE];
 
 const TABLE: &[Entry] = &[
     // Stage

@@ -137,15 +137,14 @@ impl<'a> Known<'a> {
     fn before(&self, name: &str) -> Option<Told> {
         let outline = self.walk.outline();
         let scope = outline.parent(self.step)?;
-        let first = (scope + 1 < self.step).then_some(scope + 1);
-        let siblings = std::iter::successors(first, |&step| {
-            Some(outline.last(step) + 1).filter(|&next| next < self.step)
-        });
-        let ends: Vec<usize> = siblings
-            .take(MOST_SIBLINGS)
-            .map(|step| outline.last(step))
-            .collect();
-        ends.into_iter().rev().find_map(|step| {
+        // Backward: before a step in the scope lies a step of it, or the end of a scope in it.
+        let opener = |end: usize| {
+            std::iter::successors(Some(end), |&step| outline.parent(step))
+                .find(|&step| outline.parent(step) == Some(scope))
+        };
+        let before = |step: usize| Some(step - 1).filter(|&end| end > scope);
+        let ends = std::iter::successors(before(self.step), |&end| before(opener(end)?));
+        ends.take(MOST_SIBLINGS).find_map(|step| {
             let fields = self.walk.own_fields(step);
             let field = *fields.0.iter().rev().find(|field| field.name == name)?;
             Some(Told { step, field })

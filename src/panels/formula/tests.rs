@@ -4,7 +4,7 @@ use super::*;
 use crate::render::Method;
 use std::collections::HashSet;
 
-/// Every step of the crowd, by every method, and of rays among spheres.
+/// Every step of the crowd, by every method, of rays among spheres, of every solver and method of form factors.
 fn each_step(mut look: impl FnMut(&str, &Known, &Stage)) {
     let crowds = Method::ALL.map(crowd::crowd);
     let rays = [
@@ -13,7 +13,8 @@ fn each_step(mut look: impl FnMut(&str, &Known, &Stage)) {
         Sample::rays(Method::RayTracing, sample::BALL, 5),
         Sample::rays(Method::RayTracing, sample::SPARK, 5),
     ];
-    for sample in crowds.into_iter().chain(rays) {
+    let light = crowd::solvers().into_iter().chain(crowd::form_factors());
+    for sample in crowds.into_iter().chain(rays).chain(light) {
         for step in 0..sample.walk().len() {
             let known = Known::at(sample.walk(), step);
             look(sample.walk().kind(step), &known, names::stage(&sample.run));
@@ -84,8 +85,9 @@ fn the_result_is_printed_as_the_field_is() {
 
 #[test]
 fn every_step_is_legible_at_every_size() {
-    for method in Method::ALL {
-        let mut sample = crowd::crowd(method);
+    let crowds = Method::ALL.map(crowd::crowd);
+    let light = crowd::solvers().into_iter().chain(crowd::form_factors());
+    for mut sample in crowds.into_iter().chain(light) {
         for step in sample.some_steps(2011) {
             sample.seek(step);
             for size in SIZES {

@@ -1,0 +1,88 @@
+use super::super::crowd::{SIZES, assert_legible, nothing, open_room, solvers, texts};
+use super::super::sample::Sample;
+use super::*;
+use crate::algorithms::focus::Focus;
+use crate::algorithms::form_factor::Method;
+use crate::algorithms::radiosity::Solver;
+use crate::algorithms::room;
+use crate::picture::Tag;
+
+fn solved(solver: Solver) -> Sample {
+    let settings = room::Settings {
+        solver,
+        ..room::Settings::default()
+    };
+    open_room(settings, Focus::Frame)
+}
+
+fn at(sample: &mut Sample, kind: &str, size: [f32; 2]) -> Picture {
+    let step = sample.first(kind) + 1;
+    sample.seek(step);
+    draw(&sample.show(), size.into())
+}
+
+#[test]
+fn every_step_is_legible_at_every_size() {
+    for mut sample in solvers() {
+        for step in sample.some_steps(211) {
+            sample.seek(step);
+            for size in SIZES {
+                for language in Language::ALL {
+                    let picture = draw(&sample.show_in(language), size);
+                    let what = format!("{} at {size}", sample.walk().kind(step));
+                    assert_legible(&picture, &what);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn gathering_marks_a_row_and_shooting_a_column() {
+    let size = [500.0, 400.0];
+    for (solver, kind) in [
+        (Solver::Jacobi, "Gathering"),
+        (Solver::Shooting, "Shooting"),
+    ] {
+        let mut sample = solved(solver);
+        let picture = at(&mut sample, kind, size);
+        let Run::Radiosity(_, replay) = &sample.run else {
+            panic!("it is a run of radiosity");
+        };
+        let hand = Hand::of(replay.state()).expect("a patch is in hand");
+        let line = picture.items.iter().find(|item| {
+            let bounds = item.shape.bounds();
+            item.tag == Some(Tag::Patch(hand.i)) && bounds.width.max(bounds.height) > 150.0
+        });
+        let bounds = line.expect("its line is marked").shape.bounds();
+        assert_eq!(bounds.height > bounds.width, solver == Solver::Shooting);
+    }
+}
+
+#[test]
+fn a_cell_can_be_pointed_at_and_the_row_in_hand_is_written_out() {
+    let mut sample = solved(Solver::Jacobi);
+    let picture = at(&mut sample, "Gathering", [500.0, 400.0]);
+    let cell = Tag::FormFactor { i: 3, j: 5 };
+    let bounds = picture.tagged_bounds(cell).expect("the cell is there");
+    assert_eq!(picture.hit(bounds.center()), Some(cell));
+    let printed: Vec<&str> = texts(&picture).into_iter().map(|(text, _)| text).collect();
+    assert!(printed.contains(&"E_i"), "{printed:?}");
+    // A closed part of the diagonal: flat patches see nothing of themselves.
+    assert!(printed.contains(&"1.000"), "{printed:?}");
+}
+
+#[test]
+fn without_a_matrix_that_is_said() {
+    let form_factors = Method::AreaToArea { points: 2 };
+    let settings = room::Settings {
+        form_factors,
+        ..room::Settings::default()
+    };
+    for sample in [
+        nothing(),
+        open_room(settings, Focus::FormFactor { i: 0, j: 2 }),
+    ] {
+        assert_legible(&draw(&sample.show(), SIZES[0]), "no matrix");
+    }
+}
