@@ -1,6 +1,7 @@
 //! What objects, lights and rays are called.
 
 use super::words::{Language, Words};
+use crate::algorithms::room::Room;
 use crate::algorithms::stage::Stage;
 use crate::record::Value;
 use crate::replay::{Run, Walk};
@@ -39,6 +40,18 @@ pub(super) fn stage(run: &Run) -> &Stage {
 pub(super) fn object(stage: &Stage, number: u32) -> &str {
     let object = stage.scene.objects.get(number as usize);
     object.map_or("", |object| object.name.as_str())
+}
+
+/// A patch of the room: its object, and its cell where there is more than one.
+pub(super) fn patch(stage: &Stage, room: &Room, number: usize) -> String {
+    let patch = &room.patches[number];
+    let name = object(stage, patch.object);
+    let [nu, nv] = room.patches.surfaces[patch.object as usize].grid;
+    match patch.cell {
+        _ if nu * nv == 1 => name.to_string(),
+        [i, _] if nv == 1 => format!("{name} {i}"),
+        [i, j] => format!("{name} ({i}, {j})"),
+    }
 }
 
 /// The light of that number: lights have no names.
