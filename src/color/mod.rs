@@ -55,6 +55,11 @@ impl Rgb {
         encode::srgb8(self.channels())
     }
 
+    /// The linear colour of 8-bit sRGB codes.
+    pub fn from_srgb8(codes: [u8; 3]) -> Self {
+        Rgb::from(codes.map(|code| srgb_decode(f64::from(code) / 255.0)))
+    }
+
     /// Relative luminance by ITU-R BT.709 primaries.
     pub fn luminance(self) -> f64 {
         0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b
@@ -68,6 +73,15 @@ pub fn srgb_encode(linear: f64) -> f64 {
         12.92 * linear
     } else {
         1.055 * linear.powf(1.0 / 2.4) - 0.055
+    }
+}
+
+/// The inverse of [`srgb_encode`] on [0, 1].
+fn srgb_decode(encoded: f64) -> f64 {
+    if encoded <= 0.040_45 {
+        encoded / 12.92
+    } else {
+        ((encoded + 0.055) / 1.055).powf(2.4)
     }
 }
 

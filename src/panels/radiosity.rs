@@ -1,10 +1,283 @@
-//! The patches of the room, each in its light, with the exchange in hand.
+//! The patches of the room as the scene's camera sees them, each in its light so far, with the exchange in hand; where patches
+//! shoot, and there is room for it, beside it the light that they have still to shoot.
+
+mod colors;
+mod exchange;
+mod room_view;
 
 use super::Show;
 use super::message::{NO_PATCHES, message};
-use crate::picture::Picture;
+use super::values::told_in_words;
+use super::words::{Language, Words};
+use crate::algorithms::room::Room;
+use crate::algorithms::stage::Stage;
+use crate::color::Rgb;
+use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, Text, elide};
+use crate::replay::Run;
+use crate::replay::radiosity::State;
+use colors::{DECADES, Unshot, exposure, light, shoots, viridis};
+use exchange::{Exchange, three_digits};
 use glam::Vec2;
+use room_view::RoomView;
+
+const MARGIN: f32 = 5.0;
+const TEXT: f32 = 11.0;
+/// Of the title above and of the scale below.
+const ROW: f32 = 18.0;
+/// With more lines than that, patches have no outlines.
+const MOST_LINES: usize = 500;
+/// By how much patches reach under their neighbours, in points, so that nothing shows between them.
+const OVERLAP: f32 = 0.4;
+
+const RADIOSITY: Words = Words::new("radiosity B", "radiositas B");
+const WITH_UNSHOT: Words = Words::new("radiosity B + unshot", "radiositas B + belum ditembakkan");
+const UNSHOT: Words = Words::new("unshot radiosity", "radiositas belum ditembakkan");
+const EMISSION: Words = Words::new("emission E", "emisi E");
+const REFLECTANCE: Words = Words::new("reflectance ρ", "reflektansi ρ");
+const PATCHES: Words = Words::new("Patches of the room:", "Patch ruangan:");
+const SEEN: Words = Words::new(
+    "seen from their front, through the backs of those that turn away:",
+    "terlihat dari depan, menembus punggung patch yang membelakangi:",
+);
+const IN_HAND: Words = Words::new("In hand:", "Sekarang:");
+const NO_ROOM: Words = Words::new(
+    "This scene cannot be divided into patches: a surface has no end, no area, or there are too many.",
+    "Adegan ini tidak dapat dibagi menjadi patch: ada permukaan tanpa batas, tanpa luas, atau jumlahnya terlalu banyak.",
+);
+const CHANNELS: [(&str, Words); 3] = [
+    ("red", Words::new("red", "merah")),
+    ("green", Words::new("green", "hijau")),
+    ("blue", Words::new("blue", "biru")),
+];
 
 pub fn draw(show: &Show, size: Vec2) -> Picture {
-    message(NO_PATCHES, show.language, size)
+    let (Run::Radiosity(stage, _) | Run::FormFactor(stage, _)) = show.run else {
+        return message(NO_PATCHES, show.language, size);
+    };
+    let Ok(room) = stage.room() else {
+        return message(NO_ROOM, show.language, size);
+    };
+    let view = RoomView::new(stage, room);
+    let exchange = Exchange::of(show.run, show.focus);
+    let mut picture = Picture::new(size.x, size.y);
+    picture.alt = in_words(show, stage, room, &view, exchange.as_ref());
+    let colorings = colorings(show, room);
+    let places = places(size, colorings.len());
+    let outlined = view.corners() * places.len() <= MOST_LINES;
+    for (coloring, place) in colorings.iter().zip(places) {
+        let area = coloring.frame(&mut picture, place);
+        let fit = view.fit(area);
+        for seen in &view.seen {
+            let paint = Ink::Rgb(coloring.patches[seen.patch]).fill();
+            let paint = match outlined {
+                true => paint.outlined(Ink::Muted.stroke(0.75).opacity(0.6)),
+                false => paint,
+            };
+            picture.tagged(Tag::Patch(seen.patch), |picture| {
+                for piece in &seen.pieces {
+                    let corners: Vec<Vec2> =
+                        piece.iter().map(|&corner| fit.place(corner)).collect();
+                    picture.polygon(overlapping(&corners), paint);
+                }
+            });
+        }
+        if let Some(exchange) = &exchange {
+            exchange.draw(&mut picture, stage, room, &view, &fit, area);
+        }
+    }
+    picture
 }
+
+/// What the patches are coloured by.
+struct Coloring {
+    title: String,
+    patches: Vec<Rgb>,
+    scale: Option<Scale>,
+}
+
+/// The colours of the scale from 0 to 1, with what stands at its ends.
+struct Scale {
+    color: fn(f64) -> Rgb,
+    ends: [String; 2],
+}
+
+/// The light so far, and where patches shoot what they have still to shoot. Of a form factor, what the surfaces look like.
+fn colorings(show: &Show, room: &Room) -> Vec<Coloring> {
+    let say = |words: Words| words.in_language(show.language);
+    let Run::Radiosity(_, replay) = show.run else {
+        return vec![Coloring {
+            title: say(REFLECTANCE).to_string(),
+            patches: room.reflectance.clone(),
+            scale: None,
+        }];
+    };
+    let state = replay.state();
+    let exposure = exposure(room);
+    let mut colorings = vec![Coloring {
+        title: title(state, show.language),
+        patches: light(state, room)
+            .into_iter()
+            .map(|b| b * exposure)
+            .collect(),
+        scale: Some(Scale {
+            color: Rgb::splat,
+            ends: [
+                "0".to_string(),
+                format!("≥ {}", three_digits(1.0 / exposure)),
+            ],
+        }),
+    }];
+    if let Some(unshot) = Unshot::of(state, room) {
+        let least = unshot.brightest * 10_f64.powi(-DECADES);
+        colorings.push(Coloring {
+            title: format!(
+                "{}, {}",
+                say(UNSHOT),
+                channel(unshot.channel, show.language)
+            ),
+            patches: unshot.shares.into_iter().map(viridis).collect(),
+            scale: Some(Scale {
+                color: viridis,
+                ends: [
+                    format!("≤ {}", three_digits(least)),
+                    three_digits(unshot.brightest),
+                ],
+            }),
+        });
+    }
+    colorings
+}
+
+/// What is shown, and of which channels.
+fn title(state: &State, language: Language) -> String {
+    let say = |words: Words| words.in_language(language);
+    let Some(now) = state.channel() else {
+        return say(EMISSION).to_string();
+    };
+    let what = if shoots(now.solver) {
+        WITH_UNSHOT
+    } else {
+        RADIOSITY
+    };
+    let mut channels: Vec<&str> = Vec::new();
+    for name in state.channels.iter().filter_map(|channel| channel.channel) {
+        if !channels.contains(&channel(name, language)) {
+            channels.push(channel(name, language));
+        }
+    }
+    format!("{}: {}", say(what), channels.join(", "))
+}
+
+fn channel(name: &'static str, language: Language) -> &'static str {
+    let known = CHANNELS.iter().find(|(known, _)| *known == name);
+    known.map_or(name, |(_, words)| words.in_language(language))
+}
+
+/// Two pictures beside or below each other; the first alone where there is no room for both.
+fn places(size: Vec2, count: usize) -> Vec<Rect> {
+    let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-MARGIN);
+    if count < 2 {
+        return vec![whole];
+    }
+    if size.x >= 480.0 && size.x > 1.3 * size.y {
+        let width = 0.5 * (whole.width - 2.0 * MARGIN);
+        let left = Rect { width, ..whole };
+        vec![left, left.shifted(Vec2::new(width + 2.0 * MARGIN, 0.0))]
+    } else if size.y >= 400.0 {
+        let height = 0.5 * (whole.height - MARGIN);
+        let upper = Rect { height, ..whole };
+        vec![upper, upper.shifted(Vec2::new(0.0, height + MARGIN))]
+    } else {
+        vec![whole]
+    }
+}
+
+impl Coloring {
+    /// Draws title and scale, and returns the place between them.
+    fn frame(&self, picture: &mut Picture, place: Rect) -> Rect {
+        let style = Style::Body.size(TEXT).ink(Ink::Muted);
+        let row = Rect {
+            height: ROW,
+            ..place
+        };
+        let title = elide(&self.title, style.style, style.size, place.width);
+        picture.text_in(row, title, style);
+        let mut inside = Rect::new(place.x, place.y + ROW, place.width, place.height - ROW);
+        if let Some(scale) = &self.scale {
+            inside.height -= ROW;
+            scale.draw(
+                picture,
+                row.shifted(Vec2::new(0.0, place.height - ROW)),
+                style,
+            );
+        }
+        inside.grown(-2.0)
+    }
+}
+
+impl Scale {
+    /// Colours to show, one a pixel of the strip.
+    const COLORS: u32 = 64;
+
+    fn draw(&self, picture: &mut Picture, row: Rect, style: Text) {
+        let [low, high] = &self.ends;
+        let gap = 6.0;
+        let around = style.width(low) + style.width(high) + 2.0 * gap;
+        let width = (row.width - around).clamp(20.0, 160.0);
+        let strip = Rect::new(
+            row.x + style.width(low) + gap,
+            row.y + 4.0,
+            width,
+            row.height - 8.0,
+        );
+        let last = f64::from(Self::COLORS - 1);
+        let bytes: Vec<u8> = (0..Self::COLORS)
+            .flat_map(|step| (self.color)(f64::from(step) / last).to_srgb8())
+            .collect();
+        picture.text_in(row, low.clone(), style);
+        picture.image(strip, Image::new(Self::COLORS, 1, bytes));
+        picture.rect(strip, Ink::Rule.stroke(1.0));
+        let right = Rect {
+            x: strip.right() + gap,
+            ..row
+        };
+        picture.text_in(right, high.clone(), style);
+    }
+}
+
+/// The polygon, a little larger.
+fn overlapping(corners: &[Vec2]) -> impl Iterator<Item = Vec2> {
+    let middle = corners.iter().sum::<Vec2>() / corners.len() as f32;
+    corners
+        .iter()
+        .map(move |&corner| corner + OVERLAP * (corner - middle).normalize_or_zero())
+}
+
+fn in_words(
+    show: &Show,
+    stage: &Stage,
+    room: &Room,
+    view: &RoomView,
+    exchange: Option<&Exchange>,
+) -> String {
+    let say = |words: Words| words.in_language(show.language);
+    let mut words = format!(
+        "{} {} {}, {} {}.",
+        told_in_words(show),
+        say(PATCHES),
+        room.patches.len(),
+        say(SEEN),
+        view.seen.len()
+    );
+    if let Some(exchange) = exchange {
+        words = format!(
+            "{words} {} {}",
+            say(IN_HAND),
+            exchange.in_words(stage, room)
+        );
+    }
+    words
+}
+
+#[cfg(test)]
+mod tests;

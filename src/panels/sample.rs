@@ -5,6 +5,8 @@ use super::{Show, TreeView};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::primary::Settings;
+use crate::algorithms::radiosity::Solver;
+use crate::algorithms::room;
 use crate::algorithms::stage::Stage;
 use crate::color::Rgb;
 use crate::record::RecordingLimit;
@@ -70,6 +72,30 @@ impl Sample {
         Sample {
             finished: Frame::new(640, 0..480, stage.scene.background),
             run: Run::record(Arc::new(stage), method, focus, RecordingLimit::default()),
+            focus,
+        }
+    }
+
+    /// A red ball over a white floor under a lamp, 64 patches, whose light `solver` finds; 640×480 pixels, none finished.
+    pub fn room(solver: Solver, focus: Focus) -> Self {
+        let scene = scene::read(
+            include_bytes!("sample/room.json"),
+            &Limits::default(),
+            &mut |_| Ok(Vec::new()),
+        );
+        Sample::room_of(scene.expect("the sample is a scene"), solver, focus)
+    }
+
+    /// As [`Sample::room`], of another scene.
+    pub fn room_of(scene: Scene, solver: Solver, focus: Focus) -> Self {
+        let settings = room::Settings {
+            solver,
+            ..room::Settings::default()
+        };
+        let stage = Arc::new(stage(scene, (640, 480)).with_radiosity(settings));
+        Sample {
+            finished: Frame::new(640, 0..480, stage.scene.background),
+            run: Run::record(stage, Method::Radiosity, focus, RecordingLimit::default()),
             focus,
         }
     }

@@ -38,7 +38,7 @@ use glam::Vec2;
 
 pub use ink::{Dash, Fill, Ink, Paint, Stroke};
 pub use math::{Run, Script, math, symbol};
-pub use number::{fixed, number};
+pub use number::{fixed, number, power_of_ten};
 pub use raster::{RasterError, draw_over, rasterize, to_png};
 pub use rect::Rect;
 pub use shape::{Image, Item, Shape};

@@ -38,6 +38,15 @@ pub fn fixed(v: f64, digits: usize) -> String {
     }
 }
 
+/// `10⁻³`; 1 and 10 are written as they are.
+pub fn power_of_ten(exponent: i32) -> String {
+    match exponent {
+        0 => "1".to_string(),
+        1 => "10".to_string(),
+        _ => format!("10{}", superscript(exponent)),
+    }
+}
+
 fn special(v: f64) -> Option<String> {
     let word = match v {
         0.0 => "0",
@@ -99,6 +108,10 @@ mod tests {
         ] {
             assert_eq!(number(v), text, "{v:e}");
         }
+        assert_eq!(
+            [-12, 0, 1, 3].map(power_of_ten),
+            ["10⁻¹²", "1", "10", "10³"]
+        );
     }
 
     #[test]

@@ -1,0 +1,140 @@
+//! The colours of patches: their light as the picture of the room would show it, and one channel's unshot light on a scale.
+
+use crate::algorithms::radiosity::Solver;
+use crate::algorithms::room::Room;
+use crate::color::Rgb;
+use crate::replay::radiosity::{ChannelNow, State};
+use std::iter::zip;
+
+const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+/// The share of the patches that do not come out white in the finished picture, and how bright the last of them is.
+const SHARE: f64 = 0.95;
+const BRIGHT: f64 = 0.9;
+/// The scale of unshot light spans so many powers of ten.
+pub(super) const DECADES: i32 = 4;
+
+/// Whether a solver keeps account of what every patch has still to shoot.
+pub(super) fn shoots(solver: Solver) -> bool {
+    matches!(solver, Solver::Shooting | Solver::Overshooting)
+}
+
+/// The light of every patch so far. It begins with what they emit; a channel that is still to be solved is dark. Where patches
+/// shoot, their unshot light, which they already have, counts (Cohen, Chen, Wallace & Greenberg 1988).
+pub(super) fn light(state: &State, room: &Room) -> Vec<Rgb> {
+    if state.channels.is_empty() {
+        return room.emission.clone();
+    }
+    let [red, green, blue] = [0, 1, 2].map(|c| {
+        of_channel(state, CHANNELS[c]).map_or_else(
+            || vec![0.0; room.patches.len()],
+            |channel| values(channel, room.emission.iter().map(|e| e.channels()[c])),
+        )
+    });
+    let channels = zip(red, zip(green, blue));
+    channels.map(|(r, (g, b))| Rgb::new(r, g, b)).collect()
+}
+
+/// The channel as it was solved, be it under the name of an equal one; none of one that is dark or still to be solved.
+fn of_channel<'a>(state: &'a State, name: &str) -> Option<&'a ChannelNow> {
+    let mut told = state.channels.iter().rev();
+    let channel = told.find(|channel| channel.channel.is_none_or(|told| told == name))?;
+    match channel.left_out {
+        None => Some(channel),
+        Some((_, Some(like))) if like != name => of_channel(state, like),
+        Some(_) => None,
+    }
+}
+
+fn values(channel: &ChannelNow, emission: impl Iterator<Item = f64>) -> Vec<f64> {
+    if channel.patches.iter().all(|patch| patch.step.is_none()) {
+        return emission.collect();
+    }
+    let unshot_counts = f64::from(u8::from(shoots(channel.solver)));
+    let patches = channel.patches.iter();
+    patches
+        .map(|patch| patch.b + unshot_counts * patch.unshot)
+        .collect()
+}
+
+/// What light is multiplied by to be shown, the same at every step: by the finished light of the patches that do not shine by
+/// themselves, as lamps may well be white.
+pub(super) fn exposure(room: &Room) -> f64 {
+    let finished = room.matrix().and_then(|matrix| room.light(matrix).ok());
+    let radiosity = finished.map_or(&room.emission, |light| &light.radiosity);
+    let lit = zip(radiosity, &room.emission).filter(|(_, emission)| emission.max_channel() == 0.0);
+    let lit = percentile(lit.map(|(b, _)| b.max_channel()).collect());
+    let all = || percentile(radiosity.iter().map(|b| b.max_channel()).collect());
+    lit.or_else(all).map_or(1.0, |bright| BRIGHT / bright)
+}
+
+/// None where it is not positive.
+fn percentile(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    let at = (SHARE * values.len().saturating_sub(1) as f64).round() as usize;
+    let value = values.get(at).copied();
+    value.filter(|value| *value > 0.0 && value.is_finite())
+}
+
+/// The unshot light of one channel on a logarithmic scale that ends at the brightest emission.
+pub(super) struct Unshot {
+    pub channel: &'static str,
+    pub brightest: f64,
+    /// By patch, from 0 to 1.
+    pub shares: Vec<f64>,
+}
+
+impl Unshot {
+    /// None where the solver in hand does not shoot, or where nothing is told of the patches yet.
+    pub fn of(state: &State, room: &Room) -> Option<Self> {
+        let channel = state.channel().filter(|channel| shoots(channel.solver))?;
+        let name = channel.channel?;
+        let channel = of_channel(state, name)?;
+        let number = CHANNELS.iter().position(|known| *known == name)?;
+        let emission = room.emission.iter().map(|e| e.channels()[number]);
+        let brightest = emission.fold(0.0, f64::max);
+        let share = |unshot: f64| 1.0 + (unshot.abs() / brightest).log10() / f64::from(DECADES);
+        let patches = channel.patches.iter();
+        Some(Unshot {
+            channel: name,
+            brightest,
+            // A cast or clamp of −∞, the logarithm of nothing, is the scale's lower end.
+            shares: patches
+                .map(|patch| share(patch.unshot).clamp(0.0, 1.0))
+                .collect(),
+        })
+    }
+}
+
+/// Smith & van der Walt's scale of 2015, from 0 to 1, between nine of its colours.
+pub(super) fn viridis(share: f64) -> Rgb {
+    const COLORS: [u32; 9] = [
+        0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725,
+    ];
+    let at = share.clamp(0.0, 1.0) * (COLORS.len() - 1) as f64;
+    let first = (at as usize).min(COLORS.len() - 2);
+    let part = at - first as f64;
+    let [from, to] = [first, first + 1].map(|i| COLORS[i].to_be_bytes());
+    let mixed = |c: usize| f64::from(from[c]) * (1.0 - part) + f64::from(to[c]) * part;
+    Rgb::from_srgb8([1, 2, 3].map(|c| mixed(c).round() as u8))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scale_grows_brighter_all_along() {
+        let luminance = |step: u32| viridis(f64::from(step) / 64.0).luminance();
+        assert!((0..64).all(|step| luminance(step) < luminance(step + 1)));
+        assert_eq!(viridis(1.0).to_srgb8(), [0xfd, 0xe7, 0x25]);
+        assert_eq!(viridis(0.5).to_srgb8(), [0x21, 0x91, 0x8c]);
+    }
+
+    #[test]
+    fn few_bright_patches_do_not_darken_the_rest() {
+        let values = (0..100).map(|i| if i < 96 { 2.0 } else { 500.0 });
+        assert_eq!(percentile(values.collect()), Some(2.0));
+        assert_eq!(percentile(vec![0.0; 5]), None);
+        assert_eq!(percentile(Vec::new()), None);
+    }
+}

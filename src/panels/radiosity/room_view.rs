@@ -1,0 +1,149 @@
+//! The patches of a room as its camera sees them, the farthest first: the painter's order, by the distance of their centres.
+//!
+//! Only fronts are seen. Whoever stands outside looks through the backs of the near walls into the room.
+
+use super::super::fit::Fit;
+use crate::algorithms::room::Room;
+use crate::algorithms::stage::Stage;
+use crate::picture::Rect;
+use crate::scene::View;
+use glam::{DVec2, DVec3};
+
+/// A patch that shows its front, as far as it lies in the camera's picture.
+pub(super) struct Seen {
+    pub patch: usize,
+    /// On the screen.
+    pub pieces: Vec<Vec<DVec2>>,
+}
+
+pub(super) struct RoomView<'a> {
+    room: &'a Room,
+    view: View,
+    /// The part of the screen that is shown.
+    low: DVec2,
+    high: DVec2,
+    /// The farthest first.
+    pub seen: Vec<Seen>,
+}
+
+impl<'a> RoomView<'a> {
+    pub fn new(stage: &Stage, room: &'a Room) -> Self {
+        let view = stage.view;
+        let frame = DVec2::new(view.width.into(), view.height.into());
+        let mut whole = RoomView {
+            room,
+            view,
+            low: DVec2::ZERO,
+            high: frame,
+            seen: Vec::new(),
+        };
+        whole.seen = whole.in_order();
+        let corners = whole
+            .seen
+            .iter()
+            .flat_map(|seen| seen.pieces.iter().flatten());
+        let (low, high) = corners.fold(
+            (DVec2::INFINITY, DVec2::NEG_INFINITY),
+            |(low, high), &corner| (low.min(corner), high.max(corner)),
+        );
+        if low.cmple(high).all() {
+            (whole.low, whole.high) = (low, high);
+        }
+        whole
+    }
+
+    pub fn fit(&self, area: Rect) -> Fit {
+        Fit::new(self.low, self.high, area)
+    }
+
+    /// How many corners all patches have together.
+    pub fn corners(&self) -> usize {
+        let pieces = self.seen.iter().flat_map(|seen| &seen.pieces);
+        pieces.map(Vec::len).sum()
+    }
+
+    pub fn shows(&self, patch: usize) -> bool {
+        self.seen.iter().any(|seen| seen.patch == patch)
+    }
+
+    /// The outlines of a patch on the screen, seen from its front or not.
+    pub fn outlines(&self, patch: usize) -> Vec<Vec<DVec2>> {
+        let pieces = self.room.patches.pieces(patch);
+        let outlines = pieces.map(|piece| self.on_screen(piece.corners));
+        outlines.filter(|outline| outline.len() > 2).collect()
+    }
+
+    /// None of a patch whose centre lies behind the camera.
+    pub fn center(&self, patch: usize) -> Option<DVec2> {
+        let center = self.view.to_camera(self.room.patches[patch].center);
+        (center.z >= self.view.near).then(|| self.view.to_screen(center))
+    }
+
+    fn in_order(&self) -> Vec<Seen> {
+        let eye = self.view.eye;
+        let patches = &self.room.patches;
+        let mut seen: Vec<Seen> = (0..patches.len())
+            .map(|patch| {
+                let fronts = patches
+                    .pieces(patch)
+                    .filter(|piece| piece.normal.dot(eye - piece.corners[0]) > 0.0);
+                let outlines = fronts.map(|piece| self.on_screen(piece.corners));
+                Seen {
+                    patch,
+                    pieces: outlines.filter(|outline| outline.len() > 2).collect(),
+                }
+            })
+            .filter(|seen| !seen.pieces.is_empty())
+            .collect();
+        let distance = |seen: &Seen| patches[seen.patch].center.distance_squared(eye);
+        seen.sort_by(|a, b| distance(b).total_cmp(&distance(a)));
+        seen
+    }
+
+    /// The part of a convex polygon that lies in front of the near plane and within what is shown.
+    fn on_screen(&self, corners: &[DVec3]) -> Vec<DVec2> {
+        let View { focal, near, .. } = self.view;
+        let middle = 0.5 * DVec2::new(self.view.width.into(), self.view.height.into());
+        let (left, top) = (self.low - middle).into();
+        let (right, bottom) = (self.high - middle).into();
+        let mut part: Vec<DVec3> = corners.iter().map(|&p| self.view.to_camera(p)).collect();
+        part = cut(&part, |p| p.z - near);
+        part = cut(&part, |p| focal * p.x - left * p.z);
+        part = cut(&part, |p| right * p.z - focal * p.x);
+        part = cut(&part, |p| -focal * p.y - top * p.z);
+        part = cut(&part, |p| bottom * p.z + focal * p.y);
+        part.into_iter().map(|p| self.view.to_screen(p)).collect()
+    }
+}
+
+/// The part of a convex polygon where `inside`, which is linear, is not negative (Sutherland & Hodgman 1974).
+fn cut(corners: &[DVec3], inside: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
+    let mut kept = Vec::with_capacity(corners.len() + 1);
+    for (i, &to) in corners.iter().enumerate() {
+        let from = corners[(i + corners.len() - 1) % corners.len()];
+        let (before, after) = (inside(from), inside(to));
+        if (before < 0.0) != (after < 0.0) {
+            kept.push(from.lerp(to, before / (before - after)));
+        }
+        if after >= 0.0 {
+            kept.push(to);
+        }
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_lies_beyond_the_edge_is_cut_off() {
+        let square = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
+            .map(|[x, y]| DVec3::new(x, y, 2.0));
+        let right = cut(&square, |p| p.x - 0.5);
+        assert_eq!(right.len(), 4);
+        assert!(right.iter().all(|p| p.x >= 0.5));
+        assert_eq!(cut(&square, |p| p.x + 3.0), square);
+        assert!(cut(&square, |p| p.x - 3.0).is_empty());
+    }
+}
