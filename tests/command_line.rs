@@ -372,6 +372,13 @@ fn lessons_are_listed_and_their_frames_drawn() {
         "ray-tree",
         "depth-attenuation",
         "texture-transparency",
+        "form-factors",
+        "assumptions",
+        "linear-system",
+        "gathering",
+        "shooting",
+        "color-bleeding",
+        "cornell-box",
     ];
     assert_eq!(ids, expected);
     assert!(listed[0]["steps"].as_u64().unwrap() > 1000);
