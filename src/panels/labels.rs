@@ -13,7 +13,19 @@ const APART: f32 = 1.0;
 pub(super) struct Labels {
     area: Rect,
     taken: Vec<Rect>,
-    lines: Vec<[Vec2; 2]>,
+    lines: Vec<Spared>,
+}
+
+/// A line that labels should not cover, with half its width.
+struct Spared {
+    ends: [Vec2; 2],
+    half: f32,
+}
+
+impl Spared {
+    fn crosses(&self, place: Rect) -> bool {
+        crosses(self.ends, place.grown(self.half))
+    }
 }
 
 impl Labels {
@@ -37,7 +49,15 @@ impl Labels {
 
     /// Labels should not cover the line, but may.
     pub fn spare(&mut self, from: Vec2, to: Vec2) {
-        self.lines.push([from, to]);
+        self.spare_stroke(from, to, 0.0);
+    }
+
+    /// As [`Labels::spare`], of a line so wide that its middle alone does not tell what would be covered.
+    pub fn spare_stroke(&mut self, from: Vec2, to: Vec2, width: f32) {
+        self.lines.push(Spared {
+            ends: [from, to],
+            half: 0.5 * width,
+        });
     }
 
     /// Writes `text` beside the disc of `radius` at `at`, rather in the direction `toward`. Where there is no room left the
@@ -81,7 +101,7 @@ impl Labels {
     ) -> bool {
         let above = ascent(set.style, set.size);
         let place = set.bounds(corner + Vec2::new(0.0, above), text);
-        let crossed = self.lines.iter().any(|line| crosses(*line, place));
+        let crossed = self.lines.iter().any(|line| line.crosses(place));
         if !self.is_free(place) || crossed && !crossing {
             return false;
         }
@@ -103,7 +123,7 @@ impl Labels {
                 if !self.is_free(place) {
                     continue;
                 }
-                let crossed = self.lines.iter().filter(|line| crosses(**line, place));
+                let crossed = self.lines.iter().filter(|line| line.crosses(place));
                 let mut cost = 0.06 * gap + 4.0 * crossed.count() as f32 - direction.dot(toward);
                 if ring >= LED {
                     let line = leader(at, radius, place);
