@@ -7,6 +7,8 @@ use glam::Vec2;
 const GAPS: [f32; 7] = [3.0, 8.0, 15.0, 24.0, 36.0, 52.0, 72.0];
 /// From the n-th gap on a thin line leads from the point to the label.
 const LED: usize = 3;
+/// What it costs to cover an outline.
+const OUTLINE: f32 = 1.5;
 /// Between the boxes of two labels.
 const APART: f32 = 1.0;
 
@@ -14,6 +16,7 @@ pub(super) struct Labels {
     area: Rect,
     taken: Vec<Rect>,
     lines: Vec<Spared>,
+    outlines: Vec<(Rect, Vec<[Vec2; 2]>)>,
 }
 
 /// A line that labels should not cover, with half its width.
@@ -35,6 +38,7 @@ impl Labels {
             area,
             taken: Vec::new(),
             lines: Vec::new(),
+            outlines: Vec::new(),
         }
     }
 
@@ -58,6 +62,14 @@ impl Labels {
             ends: [from, to],
             half: 0.5 * width,
         });
+    }
+
+    /// Labels should rather not cover the outline, whose lines count as one.
+    pub fn spare_outline(&mut self, lines: Vec<[Vec2; 2]>) {
+        let boxes = lines.iter().map(|&[from, to]| Rect::between(from, to));
+        if let Some(bounds) = boxes.reduce(|all, other| all.union(&other)) {
+            self.outlines.push((bounds, lines));
+        }
     }
 
     /// Writes `text` beside the disc of `radius` at `at`, rather in the direction `toward`. Where there is no room left the
@@ -124,7 +136,12 @@ impl Labels {
                     continue;
                 }
                 let crossed = self.lines.iter().filter(|line| line.crosses(place));
-                let mut cost = 0.06 * gap + 4.0 * crossed.count() as f32 - direction.dot(toward);
+                let outlines = self
+                    .outlines
+                    .iter()
+                    .filter(|outline| covers(place, outline));
+                let mut cost = 0.06 * gap + 4.0 * crossed.count() as f32 - direction.dot(toward)
+                    + OUTLINE * outlines.count() as f32;
                 if ring >= LED {
                     let line = leader(at, radius, place);
                     let struck = self.taken.iter().filter(|taken| crosses(line, **taken));
@@ -146,6 +163,12 @@ impl Labels {
                 .iter()
                 .any(|taken| !taken.intersection(&apart).is_empty())
     }
+}
+
+/// Whether a box lies on a line of an outline.
+fn covers(place: Rect, (bounds, lines): &(Rect, Vec<[Vec2; 2]>)) -> bool {
+    let apart = bounds.grown(APART).intersection(&place).is_empty();
+    !apart && lines.iter().any(|&line| crosses(line, place))
 }
 
 /// The line from the edge of a disc to the nearest point of a box.

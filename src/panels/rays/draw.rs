@@ -1,17 +1,16 @@
 //! One view: objects, eye and picture plane, lights, rays.
 
-use super::super::labels::{Labels, within};
+use super::super::labels::Labels;
 use super::super::names;
 use super::super::words::Words;
 use super::outline;
 use super::view::View;
 use crate::algorithms::ray_tree::RayKind;
 use crate::algorithms::visible::Met;
-use crate::color::Rgb;
 use crate::panels::Show;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::replay::rays::{RayInHand, State, Target};
-use crate::scene::{Light, Shape};
+use crate::scene::Shape;
 use glam::{DVec3, Vec2};
 
 const EYE: Words = Words::new("eye", "mata");
@@ -21,20 +20,36 @@ const MOST_LETTERS: usize = 24;
 /// Where the picture plane is drawn, in distances from eye to target.
 const PICTURE_PLANE: f64 = 0.16;
 
-struct Sheet<'a> {
-    picture: &'a mut Picture,
-    show: &'a Show<'a>,
-    state: &'a State,
-    view: &'a View,
-    labels: Labels,
-    text: f32,
+pub(super) struct Sheet<'a> {
+    pub picture: &'a mut Picture,
+    pub show: &'a Show<'a>,
+    pub state: &'a State,
+    pub view: &'a View,
+    pub labels: Labels,
+    pub text: f32,
+    /// The object that the search has called by its name.
+    called: Option<usize>,
+}
+
+/// A ray as it was drawn.
+struct Drawn {
+    from: Vec2,
+    to: Vec2,
+    letters: &'static str,
+}
+
+impl Drawn {
+    fn middle(&self) -> Vec2 {
+        self.from.lerp(self.to, 0.5)
+    }
 }
 
 pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &View, words: &str) {
     let frame = view.area;
     picture.rounded_rect(frame, 3.0, Ink::Rule.stroke(1.0));
     let mut labels = Labels::new(frame.grown(-3.0));
-    let title_place = title_place(frame, words);
+    let title_style = Style::Body.size(11.0).ink(Ink::Muted);
+    let title_place = view.title_place(&state.stage, title_style, words);
     labels.keep_free(title_place);
     let text = (0.03 * frame.width.min(1.3 * frame.height))
         .clamp(11.0, 16.0)
@@ -46,6 +61,7 @@ pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &Vie
         view,
         labels,
         text,
+        called: None,
     };
     sheet.objects();
     sheet.camera();
@@ -55,14 +71,7 @@ pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &Vie
     sheet.lights();
     sheet.names();
     picture.rect(title_place, Ink::Surface.fill().opacity(0.85));
-    let style = Style::Body.size(11.0).ink(Ink::Muted);
-    picture.text_in(title_place, words, style);
-}
-
-/// In the upper left corner of a view.
-fn title_place(area: Rect, words: &str) -> Rect {
-    let style = Style::Body.size(11.0);
-    style.bounds(Vec2::new(area.x + 6.0, area.y + 14.0), words)
+    picture.text_in(title_place, words, title_style);
 }
 
 impl Sheet<'_> {
@@ -76,8 +85,14 @@ impl Sheet<'_> {
                         .circle(at, radius, Ink::Faint.fill().opacity(0.7));
                 }
             }
-            for [from, to] in outline::outline(stage, object, self.view) {
+            let outline = outline::outline(stage, object, self.view);
+            for &[from, to] in &outline {
                 self.picture.line(from, to, Ink::Muted.stroke(1.25));
+            }
+            // The line of a plane strikes through a whole name.
+            match outline[..] {
+                [[from, to]] => self.labels.spare_stroke(from, to, 3.0),
+                _ => self.labels.spare_outline(outline),
             }
         }
     }
@@ -89,6 +104,9 @@ impl Sheet<'_> {
             .size((self.text - 1.0).max(11.0))
             .ink(Ink::Muted);
         for (number, object) in stage.scene.objects.iter().enumerate() {
+            if self.called == Some(number) {
+                continue;
+            }
             let (at, toward) = match &object.shape {
                 Shape::Sphere { center, radius } => {
                     let toward = Vec2::new(0.5, 1.0).normalize();
@@ -195,16 +213,18 @@ impl Sheet<'_> {
     }
 
     fn rays(&mut self) {
-        let few = self.state.rays.len() <= MOST_LETTERS;
         let current = self.state.current;
+        let mut drawn = Vec::new();
         for (index, ray) in self.state.rays.iter().enumerate() {
             if current != Some(index) {
-                self.ray(ray, false, few);
+                drawn.extend(self.ray(ray, false));
             }
         }
-        if let Some(ray) = self.state.ray() {
-            self.ray(ray, true, true);
+        let in_hand = self.state.ray().and_then(|ray| self.ray(ray, true));
+        if self.state.rays.len() > MOST_LETTERS {
+            drawn.clear();
         }
+        self.letters(in_hand, &drawn);
         for ray in self.state.rays.iter() {
             let Some(surface) = ray.surface else { continue };
             let at = self.view.place(surface.position);
@@ -216,7 +236,7 @@ impl Sheet<'_> {
         }
     }
 
-    fn ray(&mut self, ray: &RayInHand, in_hand: bool, lettered: bool) {
+    fn ray(&mut self, ray: &RayInHand, in_hand: bool) -> Option<Drawn> {
         let stroke = match ray.kind {
             RayKind::Primary => Ink::Text.stroke(2.0),
             RayKind::Reflected => Ink::Series(0).stroke(2.0),
@@ -238,9 +258,7 @@ impl Sheet<'_> {
             Some(Met::Light { t, .. }) => (ray.ray.at(t), true),
             Some(Met::Nothing) | None => (ray.ray.at(far), false),
         };
-        let Some([from, to]) = self.view.line(ray.ray.origin, end) else {
-            return;
-        };
+        let [from, to] = self.view.line(ray.ray.origin, end)?;
         // A ray that is still looking for what it meets.
         let stroke = if ends || ray.met.is_some() {
             stroke
@@ -250,20 +268,31 @@ impl Sheet<'_> {
         self.picture.tagged(Tag::Scope(ray.step), |picture| {
             picture.arrow(from, to, stroke);
         });
-        self.labels.spare(from, to);
-        if lettered && from.distance(to) > 22.0 {
-            let (_, letters) = names::ray_kind(ray.kind.name(), self.show.language);
-            let ink = if in_hand { Ink::This } else { Ink::Text };
+        self.labels.spare_stroke(from, to, stroke.width);
+        let (_, letters) = names::ray_kind(ray.kind.name(), self.show.language);
+        Some(Drawn { from, to, letters })
+    }
+
+    /// The letters of the rays, that of the ray in hand first. Rays side by side, as between two mirrors, share theirs.
+    fn letters(&mut self, in_hand: Option<Drawn>, others: &[Drawn]) {
+        let mut lettered: Vec<&Drawn> = Vec::new();
+        for ray in in_hand.iter().chain(others) {
+            let is_in_hand = lettered.is_empty() && in_hand.is_some();
+            let shared = |other: &&Drawn| {
+                other.letters == ray.letters
+                    && other.middle().distance(ray.middle()) < 3.0 * self.text
+            };
+            let too_short = ray.from.distance(ray.to) <= 22.0;
+            if !is_in_hand && (too_short || lettered.iter().any(shared)) {
+                continue;
+            }
+            let ink = if is_in_hand { Ink::This } else { Ink::Text };
             let style = Style::LabelBold.size(self.text).ink(ink);
-            let aside = (to - from).perp();
+            let aside = (ray.to - ray.from).perp();
             let aside = if aside.y > 0.0 { -aside } else { aside };
-            self.labels.put(
-                self.picture,
-                (from.lerp(to, 0.5), 2.0),
-                aside,
-                letters,
-                style,
-            );
+            let at = (ray.middle(), 2.0);
+            self.labels.put(self.picture, at, aside, ray.letters, style);
+            lettered.push(ray);
         }
     }
 
@@ -285,7 +314,10 @@ impl Sheet<'_> {
                 .circle(at, 4.5, paint.outlined(Ink::This.stroke(2.0)));
             if nearest {
                 let name = match tested.target {
-                    Target::Object(object) => names::object(&self.state.stage, object).to_string(),
+                    Target::Object(object) => {
+                        self.called = Some(object as usize);
+                        names::object(&self.state.stage, object).to_string()
+                    }
                     Target::Light(light) => names::light(light, self.show.language),
                 };
                 let style = Style::LabelBold.size(self.text).ink(Ink::This);
@@ -348,90 +380,5 @@ impl Sheet<'_> {
         for arm in [Vec2::new(5.0, 5.0), Vec2::new(5.0, -5.0)] {
             self.picture.line(at - arm, at + arm, Ink::Bad.stroke(2.5));
         }
-    }
-
-    /// Point lights where they are, or, beyond the view, at its border; directional ones as an arrow in a corner.
-    fn lights(&mut self) {
-        let stage = &self.state.stage;
-        let mut corner = 0.0;
-        for (number, light) in stage.scene.lights.iter().enumerate() {
-            let name = names::light(number as u32, self.show.language);
-            let style = Style::Label.size(self.text);
-            match *light {
-                Light::Point {
-                    position,
-                    color,
-                    radius,
-                    ..
-                } => {
-                    let at = self.view.place(position);
-                    let size = (radius as f32 * self.view.scale()).clamp(6.0, 40.0);
-                    if self.view.shows(at, size + 3.0) {
-                        self.picture
-                            .tagged(Tag::Light(number), |picture| sun(picture, at, size, color));
-                        self.labels.keep_free(Rect::between(at, at).grown(size));
-                        self.labels
-                            .put(self.picture, (at, size + 2.0), Vec2::X, &name, style);
-                    } else {
-                        self.far_light(number, at, &name);
-                    }
-                }
-                Light::Directional { toward, .. } => {
-                    let along = self.view.flat(toward);
-                    let along = Vec2::new(along.x as f32, -along.y as f32);
-                    let area = self.view.area;
-                    let at = Vec2::new(area.right() - 34.0, area.y + 30.0 + corner);
-                    corner += 50.0;
-                    if at.y + 24.0 > area.bottom() {
-                        continue;
-                    }
-                    let half = 16.0 * along;
-                    self.picture.tagged(Tag::Light(number), |picture| {
-                        picture.arrow(at - half, at + half, Ink::Warn.stroke(2.5));
-                    });
-                    self.labels
-                        .put(self.picture, (at, 18.0), Vec2::NEG_X, &name, style);
-                }
-            }
-        }
-    }
-
-    /// A light beyond the border: an arrow toward it.
-    fn far_light(&mut self, number: usize, at: Vec2, name: &str) {
-        let inner = self.view.area.grown(-14.0);
-        let middle = self.view.area.center();
-        let border = within([middle, at], inner);
-        let Some([_, end]) = border else { return };
-        let toward = (at - middle).normalize_or_zero();
-        self.picture.tagged(Tag::Light(number), |picture| {
-            picture.arrow(
-                end - 14.0 * toward,
-                end + 6.0 * toward,
-                Ink::Warn.stroke(2.5),
-            );
-        });
-        let style = Style::Label.size(self.text);
-        self.labels.put(
-            self.picture,
-            (end - 4.0 * toward, 12.0),
-            -toward,
-            name,
-            style,
-        );
-    }
-}
-
-/// A light: a disc of its colour with short rays.
-fn sun(picture: &mut Picture, at: Vec2, size: f32, color: Rgb) {
-    let brightest = color.max_channel().max(f64::MIN_POSITIVE);
-    let paint = Ink::Rgb(color / brightest).fill();
-    picture.circle(at, size - 2.0, paint.outlined(Ink::Warn.stroke(2.0)));
-    for turn in 0..8 {
-        let toward = Vec2::from_angle(turn as f32 * std::f32::consts::FRAC_PI_4);
-        picture.line(
-            at + (size - 1.0) * toward,
-            at + (size + 2.0) * toward,
-            Ink::Warn.stroke(1.5),
-        );
     }
 }

@@ -107,7 +107,7 @@ fn a_light_follows_the_pointer_in_the_plane_of_its_view() {
 fn a_light_that_blocks_nothing_and_a_name_are_printed_once() {
     let mut sample = Sample::rays(Method::RayTracing, sample::FLOOR, 5);
     sample.go_to("Shadow", 0);
-    let picture = draw(&sample.show(), Vec2::new(500.0, 380.0));
+    let picture = draw(&sample.show(), Vec2::new(470.0, 380.0));
     for name in ["eye", "light 0", "light 1", "from the side"] {
         let count = texts(&picture)
             .iter()

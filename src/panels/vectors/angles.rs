@@ -230,6 +230,9 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
             Some(_) => ("✓", vec![words(ARRIVES).to_string()], Ink::Good),
             None => ("", Vec::new(), Ink::Muted),
         };
+        let newest = surface
+            .light_in_hand()
+            .is_some_and(|last| last.light == light.light);
         let n_dot_l = short(Value::Number(cosine), 3);
         let first = found.first().map_or("", String::as_str);
         let whole = format!("N·L {n_dot_l} {mark} {first}{}", lean(to_light));
@@ -252,7 +255,7 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
                 &format!("L_{}", light.light),
                 cosine.clamp(-1.0, 1.0).acos(),
                 "N_dot_L",
-                "ToLight",
+                if newest { "ToLight" } else { "" },
             )
         });
     }
