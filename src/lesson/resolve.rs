@@ -186,12 +186,12 @@ impl Lesson {
         };
         let [width, height] = file.size;
         let outside = match focus {
-            Focus::ScanLine(y) => y >= height,
-            Focus::Pixel { x, y } => x >= width || y >= height,
-            Focus::Frame | Focus::Polygon(_) => false,
+            Focus::ScanLine(y) if y >= height => Some(format!("scan line {y}")),
+            Focus::Pixel { x, y } if x >= width || y >= height => Some(format!("pixel [{x}, {y}]")),
+            _ => None,
         };
-        if outside {
-            problems.push(problem("focus", format!("found {focus:?}; the picture has {width} columns and {height} rows, counted from 0")));
+        if let Some(found) = outside {
+            problems.push(problem("focus", format!("found {found}; the picture has {width} columns and {height} rows, counted from 0")));
         }
 
         if method.is_some_and(Method::follows_rays) && matches!(focus, Focus::Polygon(_)) {
