@@ -75,6 +75,9 @@ fn small(size: Vec2) -> f32 {
     (0.033 * size.x.min(1.4 * size.y)).clamp(11.0, 16.0).round()
 }
 
+/// Length of the arrows below which the table gives way to them.
+const SHORTEST: f32 = 24.0;
+
 /// Where the vectors are drawn, and where the angles stand.
 struct Layout {
     drawing: Rect,
@@ -101,7 +104,10 @@ impl Layout {
         let longest = layouts
             .into_iter()
             .max_by(|a, b| unit(a).total_cmp(&unit(b)));
-        longest.unwrap_or_else(|| Layout::beside(whole, small))
+        let drawing_alone = Layout::below(whole, 1, 0.0);
+        longest
+            .filter(|layout| unit(layout) >= 2.0 * SHORTEST)
+            .unwrap_or(drawing_alone)
     }
 
     fn beside(whole: Rect, text: f32) -> Self {
