@@ -242,6 +242,26 @@ mod tests {
     }
 
     #[test]
+    fn a_label_keeps_off_a_wide_line_and_an_outline() {
+        let area = Rect::new(0.0, 0.0, 200.0, 200.0);
+        let (at, set) = (Vec2::new(100.0, 100.0), Style::Label.size(12.0));
+        let [left, right] = [Vec2::new(0.0, 112.0), Vec2::new(200.0, 112.0)];
+        let place = |spare: &dyn Fn(&mut Labels)| {
+            let mut labels = Labels::new(area);
+            spare(&mut labels);
+            let mut picture = Picture::new(200.0, 200.0);
+            labels.put(&mut picture, (at, 0.0), Vec2::Y, "floor", set);
+            labels.taken[0]
+        };
+        let free = place(&|_| ());
+        assert!(crosses([left, right], free));
+        let beside_line = place(&|labels| labels.spare_stroke(left, right, 8.0));
+        assert!(!crosses([left, right], beside_line.grown(4.0)));
+        let beside_outline = place(&|labels| labels.spare_outline(vec![[left, right]]));
+        assert!(!crosses([left, right], beside_outline));
+    }
+
+    #[test]
     fn a_line_crosses_a_box_that_it_passes_through() {
         let rect = Rect::new(10.0, 10.0, 10.0, 10.0);
         let line = |from: [f32; 2], to: [f32; 2]| [Vec2::from(from), Vec2::from(to)];
