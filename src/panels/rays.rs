@@ -7,6 +7,7 @@ mod draw;
 mod grip;
 mod lights;
 mod outline;
+mod paths;
 mod view;
 
 pub use grip::{Grip, grip};

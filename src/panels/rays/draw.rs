@@ -5,18 +5,16 @@ use super::super::names;
 use super::super::words::Words;
 use super::outline;
 use super::view::View;
-use crate::algorithms::ray_tree::RayKind;
-use crate::algorithms::visible::Met;
 use crate::panels::Show;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
-use crate::replay::rays::{RayInHand, State, Target};
+use crate::replay::rays::{State, Target};
 use crate::scene::Shape;
 use glam::{DVec3, Vec2};
 
 const EYE: Words = Words::new("eye", "mata");
 const PLANE: Words = Words::new("picture plane", "bidang gambar");
-/// Beyond so many rays, only the ray in hand is called by its letter.
-const MOST_LETTERS: usize = 24;
+/// Beyond so many rays, those are drawn faintly, and without letters, from which the ray in hand does not come.
+const MOST_RAYS: usize = 24;
 /// Where the picture plane is drawn, in distances from eye to target.
 const PICTURE_PLANE: f64 = 0.16;
 
@@ -29,19 +27,8 @@ pub(super) struct Sheet<'a> {
     pub text: f32,
     /// The object that the search has called by its name.
     called: Option<usize>,
-}
-
-/// A ray as it was drawn.
-struct Drawn {
-    from: Vec2,
-    to: Vec2,
-    letters: &'static str,
-}
-
-impl Drawn {
-    fn middle(&self) -> Vec2 {
-        self.from.lerp(self.to, 0.5)
-    }
+    /// The rays from which the ray in hand comes, where there are many.
+    pub way: Option<Vec<usize>>,
 }
 
 pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &View, words: &str) {
@@ -62,6 +49,7 @@ pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &Vie
         labels,
         text,
         called: None,
+        way: (state.rays.len() > MOST_RAYS).then(|| state.way().collect()),
     };
     sheet.objects();
     sheet.camera();
@@ -97,6 +85,15 @@ impl Sheet<'_> {
         }
     }
 
+    /// Whether rays drawn in full meet the object, where there are many.
+    fn is_met(&self, object: usize) -> bool {
+        let meets = |&ray: &usize| {
+            let surface = self.state.rays.get(ray).and_then(|ray| ray.surface);
+            surface.is_some_and(|surface| surface.object as usize == object)
+        };
+        self.way.as_ref().is_none_or(|way| way.iter().any(meets))
+    }
+
     /// Names of objects last: rays and lights matter more.
     fn names(&mut self) {
         let stage = &self.state.stage;
@@ -104,7 +101,7 @@ impl Sheet<'_> {
             .size((self.text - 1.0).max(11.0))
             .ink(Ink::Muted);
         for (number, object) in stage.scene.objects.iter().enumerate() {
-            if self.called == Some(number) {
+            if self.called == Some(number) || !self.is_met(number) {
                 continue;
             }
             let (at, toward) = match &object.shape {
@@ -209,90 +206,6 @@ impl Sheet<'_> {
                 PLANE.in_language(language),
                 style,
             );
-        }
-    }
-
-    fn rays(&mut self) {
-        let current = self.state.current;
-        let mut drawn = Vec::new();
-        for (index, ray) in self.state.rays.iter().enumerate() {
-            if current != Some(index) {
-                drawn.extend(self.ray(ray, false));
-            }
-        }
-        let in_hand = self.state.ray().and_then(|ray| self.ray(ray, true));
-        if self.state.rays.len() > MOST_LETTERS {
-            drawn.clear();
-        }
-        self.letters(in_hand, &drawn);
-        for ray in self.state.rays.iter() {
-            let Some(surface) = ray.surface else { continue };
-            let at = self.view.place(surface.position);
-            if self.view.shows(at, 4.0) {
-                let edge = Ink::Text.stroke(1.25);
-                self.picture
-                    .circle(at, 2.5, Ink::Surface.fill().outlined(edge));
-            }
-        }
-    }
-
-    fn ray(&mut self, ray: &RayInHand, in_hand: bool) -> Option<Drawn> {
-        let stroke = match ray.kind {
-            RayKind::Primary => Ink::Text.stroke(2.0),
-            RayKind::Reflected => Ink::Series(0).stroke(2.0),
-            RayKind::Transmitted => Ink::Series(2).stroke(2.0),
-            RayKind::TotalInternalReflection => Ink::Series(3).stroke(2.0).dashed(),
-        };
-        let stroke = match (in_hand, ray.returned) {
-            (true, _) => Stroke {
-                ink: Ink::This,
-                width: 3.0,
-                ..stroke
-            },
-            (false, Some(_)) => stroke.opacity(0.65),
-            (false, None) => stroke,
-        };
-        let far = self.view.beyond(ray.ray.direction);
-        let (end, ends) = match ray.met {
-            Some(Met::Object(hit)) => (ray.ray.at(hit.t), true),
-            Some(Met::Light { t, .. }) => (ray.ray.at(t), true),
-            Some(Met::Nothing) | None => (ray.ray.at(far), false),
-        };
-        let [from, to] = self.view.line(ray.ray.origin, end)?;
-        // A ray that is still looking for what it meets.
-        let stroke = if ends || ray.met.is_some() {
-            stroke
-        } else {
-            stroke.dotted()
-        };
-        self.picture.tagged(Tag::Scope(ray.step), |picture| {
-            picture.arrow(from, to, stroke);
-        });
-        self.labels.spare_stroke(from, to, stroke.width);
-        let (_, letters) = names::ray_kind(ray.kind.name(), self.show.language);
-        Some(Drawn { from, to, letters })
-    }
-
-    /// The letters of the rays, that of the ray in hand first. Rays side by side, as between two mirrors, share theirs.
-    fn letters(&mut self, in_hand: Option<Drawn>, others: &[Drawn]) {
-        let mut lettered: Vec<&Drawn> = Vec::new();
-        for ray in in_hand.iter().chain(others) {
-            let is_in_hand = lettered.is_empty() && in_hand.is_some();
-            let shared = |other: &&Drawn| {
-                other.letters == ray.letters
-                    && other.middle().distance(ray.middle()) < 3.0 * self.text
-            };
-            let too_short = ray.from.distance(ray.to) <= 22.0;
-            if !is_in_hand && (too_short || lettered.iter().any(shared)) {
-                continue;
-            }
-            let ink = if is_in_hand { Ink::This } else { Ink::Text };
-            let style = Style::LabelBold.size(self.text).ink(ink);
-            let aside = (ray.to - ray.from).perp();
-            let aside = if aside.y > 0.0 { -aside } else { aside };
-            let at = (ray.middle(), 2.0);
-            self.labels.put(self.picture, at, aside, ray.letters, style);
-            lettered.push(ray);
         }
     }
 
