@@ -96,17 +96,15 @@ impl Layout {
         if whole.width >= 2.0 * angles::COLUMN * small {
             layouts.push(below(2));
         }
-        // Opaque and transparent surfaces count alike.
-        let unit = |layout: &Layout| {
-            let units = [false, true].map(|clear| arrows::unit(layout.drawing, text, clear));
-            units[0] + units[1]
-        };
+        // Where there are transparent surfaces, these need the most room.
+        let clear = angles::transmits(scene);
+        let unit = |layout: &Layout| arrows::unit(layout.drawing, text, clear);
         let longest = layouts
             .into_iter()
             .max_by(|a, b| unit(a).total_cmp(&unit(b)));
         let drawing_alone = Layout::below(whole, 1, 0.0);
         longest
-            .filter(|layout| unit(layout) >= 2.0 * SHORTEST)
+            .filter(|layout| unit(layout) >= SHORTEST)
             .unwrap_or(drawing_alone)
     }
 

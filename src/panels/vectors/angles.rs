@@ -58,14 +58,15 @@ fn row(symbol: &str, radians: f64, tag: &'static str, told_by: &'static str) -> 
     }
 }
 
+/// Whether anything in the scene is transparent.
+pub(super) fn transmits(scene: &Scene) -> bool {
+    let clear = |material: &Material| material.transmission != Rgb::BLACK;
+    scene.materials.iter().any(clear)
+}
+
 /// The height of the list in a scene: a title, θ_i, two angles more where something is transparent, lights, the highlight.
 pub(super) fn height(scene: &Scene, text: f32, columns: usize) -> f32 {
-    let clear = |material: &Material| material.transmission != Rgb::BLACK;
-    let angles = if scene.materials.iter().any(clear) {
-        3
-    } else {
-        1
-    };
+    let angles = if transmits(scene) { 3 } else { 1 };
     let lights = scene.lights.len() + 1;
     let rows = if columns == 1 {
         angles + lights

@@ -36,8 +36,10 @@ fn share(clear: bool) -> f32 {
 
 /// Length of the arrows in `area`, with labels of size `text` at their tips, at a transparent or an opaque surface.
 pub(super) fn unit(area: Rect, text: f32, clear: bool) -> f32 {
+    // Media with their η stand beside the arrows.
+    let aside = if clear { 2.4 } else { 1.4 };
     let room = Vec2::new(
-        0.5 * area.width - 2.4 * text,
+        0.5 * area.width - aside * text,
         share(clear) * area.height - 1.4 * text,
     );
     room.min_element().max(12.0)
@@ -289,24 +291,33 @@ impl Drawing<'_> {
     }
 
     fn media(&mut self, [above, below]: [String; 2], area: Rect) {
-        let style = Style::Label
-            .size((self.text - 1.0).max(11.0))
-            .ink(Ink::Muted);
-        let height = style.bounds(Vec2::ZERO, "").height;
-        for (name, first, step) in [(above, -3.0 - height, -height), (below, 3.0, height)] {
-            let ends = [area.x + 3.0, area.right() - 3.0 - style.width(&name)];
-            let places = (0..4).flat_map(|row| {
-                let y = self.middle.y + first + row as f32 * step;
-                ends.map(|x| Vec2::new(x, y))
-            });
-            // On its own side of the surface, rather where it covers no arrow.
-            for crossing in [false, true] {
-                let mut places = places.clone();
-                if places.any(|at| self.labels.put_at(self.picture, at, &name, style, crossing)) {
+        for (name, up) in [(above, true), (below, false)] {
+            // On its own side of the surface, rather where it covers no arrow; smaller where there is little room.
+            let sizes = [(self.text - 1.0).max(11.0), 11.0];
+            let tries = sizes.map(|size| [false, true].map(|crossing| (size, crossing)));
+            for (size, crossing) in tries.into_iter().flatten() {
+                if self.medium(&name, up, size, crossing, area) {
                     break;
                 }
             }
         }
+    }
+
+    /// Writes the name of a medium in one of its places, if one is free.
+    fn medium(&mut self, name: &str, up: bool, size: f32, crossing: bool, area: Rect) -> bool {
+        let style = Style::Label.size(size).ink(Ink::Muted);
+        let height = style.bounds(Vec2::ZERO, "").height;
+        let (first, step) = if up {
+            (-3.0 - height, -height)
+        } else {
+            (3.0, height)
+        };
+        let ends = [area.x + 3.0, area.right() - 3.0 - style.width(name)];
+        let mut places = (0..4).flat_map(|row| {
+            let y = self.middle.y + first + row as f32 * step;
+            ends.map(|x| Vec2::new(x, y))
+        });
+        places.any(|at| self.labels.put_at(self.picture, at, name, style, crossing))
     }
 
     fn style(&self, here: bool) -> crate::picture::Text {
