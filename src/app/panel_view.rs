@@ -109,7 +109,7 @@ impl PanelView {
         let name = session.say(title(panel));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name));
         ui.ctx()
-            .accesskit_node_builder(response.id, |node| node.set_description(self.alt()));
+            .accesskit_node_builder(response.id, |node| node.set_description(spoken(self.alt())));
         if let Some(texture) = &self.texture {
             let whole = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));
             ui.painter()
@@ -230,6 +230,11 @@ pub fn title(panel: Panel) -> Words {
         Panel::Formula => words::FORMULA,
         Panel::TimeLine => words::TIME_LINE,
     }
+}
+
+/// Without the braces that only tell how a symbol is set.
+fn spoken(text: &str) -> String {
+    text.replace(['{', '}'], "")
 }
 
 /// The quiet words at the right of a panel's title.

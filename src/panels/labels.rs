@@ -7,13 +7,28 @@ use glam::Vec2;
 const GAPS: [f32; 7] = [3.0, 8.0, 15.0, 24.0, 36.0, 52.0, 72.0];
 /// From the n-th gap on a thin line leads from the point to the label.
 const LED: usize = 3;
+/// What it costs to cover an outline.
+const OUTLINE: f32 = 1.5;
 /// Between the boxes of two labels.
 const APART: f32 = 1.0;
 
 pub(super) struct Labels {
     area: Rect,
     taken: Vec<Rect>,
-    lines: Vec<[Vec2; 2]>,
+    lines: Vec<Spared>,
+    outlines: Vec<(Rect, Vec<[Vec2; 2]>)>,
+}
+
+/// A line that labels should not cover, with half its width.
+struct Spared {
+    ends: [Vec2; 2],
+    half: f32,
+}
+
+impl Spared {
+    fn crosses(&self, place: Rect) -> bool {
+        crosses(self.ends, place.grown(self.half))
+    }
 }
 
 impl Labels {
@@ -23,6 +38,7 @@ impl Labels {
             area,
             taken: Vec::new(),
             lines: Vec::new(),
+            outlines: Vec::new(),
         }
     }
 
@@ -37,7 +53,23 @@ impl Labels {
 
     /// Labels should not cover the line, but may.
     pub fn spare(&mut self, from: Vec2, to: Vec2) {
-        self.lines.push([from, to]);
+        self.spare_stroke(from, to, 0.0);
+    }
+
+    /// As [`Labels::spare`], of a line so wide that its middle alone does not tell what would be covered.
+    pub fn spare_stroke(&mut self, from: Vec2, to: Vec2, width: f32) {
+        self.lines.push(Spared {
+            ends: [from, to],
+            half: 0.5 * width,
+        });
+    }
+
+    /// Labels should rather not cover the outline, whose lines count as one.
+    pub fn spare_outline(&mut self, lines: Vec<[Vec2; 2]>) {
+        let boxes = lines.iter().map(|&[from, to]| Rect::between(from, to));
+        if let Some(bounds) = boxes.reduce(|all, other| all.union(&other)) {
+            self.outlines.push((bounds, lines));
+        }
     }
 
     /// Writes `text` beside the disc of `radius` at `at`, rather in the direction `toward`. Where there is no room left the
@@ -81,7 +113,7 @@ impl Labels {
     ) -> bool {
         let above = ascent(set.style, set.size);
         let place = set.bounds(corner + Vec2::new(0.0, above), text);
-        let crossed = self.lines.iter().any(|line| crosses(*line, place));
+        let crossed = self.lines.iter().any(|line| line.crosses(place));
         if !self.is_free(place) || crossed && !crossing {
             return false;
         }
@@ -103,8 +135,13 @@ impl Labels {
                 if !self.is_free(place) {
                     continue;
                 }
-                let crossed = self.lines.iter().filter(|line| crosses(**line, place));
-                let mut cost = 0.06 * gap + 4.0 * crossed.count() as f32 - direction.dot(toward);
+                let crossed = self.lines.iter().filter(|line| line.crosses(place));
+                let outlines = self
+                    .outlines
+                    .iter()
+                    .filter(|outline| covers(place, outline));
+                let mut cost = 0.06 * gap + 4.0 * crossed.count() as f32 - direction.dot(toward)
+                    + OUTLINE * outlines.count() as f32;
                 if ring >= LED {
                     let line = leader(at, radius, place);
                     let struck = self.taken.iter().filter(|taken| crosses(line, **taken));
@@ -126,6 +163,12 @@ impl Labels {
                 .iter()
                 .any(|taken| !taken.intersection(&apart).is_empty())
     }
+}
+
+/// Whether a box lies on a line of an outline.
+fn covers(place: Rect, (bounds, lines): &(Rect, Vec<[Vec2; 2]>)) -> bool {
+    let apart = bounds.grown(APART).intersection(&place).is_empty();
+    !apart && lines.iter().any(|&line| crosses(line, place))
 }
 
 /// The line from the edge of a disc to the nearest point of a box.
@@ -196,6 +239,26 @@ mod tests {
                     .all(|other| other.intersection(place).is_empty())
             );
         }
+    }
+
+    #[test]
+    fn a_label_keeps_off_a_wide_line_and_an_outline() {
+        let area = Rect::new(0.0, 0.0, 200.0, 200.0);
+        let (at, set) = (Vec2::new(100.0, 100.0), Style::Label.size(12.0));
+        let [left, right] = [Vec2::new(0.0, 112.0), Vec2::new(200.0, 112.0)];
+        let place = |spare: &dyn Fn(&mut Labels)| {
+            let mut labels = Labels::new(area);
+            spare(&mut labels);
+            let mut picture = Picture::new(200.0, 200.0);
+            labels.put(&mut picture, (at, 0.0), Vec2::Y, "floor", set);
+            labels.taken[0]
+        };
+        let free = place(&|_| ());
+        assert!(crosses([left, right], free));
+        let beside_line = place(&|labels| labels.spare_stroke(left, right, 8.0));
+        assert!(!crosses([left, right], beside_line.grown(4.0)));
+        let beside_outline = place(&|labels| labels.spare_outline(vec![[left, right]]));
+        assert!(!crosses([left, right], beside_outline));
     }
 
     #[test]

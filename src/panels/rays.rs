@@ -5,7 +5,9 @@
 
 mod draw;
 mod grip;
+mod lights;
 mod outline;
+mod paths;
 mod view;
 
 pub use grip::{Grip, grip};
@@ -69,7 +71,7 @@ fn state<'a>(show: &Show<'a>) -> Option<&'a State> {
 /// Side view and view from above beside or below each other; the side view alone where there is no room for both.
 fn views(state: &State, size: Vec2) -> Vec<(View, Words)> {
     let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-4.0);
-    let halves = if size.x >= 520.0 && size.x > 1.3 * size.y {
+    let halves = if size.x >= 480.0 && size.x > 1.3 * size.y {
         let width = 0.5 * whole.width - 4.0;
         let left = Rect { width, ..whole };
         Some([left, left.shifted(Vec2::new(width + 8.0, 0.0))])

@@ -15,6 +15,7 @@ use crate::algorithms::visible::Met;
 use crate::picture::{Picture, Rect};
 use crate::replay::Run;
 use crate::replay::rays::State;
+use crate::scene::Scene;
 use angles::Angles;
 use glam::Vec2;
 use met::SurfaceInSight;
@@ -49,14 +50,20 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     };
     let walk = show.run.walk();
     let kind = walk.kind(walk.position());
-    let text = (1.25 * small(size)).min(20.0).round();
+    let text = (1.4 * small(size)).min(24.0).round();
     let angles = Angles::of(&surface, show.language);
 
     let mut picture = Picture::new(size.x, size.y);
-    let lights = state.stage.scene.lights.len();
-    let (drawing, table) = halves(size, lights);
+    let layout = Layout::of(size, &state.stage.scene, text);
+    let drawing = layout.drawing;
     arrows::draw(&mut picture, &surface, kind, text, show.language, drawing);
-    angles.draw(&mut picture, kind, small(size), table);
+    angles.draw(
+        &mut picture,
+        kind,
+        small(size),
+        layout.table,
+        layout.columns,
+    );
     picture.alt = format!("{} {}", told_in_words(show), angles.in_words());
     picture
 }
@@ -72,28 +79,61 @@ fn small(size: Vec2) -> f32 {
     (0.033 * size.x.min(1.4 * size.y)).clamp(11.0, 16.0).round()
 }
 
-/// Where the vectors are drawn, and where the angles stand: beside or under them, whichever leaves the vectors more room. It
-/// depends on no step, so that nothing jumps.
-fn halves(size: Vec2, lights: usize) -> (Rect, Rect) {
-    let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-6.0);
-    let text = small(size);
-    let width = (26.0 * text).min(0.54 * whole.width);
-    let height = angles::height(lights, text).min(0.45 * whole.height);
-    let left = Rect {
-        width: whole.width - width - 8.0,
-        ..whole
-    };
-    let upper = Rect {
-        height: whole.height - height - 6.0,
-        ..whole
-    };
-    let room = |area: Rect| area.width.min(area.height);
-    if room(upper) > room(left) {
-        let below = Rect::new(whole.x, whole.bottom() - height, whole.width, height);
-        (upper, below)
-    } else {
-        let right = Rect::new(whole.right() - width, whole.y, width, whole.height);
-        (left, right)
+/// Length of the arrows below which the table gives way to them.
+const SHORTEST: f32 = 24.0;
+
+/// Where the vectors are drawn, and where the angles stand.
+struct Layout {
+    drawing: Rect,
+    table: Rect,
+    /// Of the table: all rows below each other, or those of the lights beside those of the ray.
+    columns: usize,
+}
+
+impl Layout {
+    /// Of the places for the table, the one that leaves the longest arrows. It depends on no step, so that nothing jumps.
+    fn of(size: Vec2, scene: &Scene, text: f32) -> Self {
+        let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-6.0);
+        let small = small(size);
+        let below = |columns| Layout::below(whole, columns, angles::height(scene, small, columns));
+        let mut layouts = vec![Layout::beside(whole, small), below(1)];
+        if whole.width >= 2.0 * angles::COLUMN * small {
+            layouts.push(below(2));
+        }
+        // Where there are transparent surfaces, these need the most room.
+        let clear = angles::transmits(scene);
+        let unit = |layout: &Layout| arrows::unit(layout.drawing, text, clear);
+        let longest = layouts
+            .into_iter()
+            .max_by(|a, b| unit(a).total_cmp(&unit(b)));
+        let drawing_alone = Layout::below(whole, 1, 0.0);
+        longest
+            .filter(|layout| unit(layout) >= SHORTEST)
+            .unwrap_or(drawing_alone)
+    }
+
+    fn beside(whole: Rect, text: f32) -> Self {
+        let width = (20.0 * text).min(0.5 * whole.width);
+        Layout {
+            drawing: Rect {
+                width: whole.width - width - 8.0,
+                ..whole
+            },
+            table: Rect::new(whole.right() - width, whole.y, width, whole.height),
+            columns: 1,
+        }
+    }
+
+    fn below(whole: Rect, columns: usize, height: f32) -> Self {
+        let height = height.min(0.45 * whole.height);
+        Layout {
+            drawing: Rect {
+                height: whole.height - height - 6.0,
+                ..whole
+            },
+            table: Rect::new(whole.x, whole.bottom() - height, whole.width, height),
+            columns,
+        }
     }
 }
 

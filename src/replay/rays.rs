@@ -175,6 +175,11 @@ impl State {
         self.rays.get(self.current?)
     }
 
+    /// The ray in hand, the one that it comes from, and so on up to the primary ray, as indices of [`State::rays`].
+    pub fn way(&self) -> impl Iterator<Item = usize> {
+        std::iter::successors(self.current, |&index| self.rays.get(index)?.parent)
+    }
+
     fn ray_mut(&mut self) -> Option<&mut RayInHand> {
         self.rays.get_mut(self.current?)
     }

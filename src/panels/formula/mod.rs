@@ -11,7 +11,7 @@ use super::names;
 use super::values::shown;
 use super::words::{Language, Words};
 use crate::algorithms::stage::Stage;
-use crate::picture::{Ink, Picture, Style, wrap};
+use crate::picture::{Ink, Picture, Style, symbol, wrap};
 use crate::record::Value;
 use glam::Vec2;
 use set::{Atom, Voice, flow, set_pieces};
@@ -172,7 +172,7 @@ fn in_words(says: &str, formulas: &[Parsed], known: &Known, language: Language) 
     for formula in formulas {
         if let (Some(value), [Piece::Place(place)]) = (formula.result(known), &formula.left[..]) {
             let value = shown(value, 4, language);
-            text.push_str(&format!(" {} = {value}.", place.name));
+            text.push_str(&format!(" {} = {value}.", symbol(&place.name)));
         }
     }
     text

@@ -125,3 +125,12 @@ fn nothing_recorded_is_said() {
         assert_legible(&draw(&sample.show_in(language), SIZES[0]), "empty");
     }
 }
+
+#[test]
+fn words_name_symbols_as_the_formula_sets_them() {
+    let mut sample = Sample::rays(Method::RayTracing, sample::BALL, 5);
+    sample.go_to("Refraction", 0);
+    let alt = draw(&sample.show(), Vec2::new(380.0, 280.0)).alt;
+    assert!(alt.contains(" cos^2 θ_r = "), "{alt}");
+    assert!(alt.contains(" θ_r degrees = "), "{alt}");
+}

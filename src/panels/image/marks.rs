@@ -13,6 +13,9 @@ use std::ops::Range;
 /// The side below which a marked pixel is drawn larger than it is, in points.
 const SMALLEST: f32 = 6.0;
 
+/// Of more rays, only those are marked from which the ray in hand comes: more would cover the picture.
+const MOST_HITS: usize = 24;
+
 pub(super) struct Marks<'a> {
     pub stage: &'a Stage,
     pub canvas: &'a Canvas<Dot>,
@@ -73,7 +76,10 @@ impl<'a> Marks<'a> {
         };
         // The first ray meets its surface in the pixel itself.
         let secondary = state.rays.iter().skip(1).enumerate();
-        let others = secondary.filter(|(i, _)| state.current != Some(i + 1));
+        let way: Vec<usize> = state.way().collect();
+        let many = state.rays.len() > MOST_HITS;
+        let is_shown = |index: usize| !many || way.contains(&index);
+        let others = secondary.filter(|(i, _)| state.current != Some(i + 1) && is_shown(i + 1));
         let in_hand = state.ray().filter(|ray| ray.parent.is_some());
         Marks {
             stage: &state.stage,

@@ -1,40 +1,42 @@
 //! One view: objects, eye and picture plane, lights, rays.
 
-use super::super::labels::{Labels, within};
+use super::super::labels::Labels;
 use super::super::names;
 use super::super::words::Words;
 use super::outline;
 use super::view::View;
-use crate::algorithms::ray_tree::RayKind;
-use crate::algorithms::visible::Met;
-use crate::color::Rgb;
 use crate::panels::Show;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
-use crate::replay::rays::{RayInHand, State, Target};
-use crate::scene::{Light, Shape};
+use crate::replay::rays::{State, Target};
+use crate::scene::Shape;
 use glam::{DVec3, Vec2};
 
 const EYE: Words = Words::new("eye", "mata");
 const PLANE: Words = Words::new("picture plane", "bidang gambar");
-/// Beyond so many rays, only the ray in hand is called by its letter.
-const MOST_LETTERS: usize = 24;
+/// Beyond so many rays, those are drawn faintly, and without letters, from which the ray in hand does not come.
+const MOST_RAYS: usize = 24;
 /// Where the picture plane is drawn, in distances from eye to target.
 const PICTURE_PLANE: f64 = 0.16;
 
-struct Sheet<'a> {
-    picture: &'a mut Picture,
-    show: &'a Show<'a>,
-    state: &'a State,
-    view: &'a View,
-    labels: Labels,
-    text: f32,
+pub(super) struct Sheet<'a> {
+    pub picture: &'a mut Picture,
+    pub show: &'a Show<'a>,
+    pub state: &'a State,
+    pub view: &'a View,
+    pub labels: Labels,
+    pub text: f32,
+    /// The object that the search has called by its name.
+    called: Option<usize>,
+    /// The rays from which the ray in hand comes, where there are many.
+    pub way: Option<Vec<usize>>,
 }
 
 pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &View, words: &str) {
     let frame = view.area;
     picture.rounded_rect(frame, 3.0, Ink::Rule.stroke(1.0));
     let mut labels = Labels::new(frame.grown(-3.0));
-    let title_place = title_place(frame, words);
+    let title_style = Style::Body.size(11.0).ink(Ink::Muted);
+    let title_place = view.title_place(&state.stage, title_style, words);
     labels.keep_free(title_place);
     let text = (0.03 * frame.width.min(1.3 * frame.height))
         .clamp(11.0, 16.0)
@@ -46,6 +48,8 @@ pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &Vie
         view,
         labels,
         text,
+        called: None,
+        way: (state.rays.len() > MOST_RAYS).then(|| state.way().collect()),
     };
     sheet.objects();
     sheet.camera();
@@ -55,14 +59,7 @@ pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &Vie
     sheet.lights();
     sheet.names();
     picture.rect(title_place, Ink::Surface.fill().opacity(0.85));
-    let style = Style::Body.size(11.0).ink(Ink::Muted);
-    picture.text_in(title_place, words, style);
-}
-
-/// In the upper left corner of a view.
-fn title_place(area: Rect, words: &str) -> Rect {
-    let style = Style::Body.size(11.0);
-    style.bounds(Vec2::new(area.x + 6.0, area.y + 14.0), words)
+    picture.text_in(title_place, words, title_style);
 }
 
 impl Sheet<'_> {
@@ -76,10 +73,25 @@ impl Sheet<'_> {
                         .circle(at, radius, Ink::Faint.fill().opacity(0.7));
                 }
             }
-            for [from, to] in outline::outline(stage, object, self.view) {
+            let outline = outline::outline(stage, object, self.view);
+            for &[from, to] in &outline {
                 self.picture.line(from, to, Ink::Muted.stroke(1.25));
             }
+            // The line of a plane strikes through a whole name.
+            match outline[..] {
+                [[from, to]] => self.labels.spare_stroke(from, to, 3.0),
+                _ => self.labels.spare_outline(outline),
+            }
         }
+    }
+
+    /// Whether rays drawn in full meet the object, where there are many.
+    fn is_met(&self, object: usize) -> bool {
+        let meets = |&ray: &usize| {
+            let surface = self.state.rays.get(ray).and_then(|ray| ray.surface);
+            surface.is_some_and(|surface| surface.object as usize == object)
+        };
+        self.way.as_ref().is_none_or(|way| way.iter().any(meets))
     }
 
     /// Names of objects last: rays and lights matter more.
@@ -89,6 +101,9 @@ impl Sheet<'_> {
             .size((self.text - 1.0).max(11.0))
             .ink(Ink::Muted);
         for (number, object) in stage.scene.objects.iter().enumerate() {
+            if self.called == Some(number) || !self.is_met(number) {
+                continue;
+            }
             let (at, toward) = match &object.shape {
                 Shape::Sphere { center, radius } => {
                     let toward = Vec2::new(0.5, 1.0).normalize();
@@ -194,79 +209,6 @@ impl Sheet<'_> {
         }
     }
 
-    fn rays(&mut self) {
-        let few = self.state.rays.len() <= MOST_LETTERS;
-        let current = self.state.current;
-        for (index, ray) in self.state.rays.iter().enumerate() {
-            if current != Some(index) {
-                self.ray(ray, false, few);
-            }
-        }
-        if let Some(ray) = self.state.ray() {
-            self.ray(ray, true, true);
-        }
-        for ray in self.state.rays.iter() {
-            let Some(surface) = ray.surface else { continue };
-            let at = self.view.place(surface.position);
-            if self.view.shows(at, 4.0) {
-                let edge = Ink::Text.stroke(1.25);
-                self.picture
-                    .circle(at, 2.5, Ink::Surface.fill().outlined(edge));
-            }
-        }
-    }
-
-    fn ray(&mut self, ray: &RayInHand, in_hand: bool, lettered: bool) {
-        let stroke = match ray.kind {
-            RayKind::Primary => Ink::Text.stroke(2.0),
-            RayKind::Reflected => Ink::Series(0).stroke(2.0),
-            RayKind::Transmitted => Ink::Series(2).stroke(2.0),
-            RayKind::TotalInternalReflection => Ink::Series(3).stroke(2.0).dashed(),
-        };
-        let stroke = match (in_hand, ray.returned) {
-            (true, _) => Stroke {
-                ink: Ink::This,
-                width: 3.0,
-                ..stroke
-            },
-            (false, Some(_)) => stroke.opacity(0.65),
-            (false, None) => stroke,
-        };
-        let far = self.view.beyond(ray.ray.direction);
-        let (end, ends) = match ray.met {
-            Some(Met::Object(hit)) => (ray.ray.at(hit.t), true),
-            Some(Met::Light { t, .. }) => (ray.ray.at(t), true),
-            Some(Met::Nothing) | None => (ray.ray.at(far), false),
-        };
-        let Some([from, to]) = self.view.line(ray.ray.origin, end) else {
-            return;
-        };
-        // A ray that is still looking for what it meets.
-        let stroke = if ends || ray.met.is_some() {
-            stroke
-        } else {
-            stroke.dotted()
-        };
-        self.picture.tagged(Tag::Scope(ray.step), |picture| {
-            picture.arrow(from, to, stroke);
-        });
-        self.labels.spare(from, to);
-        if lettered && from.distance(to) > 22.0 {
-            let (_, letters) = names::ray_kind(ray.kind.name(), self.show.language);
-            let ink = if in_hand { Ink::This } else { Ink::Text };
-            let style = Style::LabelBold.size(self.text).ink(ink);
-            let aside = (to - from).perp();
-            let aside = if aside.y > 0.0 { -aside } else { aside };
-            self.labels.put(
-                self.picture,
-                (from.lerp(to, 0.5), 2.0),
-                aside,
-                letters,
-                style,
-            );
-        }
-    }
-
     /// What the search has found so far: the object tested last, and the nearest.
     fn search(&mut self) {
         let (Some(search), Some(ray)) = (self.state.search, self.state.ray()) else {
@@ -285,7 +227,10 @@ impl Sheet<'_> {
                 .circle(at, 4.5, paint.outlined(Ink::This.stroke(2.0)));
             if nearest {
                 let name = match tested.target {
-                    Target::Object(object) => names::object(&self.state.stage, object).to_string(),
+                    Target::Object(object) => {
+                        self.called = Some(object as usize);
+                        names::object(&self.state.stage, object).to_string()
+                    }
                     Target::Light(light) => names::light(light, self.show.language),
                 };
                 let style = Style::LabelBold.size(self.text).ink(Ink::This);
@@ -348,90 +293,5 @@ impl Sheet<'_> {
         for arm in [Vec2::new(5.0, 5.0), Vec2::new(5.0, -5.0)] {
             self.picture.line(at - arm, at + arm, Ink::Bad.stroke(2.5));
         }
-    }
-
-    /// Point lights where they are, or, beyond the view, at its border; directional ones as an arrow in a corner.
-    fn lights(&mut self) {
-        let stage = &self.state.stage;
-        let mut corner = 0.0;
-        for (number, light) in stage.scene.lights.iter().enumerate() {
-            let name = names::light(number as u32, self.show.language);
-            let style = Style::Label.size(self.text);
-            match *light {
-                Light::Point {
-                    position,
-                    color,
-                    radius,
-                    ..
-                } => {
-                    let at = self.view.place(position);
-                    let size = (radius as f32 * self.view.scale()).clamp(6.0, 40.0);
-                    if self.view.shows(at, size + 3.0) {
-                        self.picture
-                            .tagged(Tag::Light(number), |picture| sun(picture, at, size, color));
-                        self.labels.keep_free(Rect::between(at, at).grown(size));
-                        self.labels
-                            .put(self.picture, (at, size + 2.0), Vec2::X, &name, style);
-                    } else {
-                        self.far_light(number, at, &name);
-                    }
-                }
-                Light::Directional { toward, .. } => {
-                    let along = self.view.flat(toward);
-                    let along = Vec2::new(along.x as f32, -along.y as f32);
-                    let area = self.view.area;
-                    let at = Vec2::new(area.right() - 34.0, area.y + 30.0 + corner);
-                    corner += 50.0;
-                    if at.y + 24.0 > area.bottom() {
-                        continue;
-                    }
-                    let half = 16.0 * along;
-                    self.picture.tagged(Tag::Light(number), |picture| {
-                        picture.arrow(at - half, at + half, Ink::Warn.stroke(2.5));
-                    });
-                    self.labels
-                        .put(self.picture, (at, 18.0), Vec2::NEG_X, &name, style);
-                }
-            }
-        }
-    }
-
-    /// A light beyond the border: an arrow toward it.
-    fn far_light(&mut self, number: usize, at: Vec2, name: &str) {
-        let inner = self.view.area.grown(-14.0);
-        let middle = self.view.area.center();
-        let border = within([middle, at], inner);
-        let Some([_, end]) = border else { return };
-        let toward = (at - middle).normalize_or_zero();
-        self.picture.tagged(Tag::Light(number), |picture| {
-            picture.arrow(
-                end - 14.0 * toward,
-                end + 6.0 * toward,
-                Ink::Warn.stroke(2.5),
-            );
-        });
-        let style = Style::Label.size(self.text);
-        self.labels.put(
-            self.picture,
-            (end - 4.0 * toward, 12.0),
-            -toward,
-            name,
-            style,
-        );
-    }
-}
-
-/// A light: a disc of its colour with short rays.
-fn sun(picture: &mut Picture, at: Vec2, size: f32, color: Rgb) {
-    let brightest = color.max_channel().max(f64::MIN_POSITIVE);
-    let paint = Ink::Rgb(color / brightest).fill();
-    picture.circle(at, size - 2.0, paint.outlined(Ink::Warn.stroke(2.0)));
-    for turn in 0..8 {
-        let toward = Vec2::from_angle(turn as f32 * std::f32::consts::FRAC_PI_4);
-        picture.line(
-            at + (size - 1.0) * toward,
-            at + (size + 2.0) * toward,
-            Ink::Warn.stroke(1.5),
-        );
     }
 }

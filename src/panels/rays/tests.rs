@@ -107,12 +107,37 @@ fn a_light_follows_the_pointer_in_the_plane_of_its_view() {
 fn a_light_that_blocks_nothing_and_a_name_are_printed_once() {
     let mut sample = Sample::rays(Method::RayTracing, sample::FLOOR, 5);
     sample.go_to("Shadow", 0);
-    let picture = draw(&sample.show(), Vec2::new(500.0, 380.0));
+    let picture = draw(&sample.show(), Vec2::new(470.0, 380.0));
     for name in ["eye", "light 0", "light 1", "from the side"] {
         let count = texts(&picture)
             .iter()
             .filter(|(text, _)| *text == name)
             .count();
         assert_eq!(count, 1, "{name}");
+    }
+}
+
+#[test]
+fn of_many_rays_those_stand_out_from_which_the_ray_in_hand_comes() {
+    let mut sample = Sample::rays(Method::RayTracing, sample::BALL, 9);
+    let last = sample.walk().len() - 1;
+    sample.seek(last);
+    let show = sample.show();
+    let state = state(&show).expect("rays");
+    assert!(state.rays.len() > 24, "{} rays", state.rays.len());
+    let way: Vec<usize> = state.way().collect();
+    let picture = draw(&show, LARGE);
+    // The sky and what is out of sight aside, all are there to be clicked.
+    for (index, ray) in state
+        .rays
+        .iter()
+        .enumerate()
+        .filter(|(_, ray)| ray.surface.is_some())
+    {
+        let items = picture.items.iter();
+        let mut items = items.filter(|item| item.tag == Some(Tag::Scope(ray.step)));
+        let arrow = items.any(|item| matches!(item.shape, crate::picture::Shape::Polygon { .. }));
+        assert_eq!(arrow, way.contains(&index), "ray {index}");
+        assert!(picture.tagged_bounds(Tag::Scope(ray.step)).is_some());
     }
 }

@@ -4,7 +4,7 @@ use super::super::fit::Fit;
 use super::super::labels::within;
 use super::outline;
 use crate::algorithms::stage::Stage;
-use crate::picture::Rect;
+use crate::picture::{Rect, Text};
 use crate::scene::Light;
 use glam::{DVec2, DVec3, Vec2};
 
@@ -13,6 +13,9 @@ const REACH: f64 = 1.2;
 /// By how much a side of the view moves out for lights beyond it, in sizes of the view. There are few such places, so that the
 /// view stays as it is while a light is moved a little; lights further out are not shown in their place.
 const GROWTH: [f64; 5] = [0.15, 0.4, 0.7, 1.1, 1.6];
+
+/// Height that is left free at the lower border, for names.
+const NAMES: f32 = 12.0;
 
 /// Where places of the world are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +59,9 @@ impl View {
             shown_low = shown_low.min(low - (low - light).map(|beyond| grown(beyond, size)));
             shown_high = shown_high.max(high + (light - high).map(|beyond| grown(beyond, size)));
         }
-        let inner = area.grown(-(0.04 * area.width.min(area.height)).max(12.0));
+        let mut inner = area.grown(-(0.04 * area.width.min(area.height)).max(12.0));
+        // Names stand under what stands on the ground.
+        inner.height -= NAMES;
         View {
             across,
             up,
@@ -108,6 +113,16 @@ impl View {
         let length = self.flat(direction).length();
         let reach = 4.0 * f64::from(self.area.width + self.area.height) / self.fit.scale;
         reach / length.max(1e-3)
+    }
+
+    /// In an upper corner: the left one, unless the eye or a light is there.
+    pub fn title_place(&self, stage: &Stage, style: Text, words: &str) -> Rect {
+        let left = style.bounds(self.area.min() + Vec2::new(6.0, 14.0), words);
+        let right = left.shifted(Vec2::new(self.area.width - left.width - 12.0, 0.0));
+        let places = std::iter::once(stage.view.eye).chain(positions(stage));
+        let places: Vec<Vec2> = places.map(|place| self.place(place)).collect();
+        let is_free = |corner: &Rect| !places.iter().any(|&at| corner.grown(8.0).contains(at));
+        [left, right].into_iter().find(is_free).unwrap_or(left)
     }
 
     /// Whether a place is drawn within the view, `margin` from its border.

@@ -4,12 +4,16 @@ use super::super::names;
 use super::super::values::short;
 use super::super::words::{Language, Words};
 use super::met::SurfaceInSight;
+use crate::color::Rgb;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide};
 use crate::record::Value;
 use crate::replay::rays::Verdict;
+use crate::scene::{Material, Scene};
 use glam::DVec3;
 
 const LINE: f32 = 1.5;
+/// The least width of a column beside another one, in sizes of the text.
+pub(super) const COLUMN: f32 = 13.0;
 const ANGLES: Words = Words::new("angle with N", "sudut dengan N");
 const BLOCKED: Words = Words::new("blocked by", "terhalang oleh");
 const ARRIVES: Words = Words::new("arrives", "sampai");
@@ -35,6 +39,8 @@ pub(super) struct Angles {
     name: String,
     title: String,
     rows: Vec<Row>,
+    /// Of the rows, the first that tells of a light.
+    lights: usize,
 }
 
 fn degrees(radians: f64) -> String {
@@ -52,9 +58,22 @@ fn row(symbol: &str, radians: f64, tag: &'static str, told_by: &'static str) -> 
     }
 }
 
-/// The height of the list of so many lights, with a title, three angles, and the highlight.
-pub(super) fn height(lights: usize, text: f32) -> f32 {
-    (lights + 5) as f32 * LINE * text
+/// Whether anything in the scene is transparent.
+pub(super) fn transmits(scene: &Scene) -> bool {
+    let clear = |material: &Material| material.transmission != Rgb::BLACK;
+    scene.materials.iter().any(clear)
+}
+
+/// The height of the list in a scene: a title, θ_i, two angles more where something is transparent, lights, the highlight.
+pub(super) fn height(scene: &Scene, text: f32, columns: usize) -> f32 {
+    let angles = if transmits(scene) { 3 } else { 1 };
+    let lights = scene.lights.len() + 1;
+    let rows = if columns == 1 {
+        angles + lights
+    } else {
+        angles.max(lights)
+    };
+    (rows + 1) as f32 * LINE * text
 }
 
 impl Angles {
@@ -87,20 +106,20 @@ impl Angles {
                 });
             }
         }
+        let first_light = rows.len();
         rows.extend(lights(surface, language));
         Angles {
+            lights: first_light,
             name: surface.name().to_string(),
             title: format!("{} · {}", surface.name(), words(ANGLES)),
             rows,
         }
     }
 
-    /// As many rows as there is room for, from the top.
-    pub fn draw(&self, picture: &mut Picture, kind: &str, text: f32, area: Rect) {
+    /// As many rows as there is room for, from the top. In two columns, those of the lights stand in the second.
+    pub fn draw(&self, picture: &mut Picture, kind: &str, text: f32, area: Rect, columns: usize) {
         let line = LINE * text;
         let room = (area.height / line) as usize;
-        let count = (self.rows.len() + 1).min(room);
-        let place = |i: usize| Rect::new(area.x, area.y + i as f32 * line, area.width, line);
         if room == 0 {
             return;
         }
@@ -110,28 +129,24 @@ impl Angles {
         } else {
             elide(&self.name, Style::Bold, text, area.width)
         };
-        picture.text_in(place(0), title, bold);
-        for (i, row) in self.rows.iter().enumerate().take(count - 1) {
-            let place = place(i + 1);
-            let here = row.told_by == kind;
-            let ink = if here { Ink::This } else { Ink::Text };
-            picture.tagged(row.tag, |picture| {
-                let symbol = Style::LabelBold.size(text).ink(row.ink);
-                picture.text_in(place, row.symbol.as_str(), symbol);
-                let value = Rect {
-                    x: place.x + 2.2 * text,
-                    ..place
-                };
-                let style = Style::Label.size(text).ink(ink);
-                picture.text_in(value, row.value.as_str(), style);
-                let x = place.x + note_start(row, style);
-                let style = Style::Label.size(text).ink(Ink::Muted);
-                let room = area.right() - x;
-                let note = row.notes.iter().find(|note| style.width(note) <= room);
-                if let Some(note) = note {
-                    picture.text_in(Rect { x, ..place }, note.as_str(), style);
-                }
-            });
+        let title_place = Rect {
+            height: line,
+            ..area
+        };
+        picture.text_in(title_place, title, bold);
+        let lights = if columns == 1 {
+            self.rows.len()
+        } else {
+            self.lights
+        };
+        let (left, right) = self.rows.split_at(lights.min(self.rows.len()));
+        let width = area.width / columns as f32;
+        for (column, rows) in [left, right].into_iter().enumerate() {
+            let x = area.x + column as f32 * width;
+            for (i, row) in rows.iter().enumerate().take(room - 1) {
+                let y = area.y + (i + 1) as f32 * line;
+                row.draw(picture, kind, text, Rect::new(x, y, width - 4.0, line));
+            }
         }
     }
 
@@ -145,6 +160,30 @@ impl Angles {
         };
         let rows: Vec<String> = self.rows.iter().map(row).collect();
         format!("{}: {}.", self.title, rows.join("; "))
+    }
+}
+
+impl Row {
+    fn draw(&self, picture: &mut Picture, kind: &str, text: f32, place: Rect) {
+        let here = self.told_by == kind;
+        let ink = if here { Ink::This } else { Ink::Text };
+        picture.tagged(self.tag, |picture| {
+            let symbol = Style::LabelBold.size(text).ink(self.ink);
+            picture.text_in(place, self.symbol.as_str(), symbol);
+            let value = Rect {
+                x: place.x + 2.2 * text,
+                ..place
+            };
+            let style = Style::Label.size(text).ink(ink);
+            picture.text_in(value, self.value.as_str(), style);
+            let x = place.x + note_start(self, style);
+            let style = Style::Label.size(text).ink(Ink::Muted);
+            let room = place.right() - x;
+            let note = self.notes.iter().find(|note| style.width(note) <= room);
+            if let Some(note) = note {
+                picture.text_in(Rect { x, ..place }, note.as_str(), style);
+            }
+        });
     }
 }
 
@@ -192,6 +231,9 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
             Some(_) => ("✓", vec![words(ARRIVES).to_string()], Ink::Good),
             None => ("", Vec::new(), Ink::Muted),
         };
+        let newest = surface
+            .light_in_hand()
+            .is_some_and(|last| last.light == light.light);
         let n_dot_l = short(Value::Number(cosine), 3);
         let first = found.first().map_or("", String::as_str);
         let whole = format!("N·L {n_dot_l} {mark} {first}{}", lean(to_light));
@@ -214,7 +256,7 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
                 &format!("L_{}", light.light),
                 cosine.clamp(-1.0, 1.0).acos(),
                 "N_dot_L",
-                "ToLight",
+                if newest { "ToLight" } else { "" },
             )
         });
     }

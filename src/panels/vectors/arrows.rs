@@ -10,6 +10,8 @@ use glam::{DVec3, Vec2};
 
 const NO_T: Words = Words::new("no T", "tanpa T");
 const POINT: f32 = 4.0;
+/// Length and width of the head of an arrow, about.
+const HEAD: f32 = 10.0;
 
 struct Drawing<'a> {
     picture: &'a mut Picture,
@@ -27,6 +29,22 @@ struct Named<'a> {
     tag: Tag,
 }
 
+/// The part of the height that lies above the surface. Where nothing passes, what lies below needs less room.
+fn share(clear: bool) -> f32 {
+    if clear { 0.5 } else { 0.78 }
+}
+
+/// Length of the arrows in `area`, with labels of size `text` at their tips, at a transparent or an opaque surface.
+pub(super) fn unit(area: Rect, text: f32, clear: bool) -> f32 {
+    // Media with their η stand beside the arrows.
+    let aside = if clear { 2.4 } else { 1.4 };
+    let room = Vec2::new(
+        0.5 * area.width - aside * text,
+        share(clear) * area.height - 1.4 * text,
+    );
+    room.min_element().max(12.0)
+}
+
 pub(super) fn draw(
     picture: &mut Picture,
     surface: &SurfaceInSight,
@@ -35,14 +53,9 @@ pub(super) fn draw(
     language: Language,
     area: Rect,
 ) {
-    // Where nothing passes, what lies below needs less room.
-    let share = if surface.is_transparent() { 0.5 } else { 0.7 };
-    let middle = Vec2::new(area.center().x, area.y + share * area.height);
-    let room = Vec2::new(
-        0.5 * area.width - 2.4 * text,
-        share * area.height - 1.6 * text,
-    );
-    let unit = room.min_element().max(12.0);
+    let clear = surface.is_transparent();
+    let middle = Vec2::new(area.center().x, area.y + share(clear) * area.height);
+    let unit = unit(area, text, clear);
     let below = Rect::new(area.x, middle.y, area.width, area.bottom() - middle.y);
     picture.rect(below, Ink::Faint.fill().opacity(0.6));
     picture.line(
@@ -88,7 +101,7 @@ impl Drawing<'_> {
                 let tip = self.middle - POINT * u;
                 picture.arrow(self.middle - self.unit * u, tip, stroke);
             });
-        self.labels.spare(self.middle - self.unit * u, self.middle);
+        self.spare_arrow(self.middle - self.unit * u, self.middle - POINT * u, 3.0);
         let normal = match surface.surface.facing {
             Some((normal, ..)) => ("N", normal, kind == "Faced"),
             None => ("N_g", surface.surface.geometric, kind == "SurfaceMet"),
@@ -270,7 +283,7 @@ impl Drawing<'_> {
         let point = |part: f32| self.middle + radius * Vec2::from_angle(part * angle).rotate(from);
         let points = (0..=PARTS).map(|i| point(i as f32 / PARTS as f32));
         self.picture.polyline(points, Ink::Muted.stroke(1.5));
-        let style = Style::Label.size(self.text).ink(Ink::Muted);
+        let style = Style::Label.size(self.text);
         let middle = point(0.5);
         let toward = middle - self.middle;
         self.labels
@@ -278,24 +291,33 @@ impl Drawing<'_> {
     }
 
     fn media(&mut self, [above, below]: [String; 2], area: Rect) {
-        let style = Style::Label
-            .size((self.text - 1.0).max(11.0))
-            .ink(Ink::Muted);
-        let height = style.bounds(Vec2::ZERO, "").height;
-        for (name, first, step) in [(above, -3.0 - height, -height), (below, 3.0, height)] {
-            let ends = [area.x + 3.0, area.right() - 3.0 - style.width(&name)];
-            let places = (0..4).flat_map(|row| {
-                let y = self.middle.y + first + row as f32 * step;
-                ends.map(|x| Vec2::new(x, y))
-            });
-            // On its own side of the surface, rather where it covers no arrow.
-            for crossing in [false, true] {
-                let mut places = places.clone();
-                if places.any(|at| self.labels.put_at(self.picture, at, &name, style, crossing)) {
+        for (name, up) in [(above, true), (below, false)] {
+            // On its own side of the surface, rather where it covers no arrow; smaller where there is little room.
+            let sizes = [(self.text - 1.0).max(11.0), 11.0];
+            let tries = sizes.map(|size| [false, true].map(|crossing| (size, crossing)));
+            for (size, crossing) in tries.into_iter().flatten() {
+                if self.medium(&name, up, size, crossing, area) {
                     break;
                 }
             }
         }
+    }
+
+    /// Writes the name of a medium in one of its places, if one is free.
+    fn medium(&mut self, name: &str, up: bool, size: f32, crossing: bool, area: Rect) -> bool {
+        let style = Style::Label.size(size).ink(Ink::Muted);
+        let height = style.bounds(Vec2::ZERO, "").height;
+        let (first, step) = if up {
+            (-3.0 - height, -height)
+        } else {
+            (3.0, height)
+        };
+        let ends = [area.x + 3.0, area.right() - 3.0 - style.width(name)];
+        let mut places = (0..4).flat_map(|row| {
+            let y = self.middle.y + first + row as f32 * step;
+            ends.map(|x| Vec2::new(x, y))
+        });
+        places.any(|at| self.labels.put_at(self.picture, at, name, style, crossing))
     }
 
     fn style(&self, here: bool) -> crate::picture::Text {
@@ -325,11 +347,18 @@ impl Drawing<'_> {
         self.picture.tagged(named.tag, |picture| {
             picture.arrow(start, tip, stroke);
         });
-        self.labels.spare(start, tip);
+        self.spare_arrow(start, tip, stroke.width);
         let style = self.style(named.here);
         self.labels
             .put(self.picture, (tip, 2.0), along, named.name, style);
         tip
+    }
+
+    /// No label on the shaft, nor on the wider head.
+    fn spare_arrow(&mut self, start: Vec2, tip: Vec2, width: f32) {
+        self.labels.spare_stroke(start, tip, width + 2.0);
+        let head = HEAD.min(0.4 * start.distance(tip)) * (start - tip).normalize_or_zero();
+        self.labels.spare_stroke(tip + head, tip, HEAD);
     }
 
     /// Where a light is blocked.
