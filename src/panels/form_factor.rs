@@ -1,10 +1,185 @@
-//! Two patches, and the form factor between them as it is found.
+//! Two patches, and the form factor between them as it is found: what was sampled so far, and the value as it runs against the
+//! reference.
+
+mod cross;
+mod curve;
+mod pair;
+mod view;
 
 use super::Show;
-use super::message::{NO_PATCHES, message};
-use crate::picture::Picture;
+use super::message::{NO_PATCHES, NO_STEPS, message};
+use super::names;
+use super::values::told_in_words;
+use super::words::Words;
+use crate::algorithms::room::Room;
+use crate::algorithms::stage::Stage;
+use crate::picture::{Ink, Picture, Rect, Style, Text, elide, number};
+use crate::replay::Run;
+use crate::replay::form_factor::{Running, State};
 use glam::Vec2;
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    message(NO_PATCHES, show.language, size)
+const LINE: f32 = 15.0;
+const NO_PAIR: Words = Words::new(
+    "This run solves for the light of all patches. Look at one form factor to see how it is found.",
+    "Proses ini mencari cahaya semua patch. Pilih satu faktor bentuk untuk melihat cara mencarinya.",
+);
+const SO_FAR: Words = Words::new("so far", "sejauh ini");
+const EXACT: Words = Words::new("reference", "acuan");
+const ERROR: Words = Words::new("relative error", "galat relatif");
+const PASSES: Words = Words::new("nothing blocks", "tidak terhalang");
+
+/// All that is drawn.
+struct Sheet<'a> {
+    show: &'a Show<'a>,
+    stage: &'a Stage,
+    room: &'a Room,
+    state: &'a State,
+    i: usize,
+    j: usize,
 }
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    let (stage, replay) = match show.run {
+        Run::FormFactor(stage, replay) => (stage, replay),
+        Run::Radiosity(..) => return message(NO_PAIR, show.language, size),
+        _ => return message(NO_PATCHES, show.language, size),
+    };
+    if show.run.walk().is_empty() {
+        return message(NO_STEPS, show.language, size);
+    }
+    let (state, crate::algorithms::focus::Focus::FormFactor { i, j }, Ok(room)) =
+        (replay.state(), show.focus, stage.room())
+    else {
+        return message(NO_PATCHES, show.language, size);
+    };
+    let sheet = Sheet {
+        show,
+        stage,
+        room,
+        state,
+        i: i as usize,
+        j: j as usize,
+    };
+    let mut picture = Picture::new(size.x, size.y);
+    sheet.draw(&mut picture);
+    let said: Vec<String> = sheet.lines().into_iter().map(|(text, _)| text).collect();
+    picture.alt = format!(
+        "{} {}: {}.",
+        told_in_words(show),
+        sheet.title(),
+        said.join(", ")
+    );
+    picture
+}
+
+impl Sheet<'_> {
+    /// The patches beside the curve, above it, or alone above the words where there is room for no more.
+    fn draw(&self, picture: &mut Picture) {
+        let whole = picture.bounds().grown(-4.0);
+        let (view, beside) = if whole.width >= 330.0 {
+            let width = (0.6 * whole.width).floor();
+            let beside = Rect::new(
+                whole.x + width + 8.0,
+                whole.y,
+                whole.width - width - 8.0,
+                whole.height,
+            );
+            (Rect { width, ..whole }, beside)
+        } else {
+            let share = if whole.height >= 300.0 { 0.55 } else { 1.0 };
+            let lines = LINE * self.lines().len() as f32 + 4.0;
+            let height = (share * whole.height).min(whole.height - lines).floor();
+            let beside = Rect::new(
+                whole.x,
+                whole.y + height + 4.0,
+                whole.width,
+                whole.height - height - 4.0,
+            );
+            (Rect { height, ..whole }, beside)
+        };
+        pair::draw(picture, self, view);
+
+        let lines = self.lines();
+        let words = LINE * lines.len() as f32;
+        let mut top = beside.bottom() - words;
+        for (at, (text, set)) in lines.into_iter().enumerate() {
+            let y = top + at as f32 * LINE;
+            let place = Rect::new(beside.x, y, beside.width, LINE);
+            let text = elide(&text, set.style, set.size, place.width);
+            picture.text_in(place, text, set);
+        }
+        let free = |top: f32| top - beside.y - 6.0;
+        if self.state.resolution.is_some() && free(top) >= 60.0 {
+            let side = (0.5 * free(top)).clamp(60.0, 180.0).min(beside.width);
+            let x = beside.x + 0.5 * (beside.width - side);
+            cross::draw(picture, self, Rect::new(x, top - side - 4.0, side, side));
+            top -= side + 8.0;
+        }
+        if free(top) >= 48.0 {
+            let place = Rect::new(beside.x, beside.y, beside.width, free(top));
+            curve::draw(picture, self, place);
+        }
+    }
+
+    fn area(&self) -> f64 {
+        self.room.patches[self.i].area
+    }
+
+    /// F_ij as each step of the sum has it, with that step.
+    fn running(&self) -> Vec<(f64, usize)> {
+        let running = self.state.running.iter().zip(1_u32..);
+        running
+            .map(|(&(running, step), count)| {
+                let f = match running {
+                    Running::Exchange(exchange) => exchange / self.area(),
+                    Running::FormFactor(f) => f,
+                    Running::Hits(hits) => f64::from(hits) / f64::from(count),
+                };
+                (f, step)
+            })
+            .collect()
+    }
+
+    fn title(&self) -> String {
+        let name = |patch| names::patch(self.stage, self.room, patch);
+        let (i, j) = (self.i, self.j);
+        format!("i = {i}: {} → j = {j}: {}", name(i), name(j))
+    }
+
+    /// The value, the reference, how far they are apart, and what nothing blocks.
+    fn lines(&self) -> Vec<(String, Text)> {
+        let say = |words: Words| words.in_language(self.show.language);
+        let strong = Style::LabelBold.size(12.0).ink(Ink::This);
+        let quiet = Style::Label.size(11.0).ink(Ink::Muted);
+        let mut lines = Vec::new();
+        let value = match self.state.found {
+            Some((f, _)) => Some((f, "")),
+            None => self.running().last().map(|&(f, _)| (f, say(SO_FAR))),
+        };
+        if let Some((f, words)) = value {
+            let text = format!("F_i_j = {} {words}", number(f));
+            lines.push((text.trim_end().to_string(), strong));
+        }
+        if let Some((exact, _)) = self.state.reference {
+            let text = format!("{}: {}", say(EXACT), number(exact));
+            lines.push((text, quiet.ink(Ink::Text)));
+            if let Some((f, _)) = value.filter(|_| exact > 0.0) {
+                let error = percent((f - exact) / exact);
+                lines.push((format!("{}: {error}", say(ERROR)), quiet));
+            }
+        }
+        if let Some((share, _)) = self.state.visible {
+            let share = percent(share);
+            lines.push((format!("{}: {share}", say(PASSES)), quiet));
+        }
+        lines
+    }
+}
+
+fn percent(share: f64) -> String {
+    let percent: f64 = format!("{:.2e}", 100.0 * share).parse().unwrap_or(f64::NAN);
+    format!("{} %", number(percent))
+}
+
+#[cfg(test)]
+mod tests;

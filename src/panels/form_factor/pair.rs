@@ -1,0 +1,296 @@
+//! The two patches, and between them what was sampled so far.
+
+use super::super::labels::{Labels, within};
+use super::Sheet;
+use super::view::View;
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, elide};
+use crate::record::Value;
+use crate::replay::form_factor::{Segment, Way};
+use glam::{DVec3, Vec2};
+
+/// Segments that are drawn: the latest.
+const MOST: usize = 500;
+/// Outlines of the scene that are drawn around the two.
+const MOST_POLYGONS: usize = 1500;
+const TITLE: f32 = 18.0;
+const TEXT: f32 = 12.0;
+
+pub fn draw(picture: &mut Picture, sheet: &Sheet, area: Rect) {
+    picture.rounded_rect(area, 3.0, Ink::Rule.stroke(1.0));
+    let inner = Rect::between([area.x, area.y + TITLE], [area.right(), area.bottom()]).grown(-2.0);
+    let (title, room) = (sheet.title(), area.width - 12.0);
+    let set = Style::Body.size(11.0).ink(Ink::Muted);
+    let place = Rect::new(area.x + 6.0, area.y + 1.0, room, TITLE);
+    picture.text_in(place, elide(&title, Style::Body, 11.0, room), set);
+
+    let camera = sheet.stage.scene.camera;
+    let up = camera.map_or(sheet.stage.view.up, |camera| camera.up.normalize());
+    let pair = Pair {
+        sheet,
+        view: View::of(&sheet.room.patches, [sheet.i, sheet.j], up, inner),
+        area: inner,
+    };
+    let mut labels = Labels::new(inner.grown(-1.0));
+    picture.clipped(inner, |picture| {
+        pair.around(picture);
+        pair.patch(picture, sheet.i, Ink::This, Ink::ThisTint);
+        pair.patch(picture, sheet.j, Ink::Linked, Ink::LinkedTint);
+        pair.segments(picture);
+        pair.points(picture, &mut labels);
+        pair.edges(picture);
+        pair.letters(picture, &mut labels);
+    });
+}
+
+struct Pair<'a> {
+    sheet: &'a Sheet<'a>,
+    view: View,
+    area: Rect,
+}
+
+impl Pair<'_> {
+    /// The part of a line that lies in the view.
+    fn line(&self, picture: &mut Picture, from: Vec2, to: Vec2, stroke: Stroke) {
+        if let Some([from, to]) = within([from, to], self.area.grown(-2.0))
+            && from.is_finite()
+            && to.is_finite()
+        {
+            picture.line(from, to, stroke);
+        }
+    }
+
+    fn dot(&self, picture: &mut Picture, at: Vec2, radius: f32, ink: Ink) {
+        if self.area.grown(-radius).contains(at) {
+            picture.circle(at, radius, ink);
+        }
+    }
+
+    /// The scene around the two, faint.
+    fn around(&self, picture: &mut Picture) {
+        let stage = self.sheet.stage;
+        for number in 0..stage.tessellation.polygon_count().min(MOST_POLYGONS) {
+            let Some(polygon) = stage.polygon(number) else {
+                continue;
+            };
+            let corners: Vec<Vec2> = polygon
+                .corners()
+                .map(|(vertex, _)| self.view.place(polygon.mesh.position(vertex)))
+                .collect();
+            for (from, to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+                self.line(picture, *from, *to, Ink::Rule.stroke(1.0));
+            }
+        }
+    }
+
+    fn patch(&self, picture: &mut Picture, patch: usize, ink: Ink, tint: Ink) {
+        picture.tagged(Tag::Patch(patch), |picture| {
+            for piece in self.sheet.room.patches.pieces(patch) {
+                let corners = piece.corners.iter().map(|&corner| self.view.place(corner));
+                let paint = tint.fill().opacity(0.8).outlined(ink.stroke(1.75));
+                picture.polygon(corners, paint);
+            }
+        });
+    }
+
+    /// Segments so far, the newest last, in the accent and with its ends.
+    fn segments(&self, picture: &mut Picture) {
+        let segments = &self.sheet.state.segments;
+        let step = self.sheet.show.run.walk().position();
+        for at in segments.len().saturating_sub(MOST)..segments.len() {
+            let Some(segment) = segments.get(at) else {
+                continue;
+            };
+            // What was told at an earlier step is not in hand where another part of the work has begun.
+            let newest = at + 1 == segments.len() && segment.step == step;
+            picture.tagged(Tag::Step(segment.step), |picture| {
+                self.segment(picture, segment, newest);
+            });
+        }
+        if let Some([x, y]) = self.open(step) {
+            let [from, to] = [x, y].map(|end| self.view.place(end));
+            self.line(picture, from, to, Ink::This.stroke(1.5).dashed());
+            self.dot(picture, from, 3.5, Ink::This);
+            self.dot(picture, to, 3.5, Ink::This);
+        }
+    }
+
+    /// The two points of the step, where it is a pair that has no term yet.
+    fn open(&self, step: usize) -> Option<[DVec3; 2]> {
+        let walk = self.sheet.show.run.walk();
+        let fields = walk.own_fields(step);
+        match (walk.kind(step), fields.get("x"), fields.get("y")) {
+            ("Points", Some(Value::Vector(x)), Some(Value::Vector(y))) => Some([x, y]),
+            _ => None,
+        }
+    }
+
+    fn segment(&self, picture: &mut Picture, segment: &Segment, newest: bool) {
+        let from = self.view.place(segment.from);
+        let (to, reaches) = match segment.way {
+            Way::To(to) => (to, true),
+            Way::Sight { to, blocked } => (to, !blocked),
+            Way::Ray { direction, met } => (self.end(segment.from, direction, met), met),
+        };
+        let to = self.view.place(to);
+        let ink = if newest { Ink::This } else { Ink::Muted };
+        let stroke = match (newest, reaches) {
+            (true, _) => ink.stroke(2.25),
+            (false, true) => ink.stroke(1.0).opacity(0.6),
+            (false, false) => ink.stroke(0.9).opacity(0.45),
+        };
+        let is_ray = matches!(segment.way, Way::Ray { .. });
+        let stroke = match (reaches, is_ray) {
+            (true, _) => stroke,
+            (false, true) => stroke.dotted(),
+            (false, false) => stroke.dashed(),
+        };
+        self.line(picture, from, to, stroke);
+        let radius = if newest { 3.5 } else { 1.75 };
+        self.dot(picture, from, radius, ink);
+        match (reaches, is_ray) {
+            (true, _) => self.dot(picture, to, radius, ink),
+            (false, false) => self.barred(picture, 0.5 * (from + to), newest),
+            (false, true) => {}
+        }
+    }
+
+    /// A cross on a line of sight that something blocks.
+    fn barred(&self, picture: &mut Picture, at: Vec2, newest: bool) {
+        let (reach, width) = if newest { (5.0, 2.25) } else { (2.5, 1.0) };
+        if self.area.grown(-reach - 2.0).contains(at) {
+            for side in [Vec2::new(reach, reach), Vec2::new(reach, -reach)] {
+                picture.line(at - side, at + side, Ink::Bad.stroke(width));
+            }
+        }
+    }
+
+    /// Where a ray ends: on j, or after a fifth of the way there.
+    fn end(&self, from: DVec3, direction: DVec3, met: bool) -> DVec3 {
+        let patches = &self.sheet.room.patches;
+        let (i, j) = (&patches[self.sheet.i], &patches[self.sheet.j]);
+        let t = j.normal.dot(j.center - from) / j.normal.dot(direction);
+        if met && t.is_finite() && t > 0.0 {
+            from + t * direction
+        } else {
+            from + 0.2 * (i.center.distance(j.center) + i.radius) * direction
+        }
+    }
+
+    /// Points of elements and hemicubes, and what the newest sees of the polygon's edge in hand.
+    fn points(&self, picture: &mut Picture, labels: &mut Labels) {
+        let state = self.sheet.state;
+        let last = state.points.len();
+        for (&(point, step), number) in state.points.iter().zip(1..) {
+            let newest = number == last && state.found.is_none();
+            let at = self.view.place(point);
+            if let (true, Some((corner, edge_step))) = (newest, state.edge) {
+                picture.tagged(Tag::Step(edge_step), |picture| {
+                    self.edge_seen(picture, point, corner, labels);
+                });
+            }
+            picture.tagged(Tag::Step(step), |picture| {
+                let (radius, ink) = if newest {
+                    (4.0, Ink::This)
+                } else {
+                    (2.25, Ink::Muted)
+                };
+                self.dot(picture, at, radius, ink);
+            });
+        }
+    }
+
+    /// The triangle of the point with an edge of the polygon that it sees.
+    fn edge_seen(&self, picture: &mut Picture, point: DVec3, corner: DVec3, labels: &mut Labels) {
+        let [x, r] = [point, corner].map(|end| self.view.place(end));
+        if let Some(next) = self.next_corner(corner) {
+            let next = self.view.place(next);
+            let paint = Ink::This.fill().opacity(0.18);
+            if [x, r, next].iter().all(|&at| self.area.contains(at)) {
+                picture.polygon([x, r, next], paint);
+            }
+            self.line(picture, x, next, Ink::This.stroke(1.25).dashed());
+            self.line(picture, r, next, Ink::This.stroke(3.0));
+        }
+        self.line(picture, x, r, Ink::This.stroke(1.75));
+        self.dot(picture, r, 3.5, Ink::This);
+        let set = Style::LabelBold.size(TEXT).ink(Ink::This);
+        labels.put(picture, (r, 4.0), r - x, "R_k", set);
+    }
+
+    /// The corner after this one of either patch; none where the patch was clipped there.
+    fn next_corner(&self, corner: DVec3) -> Option<DVec3> {
+        let patches = &self.sheet.room.patches;
+        [self.sheet.i, self.sheet.j].into_iter().find_map(|patch| {
+            patches.pieces(patch).find_map(|piece| {
+                let at = piece.corners.iter().position(|&other| other == corner)?;
+                Some(piece.corners[(at + 1) % piece.corners.len()])
+            })
+        })
+    }
+
+    /// The pair of edges in hand of the double contour integral, where neither patch was clipped.
+    fn edges(&self, picture: &mut Picture) {
+        let walk = self.sheet.show.run.walk();
+        let step = walk.position();
+        if walk.kind(step) != "EdgePair" {
+            return;
+        }
+        let fields = walk.fields(step);
+        let number = |name: &str| match fields.get(name) {
+            Some(Value::Integer(number)) => usize::try_from(number).ok(),
+            _ => None,
+        };
+        let area = |name: &str| match fields.get(name) {
+            Some(Value::Number(area)) => area,
+            _ => f64::NAN,
+        };
+        let (area_i, area_j) = (area("area_i"), area("area_j"));
+        // The automatic choice takes the smaller patch first.
+        let swapped = self.sheet.state.chosen.is_some() && area_j < area_i;
+        let (first, second) = if swapped {
+            ("edge_j", "edge_i")
+        } else {
+            ("edge_i", "edge_j")
+        };
+        for (patch, area, edge) in [
+            (self.sheet.i, area_i, first),
+            (self.sheet.j, area_j, second),
+        ] {
+            let mut pieces = self.sheet.room.patches.pieces(patch);
+            let (Some(piece), None, Some(edge)) = (pieces.next(), pieces.next(), number(edge))
+            else {
+                continue;
+            };
+            if (piece.area - area).abs() > 1e-9 * piece.area || edge >= piece.corners.len() {
+                continue;
+            }
+            let [from, to] = [edge, (edge + 1) % piece.corners.len()]
+                .map(|corner| self.view.place(piece.corners[corner]));
+            if let Some([from, to]) = within([from, to], self.area.grown(-3.0)) {
+                picture.tagged(Tag::Step(step), |picture| {
+                    picture.arrow(from, to, Ink::This.stroke(3.0));
+                });
+            }
+        }
+    }
+
+    /// i and j, beside the corners that are farthest out.
+    fn letters(&self, picture: &mut Picture, labels: &mut Labels) {
+        let center = |patch: usize| self.view.place(self.sheet.room.patches[patch].center);
+        let (i, j) = (self.sheet.i, self.sheet.j);
+        let apart = center(i) - center(j);
+        for (patch, letter, ink, toward) in
+            [(i, "i", Ink::This, apart), (j, "j", Ink::Linked, -apart)]
+        {
+            let pieces = self.sheet.room.patches.pieces(patch);
+            let corners = pieces.flat_map(|piece| piece.corners.iter().copied());
+            let outmost = corners
+                .map(|corner| self.view.place(corner))
+                .max_by(|a, b| a.dot(toward).total_cmp(&b.dot(toward)));
+            if let Some(at) = outmost {
+                let set = Style::Formula.size(15.0).ink(ink);
+                labels.put(picture, (at, 1.0), toward, letter, set);
+            }
+        }
+    }
+}
