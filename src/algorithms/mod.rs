@@ -10,9 +10,10 @@
 //! | [`gouraud`] | intensity interpolated from the vertices | Gouraud 1971 |
 //! | [`primary`], [`visible`], [`surface`] | a ray a pixel, the nearest object that it meets, the point that is lit | Appel 1968 |
 //! | [`ray_casting`] | the visible surface, lit | Appel 1968, Roth 1982 |
-//! | [`form_factor`] | the share of light that one patch sends to another, a file a method | Cohen & Greenberg 1985, Baum et al. 1989 |
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays that tells them | Whitted 1980 |
+//! | [`form_factor`] | the share of light that one patch sends to another, a file a method | Cohen & Greenberg 1985, Baum et al. 1989 |
 //! | [`radiosity`] | solvers of the radiosity system: gathering, shooting, Chebyshev, conjugate gradients, LU | Goral et al. 1984, Cohen et al. 1988 |
+//! | [`room`], [`patch_view`] | a scene's patches with their form factors and light, and the picture of it | Cohen & Greenberg 1985 |
 //!
 //! [`stage`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
 

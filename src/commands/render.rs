@@ -89,10 +89,11 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             smooth: arguments.smooth,
             ..arguments.solution.settings(arguments.limits)?
         });
+    let staged = start.elapsed();
     if method == Method::Radiosity {
         solve(&stage, &arguments)?;
     }
-    let staged = start.elapsed();
+    let solved = start.elapsed();
     let threads = match arguments.threads {
         Some(threads) => NonZeroUsize::new(threads.into()).unwrap_or(NonZeroUsize::MIN),
         None => std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN),
@@ -129,7 +130,8 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             "seconds": {
                 "read": read.as_secs_f64(),
                 "tessellate": (staged - read).as_secs_f64(),
-                "render": (rendered - staged).as_secs_f64(),
+                "solve": (solved - staged).as_secs_f64(),
+                "render": (rendered - solved).as_secs_f64(),
                 "write": (written - rendered).as_secs_f64(),
             },
             "polygons": stage.tessellation.polygon_count(),
