@@ -53,6 +53,7 @@ const BUILTINS: &[Builtin] = &[
     lesson(
         "linear-system",
         include_str!("../../lessons/20-linear-system.json"),
+    ),
     lesson("gathering", include_str!("../../lessons/21-gathering.json")),
     lesson("shooting", include_str!("../../lessons/22-shooting.json")),
     lesson(
