@@ -5,7 +5,7 @@ use super::tiles::panel_on;
 use super::window::Window;
 use super::{panel_view, question_card, style, words};
 use crate::panels::Panel;
-use crate::picture::{Ink, Script, Tag, math};
+use crate::picture::{Ink, Script, Tag, braced, math};
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, FontId, Frame, Margin, Rect, RichText, ScrollArea, Ui};
 
@@ -131,7 +131,7 @@ pub fn prose(session: &Session, text: &str, size: f32, ink: Ink) -> LayoutJob {
 /// As [`prose`], in any font.
 pub fn set(session: &Session, text: &str, font: FontId, ink: Ink) -> LayoutJob {
     let mut job = LayoutJob::default();
-    for run in math(text) {
+    for run in math(&braced(text)) {
         // A line height of its own would put an index into the middle of the line, so that it could be neither low nor high.
         let (scale, line_height, valign) = match run.script {
             Script::Base => (1.0, Some(1.45 * font.size), Align::Center),

@@ -3,7 +3,7 @@
 use super::Show;
 use super::message::{NO_STEPS, message};
 use super::words::Words;
-use crate::picture::{Ink, Picture, Rect, Script, Style, Tag, math, measure};
+use crate::picture::{Ink, Picture, Rect, Script, Style, Tag, braced, math, measure};
 use crate::record::{Line, Listing};
 use crate::replay::Walk;
 use glam::Vec2;
@@ -293,21 +293,6 @@ fn set(text: &str, style: Style, size: f32, mut put: impl FnMut(String, Vec2, f3
     x
 }
 
-/// Subscripts of several letters in braces, as [`math`] reads them: `f_att` → `f_{att}`.
-fn braced(text: &str) -> String {
-    let mut braced = String::with_capacity(text.len() + 8);
-    let mut rest = text;
-    while let Some(at) = rest.find('_') {
-        let (before, index) = (&rest[..at], &rest[at + 1..]);
-        let end = index
-            .find(|c: char| !c.is_alphanumeric())
-            .unwrap_or(index.len());
-        braced.push_str(&format!("{before}_{{{}}}", &index[..end]));
-        rest = &index[end..];
-    }
-    braced + rest
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::crowd::{self, SIZES, assert_legible};
@@ -377,13 +362,6 @@ mod tests {
                 "I_d = k_d · I_light · f_att · max(0, N·L)"
             ]
         );
-    }
-
-    #[test]
-    fn subscripts_of_several_letters_are_kept_together() {
-        assert_eq!(braced("f_att ← 1/(a0)"), "f_{att} ← 1/(a0)");
-        assert_eq!(braced("ΣN_k / |ΣN_k|"), "ΣN_{k} / |ΣN_{k}|");
-        assert_eq!(braced("for each polygon"), "for each polygon");
     }
 
     #[test]

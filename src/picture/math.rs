@@ -54,6 +54,25 @@ pub fn math(text: &str) -> Vec<Run> {
     runs
 }
 
+/// Subscripts of several letters in braces, as [`math`] reads them: `f_att` → `f_{att}`. For prose and code, where nobody writes braces.
+pub fn braced(text: &str) -> String {
+    let mut braced = String::with_capacity(text.len() + 8);
+    let mut rest = text;
+    while let Some(at) = rest.find('_') {
+        let (before, index) = (&rest[..at], &rest[at + 1..]);
+        let end = index
+            .find(|c: char| !c.is_alphanumeric())
+            .unwrap_or(index.len());
+        braced.push_str(before);
+        match end {
+            0 => braced.push('_'),
+            _ => braced.push_str(&format!("_{{{}}}", &index[..end])),
+        }
+        rest = &index[end..];
+    }
+    braced + rest
+}
+
 /// Splits text on the base line into upright and italic runs, and empties it.
 fn push_base(runs: &mut Vec<Run>, base: &mut String) {
     let mut push = |text: &str, italic| {
@@ -170,6 +189,17 @@ mod tests {
                 }
             })
             .collect()
+    }
+
+    #[test]
+    fn subscripts_of_several_letters_are_kept_together() {
+        assert_eq!(braced("f_att ← 1/(a0)"), "f_{att} ← 1/(a0)");
+        assert_eq!(braced("ΣN_k / |ΣN_k|"), "ΣN_{k} / |ΣN_{k}|");
+        assert_eq!(
+            braced("F_ij, N_{v} and _ alone"),
+            "F_{ij}, N_{v} and _ alone"
+        );
+        assert_eq!(braced("for each polygon"), "for each polygon");
     }
 
     #[test]

@@ -10,9 +10,9 @@ use glam::DVec3;
 use std::f64::consts::PI;
 
 pub static PSEUDOCODE: Listing = Listing {
-    name: "area_to_area",
+    name: "area to area",
     lines: &[
-        "area_to_area(i, j)",
+        "areaToArea(i, j)",
         "  for each Gauss point x of i, with weight w_x",
         "    for each Gauss point y of j, with weight w_y",
         "      r ← y − x",

@@ -14,8 +14,8 @@ pub static PSEUDOCODE: Listing = Listing {
     lines: &[
         "auto(i, j)",
         "  clip i to the front of j, and j to the front of i",
-        "  far, both small:       area_to_area",
-        "  apart, i small:        element_to_polygon",
+        "  far, both small:       areaToArea",
+        "  apart, i small:        elementToPolygon",
         "  near or touching:      contour",
     ],
 };

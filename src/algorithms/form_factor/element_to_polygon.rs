@@ -11,9 +11,9 @@ use glam::DVec3;
 use std::f64::consts::TAU;
 
 pub static PSEUDOCODE: Listing = Listing {
-    name: "element_to_polygon",
+    name: "element to polygon",
     lines: &[
-        "element_to_polygon(i, j)",
+        "elementToPolygon(i, j)",
         "  for each Gauss point x of i, with weight w",
         "    for each edge R_k, R_k+1 of j seen from x",
         "      Γ_k ← angle between R_k and R_k+1, along R_k × R_k+1",

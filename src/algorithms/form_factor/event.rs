@@ -91,9 +91,9 @@ pub enum Event {
 const _: () = assert!(size_of::<Event>() <= 64);
 
 pub static PSEUDOCODE: Listing = Listing {
-    name: "form_factor",
+    name: "form factor",
     lines: &[
-        "form_factor(i, j)",
+        "formFactor(i, j)",
         "  for each piece of i and of j",
         "    clip both to the front of the other;  nothing left: 0",
         "    A_i F_ij ← A_i F_ij + exchange of the two",

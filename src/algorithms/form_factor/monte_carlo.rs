@@ -13,9 +13,9 @@ use glam::DVec3;
 use std::f64::consts::TAU;
 
 pub static PSEUDOCODE: Listing = Listing {
-    name: "monte_carlo",
+    name: "Monte Carlo",
     lines: &[
-        "monte_carlo(i, j)",
+        "monteCarlo(i, j)",
         "  for each of n points (s, t, u, v) of a Sobol sequence",
         "    x ← the point of i at (s, t)",
         "    direction ← √u (cos 2πv, sin 2πv) across N_i, √(1 − u) along it",
