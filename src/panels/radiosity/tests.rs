@@ -143,7 +143,8 @@ fn what_is_gathered_comes_along_an_arrow() {
     let line = line.expect("an arrow");
     // From the lamp above down to the floor, where a head of some points ends it.
     let floor = picture.tagged_bounds(Tag::Patch(0)).expect("drawn");
-    let lamp = picture.tagged_bounds(Tag::Patch(60)).expect("drawn");
+    let lamp = tagged(&picture, Tag::Patch(60)).next().expect("drawn");
+    let lamp = lamp.shape.bounds();
     assert!(lamp.contains(line[0]), "{lamp:?} {line:?}");
     assert!(floor.grown(12.0).contains(line[1]), "{floor:?} {line:?}");
     assert!(
