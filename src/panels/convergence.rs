@@ -5,6 +5,7 @@ use super::labels::Labels;
 use super::message::{NO_PATCHES, message};
 use super::values::told_in_words;
 use super::words::{Language, Words};
+use crate::algorithms::focus::Focus;
 use crate::algorithms::stage::Stage;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, elide, number, power_of_ten};
 use crate::replay::Run;
@@ -16,15 +17,18 @@ const TEXT: f32 = 11.0;
 const ROW: f32 = 18.0;
 /// Between two ticks, at least, in points.
 const TICKS_APART: f32 = 22.0;
+const TICKS_BESIDE: f32 = 56.0;
 /// With more iterations some are passed over.
 const MOST_POINTS: usize = 70;
 /// Points so far apart have a mark each.
 const MARKED: f32 = 9.0;
+/// The axis begins here at the latest, wherever the run is looked at.
+const LATEST: u32 = 1 << 30;
 /// Nothing smaller is shown: it is no more than rounding.
 const LEAST: f64 = 1e-18;
 
 const RESIDUAL: Words = Words::new("relative residual", "residu relatif");
-const BOUND: Words = Words::new("bound on the error", "batas galat");
+const BOUND: Words = Words::new("bound on the error of B", "batas galat B");
 const ITERATION: Words = Words::new("iteration k", "iterasi k");
 const NONE_YET: Words = Words::new(
     "No iteration has come to its end yet.",
@@ -53,26 +57,39 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         },
         show.language,
     );
-    let axes = Axes::new(stage, state, whole);
+    let axes = Axes::new(stage, state, show.focus, whole);
     axes.draw(&mut picture, show.language);
-    let tolerance = stage.radiosity.stop.tolerance;
-    axes.tolerance(&mut picture, tolerance);
-    if state
-        .channels
-        .iter()
-        .all(|channel| channel.history.is_empty())
-    {
-        let words = NONE_YET.in_language(show.language);
-        let style = Style::Body.size(12.0).ink(Ink::Muted).middle();
-        let words = elide(words, style.style, style.size, axes.place.width);
-        picture.text_in(axes.place, words, style);
+    let mut labels = Labels::new(axes.place.grown(2.0));
+    let name = axes.tolerance(&mut picture, stage.radiosity.stop.tolerance);
+    if let Some(name) = name {
+        labels.keep_free(name);
+    }
+    let told = |channel: &ChannelNow| !channel.history.is_empty();
+    if !state.channels.iter().any(told) {
+        axes.nothing(&mut picture, name, show.language);
     }
     axes.cursor(&mut picture, state);
-    let mut labels = Labels::new(axes.place.grown(2.0));
     for channel in &state.channels {
-        axes.curves(&mut picture, channel, &mut labels);
+        let letters = letters(channel, &state.channels);
+        axes.curves(&mut picture, channel, &letters, &mut labels);
     }
+    axes.newest(&mut picture, state);
     picture
+}
+
+/// Of the channel, and of those that share its solution.
+fn letters(channel: &ChannelNow, channels: &[ChannelNow]) -> String {
+    let alike = |other: &&ChannelNow| match other.left_out {
+        Some((_, like)) => like.is_some() && like == channel.channel,
+        None => std::ptr::eq(*other, channel),
+    };
+    let letters = channels.iter().filter(alike).filter_map(|other| {
+        let known = CHANNELS
+            .iter()
+            .find(|(name, ..)| other.channel == Some(name));
+        known.map(|(_, letter, _)| *letter)
+    });
+    letters.collect::<Vec<_>>().join(" ")
 }
 
 /// What the two kinds of line mean.
@@ -118,9 +135,24 @@ struct Axes {
 
 impl Axes {
     /// As far as the finished solution goes, where there is one, so that the axes stay as they are from step to step.
-    fn new(stage: &Stage, state: &State, whole: Rect) -> Self {
+    fn new(stage: &Stage, state: &State, focus: Focus, whole: Rect) -> Self {
+        let room = stage.room().ok();
+        let light = room.and_then(|room| room.light(room.matrix()?).ok());
+        let solutions = light.iter().flat_map(|light| &light.solutions);
         let mut values = vec![stage.radiosity.stop.tolerance, 1.0];
-        let (mut first, mut last) = (u32::MAX, 1);
+        let mut last = solutions.clone().map(|found| found.iterations).max();
+        last = last.map(|iterations| iterations.saturating_sub(1));
+        let first = match focus {
+            Focus::Iterations { start, end } => {
+                last = last.map(|last| last.min(end.saturating_sub(1)));
+                start.min(LATEST)
+            }
+            _ => {
+                values.extend(solutions.map(|found| found.residual));
+                0
+            }
+        };
+        let mut last = last.unwrap_or(0).max(state.iteration.unwrap_or(0));
         for told in state
             .channels
             .iter()
@@ -128,16 +160,7 @@ impl Axes {
         {
             values.push(told.residual);
             values.extend(told.error_bound);
-            (first, last) = (first.min(told.k), last.max(told.k));
-        }
-        if let Some(k) = state.iteration {
-            (first, last) = (first.min(k), last.max(k));
-        }
-        let room = stage.room().ok();
-        let light = room.and_then(|room| room.light(room.matrix()?).ok());
-        for solution in light.iter().flat_map(|light| &light.solutions) {
-            values.push(solution.residual);
-            last = last.max(solution.iterations.saturating_sub(1));
+            last = last.max(told.k);
         }
         let exponents = values
             .into_iter()
@@ -160,12 +183,8 @@ impl Axes {
                 whole.width - left - 4.0,
                 whole.height - 2.0 * ROW - 8.0,
             ),
-            first: if first == u32::MAX {
-                0
-            } else {
-                first.min(last - 1)
-            },
-            last,
+            first,
+            last: last.max(first + 1),
             low,
             high,
         }
@@ -198,28 +217,60 @@ impl Axes {
         picture.line((x, y), (x, bottom), Ink::Muted.stroke(1.0));
         picture.line((x, bottom), (right, bottom), Ink::Muted.stroke(1.0));
         let row = Rect::new(x, bottom + 2.0, self.place.width, ROW);
-        let ends = [number(self.first.into()), number(self.last.into())];
         let title = ITERATION.in_language(language);
-        let [first, last] = ends;
-        let free = row.width - 2.0 * style.width(&last).max(style.width(&first)) - 16.0;
-        picture.text_in(row, first, style);
-        picture.text_in(row, last, style.end());
-        if style.width(title) <= free {
-            picture.text_in(row, title, style.middle());
+        picture.text_in(row, title, style.end());
+        self.iterations(picture, row, right - style.width(title) - 8.0);
+    }
+
+    /// Numbers of iterations under the axis, as many as stand apart before `end`.
+    fn iterations(&self, picture: &mut Picture, row: Rect, end: f32) {
+        let style = Style::Body.size(TEXT).ink(Ink::Muted);
+        let most = (self.place.width / TICKS_BESIDE).max(1.0) as u32;
+        let stride = round_stride((self.last - self.first).div_ceil(most));
+        let ticks = (self.first.next_multiple_of(stride)..=self.last).step_by(stride as usize);
+        for k in ticks {
+            let text = number(k.into());
+            let width = style.width(&text);
+            let left = (self.x(k) - 0.5 * width).max(row.x);
+            if left + width <= end {
+                let place = Rect { x: left, ..row };
+                picture.text_in(place, text, style);
+                let mark = Vec2::new(self.x(k), self.place.bottom());
+                picture.line(mark, mark + Vec2::new(0.0, 3.0), Ink::Muted.stroke(1.0));
+            }
         }
     }
 
-    /// Below this line the solver stops. Its name stands at the left, where no curve is that low.
-    fn tolerance(&self, picture: &mut Picture, tolerance: f64) {
+    /// Below this line the solver stops. Returns the place of its name, at the left, where no curve is that low.
+    fn tolerance(&self, picture: &mut Picture, tolerance: f64) -> Option<Rect> {
         if tolerance <= 0.0 {
-            return;
+            return None;
         }
         let y = self.y(tolerance);
         let stroke = Ink::Good.stroke(1.5).dotted();
         picture.line((self.place.x, y), (self.place.right(), y), stroke);
         let text = format!("ε = {}", number(tolerance));
         let style = Style::Body.size(TEXT).ink(Ink::Good);
-        picture.text((self.place.x + 5.0, y - 4.0), text, style);
+        let above = y - self.place.y > ROW;
+        let at = Vec2::new(self.place.x + 5.0, if above { y - 4.0 } else { y + 13.0 });
+        let place = style.bounds(at, &text);
+        picture.text(at, text, style);
+        Some(place)
+    }
+
+    /// Says that there are no points yet, away from the name of the tolerance.
+    fn nothing(&self, picture: &mut Picture, name: Option<Rect>, language: Language) {
+        let style = Style::Body.size(12.0).ink(Ink::Muted).middle();
+        let words = NONE_YET.in_language(language);
+        let words = elide(words, style.style, style.size, self.place.width);
+        let high = name.is_some_and(|name| name.center().y < self.place.center().y);
+        let height = 0.5 * self.place.height;
+        let upper = Rect {
+            height,
+            ..self.place
+        };
+        let down = if high { height } else { 0.0 };
+        picture.text_in(upper.shifted(Vec2::new(0.0, down)), words, style);
     }
 
     /// The iteration in hand.
@@ -231,45 +282,80 @@ impl Axes {
         }
     }
 
-    fn curves(&self, picture: &mut Picture, channel: &ChannelNow, labels: &mut Labels) {
+    /// The point of the iteration in hand, once it is told.
+    fn newest(&self, picture: &mut Picture, state: &State) {
+        let Some(last) = state.channel().and_then(last_told) else {
+            return;
+        };
+        if state.iteration == Some(last.k) {
+            let at = Vec2::new(self.x(last.k), self.y(last.residual));
+            picture.tagged(Tag::Step(last.step as usize), |picture| {
+                picture.circle(at, 4.0, Ink::This);
+            });
+        }
+    }
+
+    fn curves(
+        &self,
+        picture: &mut Picture,
+        channel: &ChannelNow,
+        letters: &str,
+        labels: &mut Labels,
+    ) {
         let known = CHANNELS
             .iter()
             .find(|(name, ..)| channel.channel == Some(name));
-        let &(_, letter, ink) = known.unwrap_or(&("", "", Ink::Text));
+        let ink = known.map_or(Ink::Text, |&(_, _, ink)| ink);
         let told = few(channel);
+        let place = |k: u32, value: f64| Vec2::new(self.x(k), self.y(value));
+        let bounds = told
+            .iter()
+            .filter_map(|told| Some((place(told.k, told.error_bound?), told.step as usize)));
+        let bounds: Vec<(Vec2, usize)> = bounds.collect();
+        let residuals = told
+            .iter()
+            .map(|told| (place(told.k, told.residual), told.step as usize));
+        let residuals: Vec<(Vec2, usize)> = residuals.collect();
+
+        // Dashes of short pieces would run together, so the broken line is one.
+        if bounds.len() > 1 {
+            let points = bounds.iter().map(|&(at, _)| at);
+            picture.polyline(points, kind_of_line(ink, true));
+        }
+        for pair in residuals.windows(2) {
+            let [(from, _), (to, step)] = [pair[0], pair[1]];
+            picture.tagged(Tag::Step(step), |picture| {
+                picture.line(from, to, kind_of_line(ink, false));
+            });
+        }
         let apart = self.x(self.first + 1) - self.place.x;
-        let bound = |told: &IterationNow| told.error_bound;
-        let residual = |told: &IterationNow| Some(told.residual);
-        let lines: [(&dyn Fn(&IterationNow) -> Option<f64>, bool); 2] =
-            [(&bound, true), (&residual, false)];
-        for (value, dashed) in lines {
-            let points: Vec<(Vec2, u32)> = told
-                .iter()
-                .filter_map(|told| {
-                    Some((Vec2::new(self.x(told.k), self.y(value(told)?)), told.step))
-                })
-                .collect();
-            for pair in points.windows(2) {
-                let [(from, _), (to, step)] = [pair[0], pair[1]];
-                picture.tagged(Tag::Step(step as usize), |picture| {
-                    picture.line(from, to, kind_of_line(ink, dashed));
-                });
-            }
-            for &(at, step) in points
-                .iter()
-                .filter(|_| apart >= MARKED || points.len() == 1)
-            {
-                let paint = if dashed { Ink::Surface } else { ink };
-                picture.tagged(Tag::Step(step as usize), |picture| {
-                    picture.circle(at, 2.5, paint.fill().outlined(ink.stroke(1.25)));
-                });
+        for (points, fill) in [(&bounds, Ink::Surface), (&residuals, ink)] {
+            for &(at, step) in points {
+                if apart >= MARKED || points.len() == 1 {
+                    picture.tagged(Tag::Step(step), |picture| {
+                        picture.circle(at, 2.5, fill.fill().outlined(ink.stroke(1.25)));
+                    });
+                }
             }
             if let Some(&(at, _)) = points.last() {
-                let style = Style::Bold.size(12.0).ink(Ink::Text);
-                labels.put(picture, (at, 3.0), Vec2::new(1.0, -0.4), letter, style);
+                let style = Style::Bold.size(12.0);
+                labels.put(picture, (at, 3.0), Vec2::new(1.0, -0.4), letters, style);
             }
         }
     }
+}
+
+fn last_told(channel: &ChannelNow) -> Option<&IterationNow> {
+    channel.history.get(channel.history.len().checked_sub(1)?)
+}
+
+/// The least of 1, 2, 5, 10, 20, … that is not less than `least`.
+fn round_stride(least: u32) -> u32 {
+    let steps = (0..9).flat_map(|exponent| [1, 2, 5].map(|digit| digit * 10_u32.pow(exponent)));
+    steps
+        .into_iter()
+        .find(|&step| step >= least)
+        .unwrap_or(1_000_000_000)
 }
 
 /// The iterations of a channel that are drawn: not more than there is room for, and always the last.
@@ -277,7 +363,7 @@ fn few(channel: &ChannelNow) -> Vec<IterationNow> {
     let count = channel.history.len();
     let stride = count.div_ceil(MOST_POINTS).max(1);
     let told = channel.history.iter().enumerate();
-    told.filter(|(n, _)| (count - 1 - n) % stride == 0 || *n == 0)
+    told.filter(|(n, _)| (count - 1 - n).is_multiple_of(stride) || *n == 0)
         .map(|(_, told)| *told)
         .collect()
 }
@@ -286,12 +372,7 @@ fn in_words(show: &Show, state: &State) -> String {
     let say = |words: Words| words.in_language(show.language);
     let mut words = told_in_words(show);
     for channel in &state.channels {
-        let Some(last) = channel
-            .history
-            .len()
-            .checked_sub(1)
-            .and_then(|last| channel.history.get(last))
-        else {
+        let Some(last) = last_told(channel) else {
             continue;
         };
         let name = channel.channel.unwrap_or_default();
@@ -309,3 +390,6 @@ fn in_words(show: &Show, state: &State) -> String {
     }
     words
 }
+
+#[cfg(test)]
+mod tests;

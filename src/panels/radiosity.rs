@@ -3,6 +3,7 @@
 
 mod colors;
 mod exchange;
+mod order;
 mod room_view;
 
 use super::Show;
@@ -211,7 +212,9 @@ impl Coloring {
                 style,
             );
         }
-        inside.grown(-2.0)
+        // A quiet ground, on which both black and white patches stand out.
+        picture.rect(inside, Ink::Faint);
+        inside.grown(-4.0)
     }
 }
 
@@ -245,12 +248,20 @@ impl Scale {
     }
 }
 
-/// The polygon, a little larger.
-fn overlapping(corners: &[Vec2]) -> impl Iterator<Item = Vec2> {
-    let middle = corners.iter().sum::<Vec2>() / corners.len() as f32;
-    corners
-        .iter()
-        .map(move |&corner| corner + OVERLAP * (corner - middle).normalize_or_zero())
+/// The convex polygon with its edges moved outwards.
+fn overlapping(corners: &[Vec2]) -> Vec<Vec2> {
+    let count = corners.len();
+    let edge = |i: usize| (corners[(i + 1) % count] - corners[i % count]).normalize_or_zero();
+    let turn: f32 = (0..count).map(|i| edge(i).perp_dot(edge(i + 1))).sum();
+    let outward = |i: usize| -turn.signum() * edge(i).perp();
+    (0..count)
+        .map(|i| {
+            let [before, after] = [outward(i + count - 1), outward(i)];
+            // Sharp corners would reach far.
+            let along = (1.0 + before.dot(after)).max(0.3);
+            corners[i] + OVERLAP / along * (before + after)
+        })
+        .collect()
 }
 
 fn in_words(

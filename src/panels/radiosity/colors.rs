@@ -45,8 +45,13 @@ fn of_channel<'a>(state: &'a State, name: &str) -> Option<&'a ChannelNow> {
     }
 }
 
+/// Whether anything is told of its patches.
+fn is_told(channel: &ChannelNow) -> bool {
+    channel.patches.iter().any(|patch| patch.step.is_some())
+}
+
 fn values(channel: &ChannelNow, emission: impl Iterator<Item = f64>) -> Vec<f64> {
-    if channel.patches.iter().all(|patch| patch.step.is_none()) {
+    if !is_told(channel) {
         return emission.collect();
     }
     let unshot_counts = f64::from(u8::from(shoots(channel.solver)));
@@ -75,7 +80,7 @@ fn percentile(mut values: Vec<f64>) -> Option<f64> {
     value.filter(|value| *value > 0.0 && value.is_finite())
 }
 
-/// The unshot light of one channel on a logarithmic scale that ends at the brightest emission.
+/// The unshot light of the channel in hand on a logarithmic scale that ends at the brightest emission.
 pub(super) struct Unshot {
     pub channel: &'static str,
     pub brightest: f64,
@@ -84,23 +89,35 @@ pub(super) struct Unshot {
 }
 
 impl Unshot {
-    /// None where the solver in hand does not shoot, or where nothing is told of the patches yet.
+    /// None where the solver does not shoot, or nothing emits. Until it is told, patches have to shoot what they emit.
     pub fn of(state: &State, room: &Room) -> Option<Self> {
-        let channel = state.channel().filter(|channel| shoots(channel.solver))?;
-        let name = channel.channel?;
-        let channel = of_channel(state, name)?;
+        let emission = room.emission.iter();
+        let brightest = emission
+            .clone()
+            .map(|e| e.max_channel())
+            .fold(0.0, f64::max);
+        if !shoots(room.settings.solver) || brightest <= 0.0 {
+            return None;
+        }
+        let now = state.channel().and_then(|channel| channel.channel);
+        let name = now.unwrap_or(CHANNELS[0]);
         let number = CHANNELS.iter().position(|known| *known == name)?;
-        let emission = room.emission.iter().map(|e| e.channels()[number]);
-        let brightest = emission.fold(0.0, f64::max);
+        let untold = emission.map(|e| e.channels()[number]);
+        let unshot: Vec<f64> = match of_channel(state, name) {
+            Some(channel) if is_told(channel) => {
+                channel.patches.iter().map(|patch| patch.unshot).collect()
+            }
+            _ => untold.collect(),
+        };
+        // Of nothing the logarithm is −∞, and the share 0.
         let share = |unshot: f64| 1.0 + (unshot.abs() / brightest).log10() / f64::from(DECADES);
-        let patches = channel.patches.iter();
+        let shares = unshot
+            .into_iter()
+            .map(|unshot| share(unshot).clamp(0.0, 1.0));
         Some(Unshot {
             channel: name,
             brightest,
-            // A cast or clamp of −∞, the logarithm of nothing, is the scale's lower end.
-            shares: patches
-                .map(|patch| share(patch.unshot).clamp(0.0, 1.0))
-                .collect(),
+            shares: shares.collect(),
         })
     }
 }

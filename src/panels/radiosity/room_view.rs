@@ -1,8 +1,9 @@
-//! The patches of a room as its camera sees them, the farthest first: the painter's order, by the distance of their centres.
+//! The patches of a room as its camera sees them, in the painter's order.
 //!
 //! Only fronts are seen. Whoever stands outside looks through the backs of the near walls into the room.
 
 use super::super::fit::Fit;
+use super::order::{Placed, painters_order};
 use crate::algorithms::room::Room;
 use crate::algorithms::stage::Stage;
 use crate::picture::Rect;
@@ -22,7 +23,7 @@ pub(super) struct RoomView<'a> {
     /// The part of the screen that is shown.
     low: DVec2,
     high: DVec2,
-    /// The farthest first.
+    /// In the order in which they are painted.
     pub seen: Vec<Seen>,
 }
 
@@ -97,7 +98,31 @@ impl<'a> RoomView<'a> {
             .collect();
         let distance = |seen: &Seen| patches[seen.patch].center.distance_squared(eye);
         seen.sort_by(|a, b| distance(b).total_cmp(&distance(a)));
-        seen
+        let placed: Vec<Placed> = seen.iter().map(|seen| self.placed(seen)).collect();
+        let mut seen: Vec<Option<Seen>> = seen.into_iter().map(Some).collect();
+        painters_order(&placed)
+            .into_iter()
+            .filter_map(|next| seen[next].take())
+            .collect()
+    }
+
+    fn placed(&self, seen: &Seen) -> Placed {
+        let patch = &self.room.patches[seen.patch];
+        let pieces = self.room.patches.pieces(seen.patch);
+        let nothing = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        let (low, high) = seen
+            .pieces
+            .iter()
+            .flatten()
+            .fold(nothing, |(low, high), &at| (low.min(at), high.max(at)));
+        Placed {
+            corners: pieces.flat_map(|piece| piece.corners).copied().collect(),
+            center: patch.center,
+            normal: patch.normal,
+            radius: patch.radius,
+            low,
+            high,
+        }
     }
 
     /// The part of a convex polygon that lies in front of the near plane and within what is shown.

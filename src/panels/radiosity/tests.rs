@@ -1,57 +1,197 @@
-use super::super::crowd::{self, SIZES, assert_legible, texts};
-use super::super::sample::{self, Sample};
+use super::super::crowd::{self, SIZES, assert_legible};
+use super::super::sample::Sample;
 use super::*;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::radiosity::Solver;
-use crate::picture::{Shape, Theme, rasterize, to_png};
+use crate::picture::{Item, Shape};
 use crate::render::Method;
+use crate::scene::View;
+use crate::scene::solids::Ray;
+use glam::DVec2;
 
 const WIDE: Vec2 = Vec2::new(800.0, 500.0);
+const NARROW: Vec2 = Vec2::new(380.0, 280.0);
+
+fn stage_of(sample: &Sample) -> &Stage {
+    match &sample.run {
+        Run::Radiosity(stage, _) | Run::FormFactor(stage, _) => stage,
+        _ => panic!("the sample is a room"),
+    }
+}
+
+fn room_of(sample: &Sample) -> &Room {
+    stage_of(sample).room().expect("the sample has patches")
+}
+
+fn state_of(sample: &Sample) -> &State {
+    match &sample.run {
+        Run::Radiosity(_, replay) => replay.state(),
+        _ => panic!("the sample has a solver"),
+    }
+}
+
+fn tagged(picture: &Picture, tag: Tag) -> impl Iterator<Item = &Item> {
+    picture
+        .items
+        .iter()
+        .filter(move |item| item.tag == Some(tag))
+}
 
 #[test]
-fn dump() {
-    for (name, mut sample, stops) in [
-        (
-            "gs",
-            Sample::room(Solver::GaussSeidel, Focus::Frame),
-            vec![
-                ("Room", 0),
-                ("Exchanged", 2000),
-                ("Exchanged", 30000),
-                ("RoomDone", 0),
-            ],
-        ),
-        (
-            "sh",
-            Sample::room(Solver::Shooting, Focus::Frame),
-            vec![("Received", 30), ("Received", 3000), ("RoomDone", 0)],
-        ),
-        (
-            "ff",
-            Sample::room(Solver::Auto, Focus::FormFactor { i: 8, j: 50 }),
-            vec![("Reference", 0), ("FormFactorFound", 0)],
-        ),
+fn every_step_is_legible_at_every_size() {
+    for mut sample in [
+        Sample::room(Solver::GaussSeidel, Focus::Frame),
+        Sample::room(Solver::Overshooting, Focus::Frame),
+        Sample::room(Solver::Shooting, Focus::Patch(60)),
+        Sample::room(Solver::Auto, Focus::Iterations { start: 1, end: 3 }),
+        Sample::room(Solver::Auto, Focus::FormFactor { i: 0, j: 60 }),
+        crowd::crowd(Method::Gouraud),
+        crowd::rays(Method::RayCasting, 1),
     ] {
-        for (kind, n) in stops {
-            sample.go_to(kind, n);
-            for (theme, size) in [
-                (Theme::Light, Vec2::new(380.0, 280.0)),
-                (Theme::Dark, WIDE),
-                (Theme::Light, WIDE),
-            ] {
-                for (panel, picture) in [
-                    ("room", draw(&sample.show(), size)),
-                    (
-                        "conv",
-                        super::super::convergence::draw(&sample.show(), size),
-                    ),
-                ] {
-                    let path =
-                        format!("/tmp/p1/{panel}-{name}-{kind}-{n}-{}-{theme:?}.png", size.x);
-                    std::fs::write(path, to_png(&rasterize(&picture, theme, 1.0).unwrap()))
-                        .unwrap();
-                }
+        for step in sample.some_steps(9973) {
+            sample.seek(step);
+            for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
+                let picture = draw(&sample.show_in(language), size);
+                let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                assert_legible(&picture, &what);
+                assert!(!picture.items.is_empty(), "{what}");
             }
+        }
+    }
+}
+
+#[test]
+fn every_patch_that_shows_its_front_is_tagged_and_no_other() {
+    let sample = Sample::room(Solver::Auto, Focus::Frame);
+    let picture = draw(&sample.show(), NARROW);
+    let eye = stage_of(&sample).view.eye;
+    for (number, patch) in room_of(&sample).patches.iter().enumerate() {
+        let front = patch.normal.dot(eye - patch.center) > 0.0;
+        let count = tagged(&picture, Tag::Patch(number)).count();
+        assert_eq!(count, usize::from(front), "patch {number}");
+    }
+}
+
+#[test]
+fn the_nearest_patch_answers_the_pointer() {
+    let sample = Sample::room(Solver::Auto, Focus::Frame);
+    let (stage, room) = (stage_of(&sample), room_of(&sample));
+    let picture = draw(&sample.show(), WIDE);
+    let view = RoomView::new(stage, room);
+    let mut sheet = Picture::new(WIDE.x, WIDE.y);
+    let place = places(WIDE, 1)[0];
+    let fit = view.fit(colorings(&sample.show(), room)[0].frame(&mut sheet, place));
+    let nearest = |at: Vec2| {
+        let View {
+            eye,
+            focal,
+            right,
+            up,
+            forward,
+            width,
+            height,
+            ..
+        } = stage.view;
+        let from_middle = fit.point(at) - 0.5 * DVec2::new(width.into(), height.into());
+        let direction = focal * forward + from_middle.x * right - from_middle.y * up;
+        let ray = Ray {
+            origin: eye,
+            direction: direction.normalize(),
+        };
+        room.solids.nearest(&ray).map(|(patch, _)| patch)
+    };
+    let mut checked = 0;
+    for seen in &view.seen {
+        let at = fit.place(view.center(seen.patch).expect("before the camera"));
+        // At an edge the pointer takes what is within its reach.
+        let around =
+            [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y].map(|aside| nearest(at + 6.0 * aside));
+        if around == [nearest(at); 4] {
+            assert_eq!(picture.hit(at), nearest(at).map(Tag::Patch), "{at}");
+            checked += 1;
+        }
+    }
+    assert!(checked > 20, "{checked}");
+}
+
+#[test]
+fn neighbours_overlap_by_as_much_at_every_edge() {
+    let thin = [[0.0, 0.0], [30.0, 30.0], [30.5, 29.5], [0.5, -0.5]].map(Vec2::from);
+    let backward: Vec<Vec2> = thin.iter().rev().copied().collect();
+    for corners in [&thin[..], &backward] {
+        let wider = overlapping(corners);
+        let across = (wider[0] - wider[wider.len() - 1]).length();
+        assert!(
+            (across - 0.5_f32.sqrt() - 2.0 * OVERLAP).abs() < 1e-4,
+            "{across}"
+        );
+    }
+}
+
+#[test]
+fn what_is_gathered_comes_along_an_arrow() {
+    let mut sample = Sample::room(Solver::GaussSeidel, Focus::Frame);
+    // Patch 0, of the floor, from the lamp's first.
+    sample.go_to("Exchanged", 60);
+    let exchange = Exchange::of(&sample.run, sample.focus).expect("an exchange");
+    assert_eq!((exchange.i, exchange.j), (0, Some(60)));
+    let picture = draw(&sample.show(), NARROW);
+    let line = tagged(&picture, Tag::Patch(60)).find_map(|item| match &item.shape {
+        Shape::Polyline { points, stroke } if stroke.ink == Ink::This => Some(points.clone()),
+        _ => None,
+    });
+    let line = line.expect("an arrow");
+    // From the lamp above down to the floor, where a head of some points ends it.
+    let floor = picture.tagged_bounds(Tag::Patch(0)).expect("drawn");
+    let lamp = tagged(&picture, Tag::Patch(60)).next().expect("drawn");
+    let lamp = lamp.shape.bounds();
+    assert!(lamp.contains(line[0]), "{lamp:?} {line:?}");
+    assert!(floor.grown(12.0).contains(line[1]), "{floor:?} {line:?}");
+    assert!(
+        picture
+            .alt
+            .contains("i = floor (0, 0) ← j = lamp (0, 0), F_ij B_j = ")
+    );
+}
+
+#[test]
+fn where_patches_shoot_a_wide_panel_shows_what_is_still_unshot() {
+    let mut sample = Sample::room(Solver::Shooting, Focus::Frame);
+    let pictures = |sample: &Sample, size| {
+        let picture = draw(&sample.show(), size);
+        tagged(&picture, Tag::Patch(3)).count()
+    };
+    assert_eq!([NARROW, WIDE].map(|size| pictures(&sample, size)), [1, 2]);
+    sample.go_to("Received", 5);
+    // The patch in hand is another, so that this one has no outline beside its picture.
+    let state = state_of(&sample).focused.expect("a shot");
+    assert_eq!((state.i, state.exchange.map(|(j, _)| j)), (60, Some(5)));
+    assert_eq!([NARROW, WIDE].map(|size| pictures(&sample, size)), [1, 2]);
+    let unshot = Unshot::of(state_of(&sample), room_of(&sample)).expect("a solver that shoots");
+    // The first of the lamp's patches has just shot all it had, and the others have not.
+    assert_eq!(unshot.shares[60..], [0.0, 1.0, 1.0, 1.0]);
+    assert!(unshot.shares[3] > 0.0 && unshot.shares[3] < 1.0);
+}
+
+#[test]
+fn the_light_begins_with_the_emission_and_ends_with_the_solution() {
+    for solver in [
+        Solver::GaussSeidel,
+        Solver::ConjugateGradients,
+        Solver::Shooting,
+    ] {
+        let mut sample = Sample::room(solver, Focus::Frame);
+        let room = room_of(&sample);
+        assert_eq!(light(state_of(&sample), room), room.emission);
+        sample.go_to("RoomDone", 0);
+        let room = room_of(&sample);
+        let finished = room.light(room.matrix().expect("made")).expect("solved");
+        let shown = light(state_of(&sample), room);
+        for (shown, finished) in shown.into_iter().zip(&finished.radiosity) {
+            let apart = (shown - *finished).channels().map(f64::abs);
+            // What is left unshot is below the tolerance of the solver.
+            let allowed = if shoots(solver) { 1e-4 } else { 0.0 };
+            assert!(apart.into_iter().all(|apart| apart <= allowed), "{apart:?}");
         }
     }
 }

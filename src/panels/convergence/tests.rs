@@ -1,0 +1,120 @@
+use super::super::crowd::{self, SIZES, assert_legible};
+use super::super::sample::Sample;
+use super::*;
+use crate::algorithms::focus::Focus;
+use crate::algorithms::radiosity::Solver;
+use crate::picture::Shape;
+use crate::render::Method;
+
+const SIZE: Vec2 = Vec2::new(480.0, 320.0);
+
+fn told(sample: &Sample) -> impl Iterator<Item = usize> {
+    let walk = sample.walk();
+    (0..walk.len()).filter(|&step| walk.kind(step) == "IterationDone")
+}
+
+#[test]
+fn every_step_is_legible_at_every_size() {
+    let iterations = Focus::Iterations { start: 5, end: 9 };
+    for mut sample in [
+        Sample::room(Solver::GaussSeidel, Focus::Frame),
+        Sample::room(Solver::Shooting, iterations),
+        Sample::room(Solver::Auto, Focus::Frame),
+        Sample::room(Solver::Direct, Focus::Patch(3)),
+        Sample::room(
+            Solver::Jacobi,
+            Focus::Iterations {
+                start: u32::MAX - 1,
+                end: u32::MAX,
+            },
+        ),
+        Sample::room(Solver::Auto, Focus::FormFactor { i: 0, j: 60 }),
+        crowd::crowd(Method::Gouraud),
+    ] {
+        for step in sample.some_steps(9973) {
+            sample.seek(step);
+            for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
+                let picture = draw(&sample.show_in(language), size);
+                let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                assert_legible(&picture, &what);
+                assert!(!picture.items.is_empty(), "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_click_on_a_point_goes_to_the_end_of_its_iteration() {
+    let mut sample = Sample::room(Solver::GaussSeidel, Focus::Frame);
+    sample.go_to("RoomDone", 0);
+    let picture = draw(&sample.show(), SIZE);
+    let steps: Vec<usize> = told(&sample).collect();
+    assert!(steps.len() > 6, "{} iterations", steps.len());
+    for step in steps {
+        let marks = picture.items.iter().filter(|item| {
+            item.tag == Some(Tag::Step(step)) && matches!(item.shape, Shape::Circle { .. })
+        });
+        assert_eq!(marks.count(), 2, "residual and bound of step {step}");
+    }
+}
+
+#[test]
+fn the_iteration_in_hand_is_marked_and_a_smaller_residual_stands_lower() {
+    let mut sample = Sample::room(Solver::Jacobi, Focus::Frame);
+    let mut before = 0.0;
+    for n in 0..3 {
+        sample.go_to("IterationDone", n);
+        let picture = draw(&sample.show(), SIZE);
+        let marks: Vec<f32> = picture
+            .items
+            .iter()
+            .filter_map(|item| match item.shape {
+                Shape::Circle { center, paint, .. } if paint == Ink::This.fill() => Some(center.y),
+                _ => None,
+            })
+            .collect();
+        let [y] = marks[..] else {
+            panic!("{} marks", marks.len());
+        };
+        assert!(y > before, "{y} {before}");
+        before = y;
+    }
+}
+
+#[test]
+fn many_iterations_make_few_lines_that_end_at_the_last_one() {
+    let mut sample = Sample::room(Solver::Shooting, Focus::Frame);
+    sample.go_to("RoomDone", 0);
+    let picture = draw(&sample.show(), SIZE);
+    let lines = picture.items.iter().map(|item| match &item.shape {
+        Shape::Polyline { points, .. } => points.len() - 1,
+        _ => 0,
+    });
+    assert!(told(&sample).count() > 200);
+    assert!(lines.sum::<usize>() < 500);
+    let last = told(&sample).last().expect("iterations");
+    assert!(picture.tagged_bounds(Tag::Step(last)).is_some());
+}
+
+#[test]
+fn the_axis_spans_the_iterations_that_are_looked_at() {
+    let axes = |focus| {
+        let mut sample = Sample::room(Solver::Shooting, focus);
+        sample.go_to("IterationDone", 2);
+        let Run::Radiosity(stage, replay) = &sample.run else {
+            panic!("the sample is a room");
+        };
+        let whole = Rect::new(0.0, 0.0, SIZE.x, SIZE.y);
+        let axes = Axes::new(stage, replay.state(), focus, whole);
+        (axes.first, axes.last)
+    };
+    assert_eq!(axes(Focus::Iterations { start: 5, end: 9 }), (5, 8));
+    let (first, last) = axes(Focus::Frame);
+    assert!(first == 0 && last > 200, "{last}");
+}
+
+#[test]
+fn strides_are_round() {
+    let strides = [0, 1, 2, 3, 6, 11, 99, u32::MAX].map(round_stride);
+    assert_eq!(strides, [1, 1, 2, 5, 10, 20, 100, 1_000_000_000]);
+}
