@@ -15,7 +15,7 @@ use crate::algorithms::room::Room;
 use crate::algorithms::stage::Stage;
 use crate::picture::{Ink, Picture, Rect, Style, Text, elide, number};
 use crate::replay::Run;
-use crate::replay::form_factor::{Running, State};
+use crate::replay::form_factor::{Running, State, Way};
 use glam::Vec2;
 
 const LINE: f32 = 15.0;
@@ -23,10 +23,11 @@ const NO_PAIR: Words = Words::new(
     "This run solves for the light of all patches. Look at one form factor to see how it is found.",
     "Proses ini mencari cahaya semua patch. Pilih satu faktor bentuk untuk melihat cara mencarinya.",
 );
-const SO_FAR: Words = Words::new("so far", "sejauh ini");
 const EXACT: Words = Words::new("reference", "acuan");
-const ERROR: Words = Words::new("relative error", "galat relatif");
-const PASSES: Words = Words::new("nothing blocks", "tidak terhalang");
+const ERROR: Words = Words::new("error", "galat");
+const HITS: Words = Words::new("met j", "mengenai j");
+const FREE: Words = Words::new("unblocked", "tak terhalang");
+const OF: Words = Words::new("of", "dari");
 
 /// All that is drawn.
 struct Sheet<'a> {
@@ -76,7 +77,12 @@ impl Sheet<'_> {
     /// The patches beside the curve, above it, or alone above the words where there is room for no more.
     fn draw(&self, picture: &mut Picture) {
         let whole = picture.bounds().grown(-4.0);
-        let (view, beside) = if whole.width >= 330.0 {
+        let is_wide = whole.width >= 330.0;
+        let mut lines = self.lines();
+        let share = if is_wide { 1.0 } else { 0.4 };
+        lines.truncate((share * whole.height / LINE) as usize);
+        let words = LINE * lines.len() as f32;
+        let (view, beside) = if is_wide {
             let width = (0.6 * whole.width).floor();
             let beside = Rect::new(
                 whole.x + width + 8.0,
@@ -87,8 +93,9 @@ impl Sheet<'_> {
             (Rect { width, ..whole }, beside)
         } else {
             let share = if whole.height >= 300.0 { 0.55 } else { 1.0 };
-            let lines = LINE * self.lines().len() as f32 + 4.0;
-            let height = (share * whole.height).min(whole.height - lines).floor();
+            let height = (share * whole.height)
+                .min(whole.height - words - 4.0)
+                .floor();
             let beside = Rect::new(
                 whole.x,
                 whole.y + height + 4.0,
@@ -99,8 +106,6 @@ impl Sheet<'_> {
         };
         pair::draw(picture, self, view);
 
-        let lines = self.lines();
-        let words = LINE * lines.len() as f32;
         let mut top = beside.bottom() - words;
         for (at, (text, set)) in lines.into_iter().enumerate() {
             let y = top + at as f32 * LINE;
@@ -125,8 +130,18 @@ impl Sheet<'_> {
         self.room.patches[self.i].area
     }
 
-    /// F_ij as each step of the sum has it, with that step.
+    /// F_ij as each step of the sum has it, with that step; of the first hemicube, pixel by pixel.
     fn running(&self) -> Vec<(f64, usize)> {
+        if self.state.running.len() < 2 && !self.state.pixels.is_empty() {
+            let mut sum = 0.0;
+            let pixels = self.state.pixels.iter();
+            return pixels
+                .map(|&(_, _, _, delta, step)| {
+                    sum += delta;
+                    (sum, step)
+                })
+                .collect();
+        }
         let running = self.state.running.iter().zip(1_u32..);
         running
             .map(|(&(running, step), count)| {
@@ -140,44 +155,72 @@ impl Sheet<'_> {
             .collect()
     }
 
+    /// Whether the running value is a mean, which can be compared with the reference, and no sum that is not whole.
+    fn runs_as_mean(&self) -> bool {
+        let running = self.state.running.iter();
+        running
+            .last()
+            .is_some_and(|(running, _)| !matches!(running, Running::Exchange(_)))
+    }
+
     fn title(&self) -> String {
         let name = |patch| names::patch(self.stage, self.room, patch);
         let (i, j) = (self.i, self.j);
         format!("i = {i}: {} → j = {j}: {}", name(i), name(j))
     }
 
-    /// The value, the reference, how far they are apart, and what nothing blocks.
+    /// The value, the reference, how far they are apart, how many rays met, and what nothing blocks.
     fn lines(&self) -> Vec<(String, Text)> {
         let say = |words: Words| words.in_language(self.show.language);
         let strong = Style::LabelBold.size(12.0).ink(Ink::This);
         let quiet = Style::Label.size(11.0).ink(Ink::Muted);
-        let mut lines = Vec::new();
-        let value = match self.state.found {
-            Some((f, _)) => Some((f, "")),
-            None => self.running().last().map(|&(f, _)| (f, say(SO_FAR))),
+        let counted = |words: Words, part: usize, all: usize| {
+            (format!("{}: {part} {} {all}", say(words), say(OF)), quiet)
         };
-        if let Some((f, words)) = value {
-            let text = format!("F_i_j = {} {words}", number(f));
-            lines.push((text.trim_end().to_string(), strong));
+        let mut lines = Vec::new();
+        let last = self.running().last().map(|&(f, _)| f);
+        match (self.state.found, last) {
+            (Some((f, _)), _) => lines.push((format!("F_i_j = {}", number(f)), strong)),
+            (None, Some(f)) => lines.push((format!("F_i_j ← {}", number(f)), strong)),
+            (None, None) => {}
         }
         if let Some((exact, _)) = self.state.reference {
             let text = format!("{}: {}", say(EXACT), number(exact));
             lines.push((text, quiet.ink(Ink::Text)));
-            if let Some((f, _)) = value.filter(|_| exact > 0.0) {
+            let found = self.state.found.map(|(f, _)| f);
+            let whole = found.or(last.filter(|_| self.runs_as_mean()));
+            if let Some(f) = whole.filter(|_| exact > 0.0) {
                 let error = percent((f - exact) / exact);
                 lines.push((format!("{}: {error}", say(ERROR)), quiet));
             }
         }
+        let rays = self.state.running.len();
+        if let Some((Running::Hits(hits), _)) = self.state.running.iter().last() {
+            lines.push(counted(HITS, *hits as usize, rays));
+        }
+        let sights = self
+            .state
+            .segments
+            .iter()
+            .filter_map(|segment| match segment.way {
+                Way::Sight { blocked, .. } => Some(!blocked),
+                _ => None,
+            });
+        let (free, all) = sights.fold((0, 0), |(free, all), is_free| {
+            (free + usize::from(is_free), all + 1)
+        });
+        if all > 0 {
+            lines.push(counted(FREE, free, all));
+        }
         if let Some((share, _)) = self.state.visible {
-            let share = percent(share);
-            lines.push((format!("{}: {share}", say(PASSES)), quiet));
+            lines.push((format!("V_i_j = {}", number(share)), quiet));
         }
         lines
     }
 }
 
 fn percent(share: f64) -> String {
-    let percent: f64 = format!("{:.2e}", 100.0 * share).parse().unwrap_or(f64::NAN);
+    let percent: f64 = format!("{:.1e}", 100.0 * share).parse().unwrap_or(f64::NAN);
     format!("{} %", number(percent))
 }
 

@@ -8,8 +8,8 @@ use crate::record::Value;
 use crate::replay::form_factor::{Segment, Way};
 use glam::{DVec3, Vec2};
 
-/// Segments that are drawn: the latest.
-const MOST: usize = 500;
+/// Segments that are drawn, the latest: one for so many square points of the view.
+const POINTS_A_SEGMENT: f32 = 250.0;
 /// Outlines of the scene that are drawn around the two.
 const MOST_POLYGONS: usize = 1500;
 const TITLE: f32 = 18.0;
@@ -96,7 +96,8 @@ impl Pair<'_> {
     fn segments(&self, picture: &mut Picture) {
         let segments = &self.sheet.state.segments;
         let step = self.sheet.show.run.walk().position();
-        for at in segments.len().saturating_sub(MOST)..segments.len() {
+        let most = (self.area.width * self.area.height / POINTS_A_SEGMENT) as usize;
+        for at in segments.len().saturating_sub(most)..segments.len() {
             let Some(segment) = segments.get(at) else {
                 continue;
             };
@@ -210,8 +211,11 @@ impl Pair<'_> {
             }
             self.line(picture, x, next, Ink::This.stroke(1.25).dashed());
             self.line(picture, r, next, Ink::This.stroke(3.0));
+            labels.spare(x, next);
+            labels.spare(r, next);
         }
         self.line(picture, x, r, Ink::This.stroke(1.75));
+        labels.spare(x, r);
         self.dot(picture, r, 3.5, Ink::This);
         let set = Style::LabelBold.size(TEXT).ink(Ink::This);
         labels.put(picture, (r, 4.0), r - x, "R_k", set);

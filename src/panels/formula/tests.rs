@@ -1,6 +1,7 @@
 use super::super::crowd::{self, SIZES, assert_legible, texts};
 use super::super::sample::{self, Sample};
 use super::*;
+use crate::algorithms::focus::Focus;
 use crate::render::Method;
 use std::collections::HashSet;
 
@@ -133,4 +134,22 @@ fn words_name_symbols_as_the_formula_sets_them() {
     let alt = draw(&sample.show(), Vec2::new(380.0, 280.0)).alt;
     assert!(alt.contains(" cos^2 θ_r = "), "{alt}");
     assert!(alt.contains(" θ_r degrees = "), "{alt}");
+}
+
+#[test]
+fn of_a_thousand_values_told_before_the_last_one_counts() {
+    let rays = 1024;
+    let settings = crate::algorithms::room::Settings {
+        form_factors: crate::algorithms::form_factor::Method::MonteCarlo { rays, seed: 0 },
+        ..Default::default()
+    };
+    let [i, j] = [crowd::LAMP, crowd::FLOOR[0]];
+    let sample = crowd::open_room(settings, Focus::FormFactor { i, j });
+    let known = Known::at(sample.walk(), sample.walk().len() - 1);
+    let value = |name: &str| known.get(name).map(|told| told.field.value);
+    let (Some(Value::Number(f)), Some(Value::Integer(hits))) = (value("F_ij"), value("hits"))
+    else {
+        panic!("the last step knows both");
+    };
+    assert_eq!(f, hits as f64 / f64::from(rays));
 }

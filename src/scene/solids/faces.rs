@@ -165,7 +165,7 @@ impl Faces {
         aim: &Aim,
         reach: f64,
         stack: &mut Stack,
-        near_enough: impl Fn(f64, u32) -> bool,
+        mut near_enough: impl FnMut(f64, u32) -> bool,
     ) -> bool {
         let Some(near) = self.frame.near(ray) else {
             return false;
@@ -218,9 +218,13 @@ impl Faces {
             });
     }
 
-    /// The t of a hit along a ray that came `near` to be tested, where it was met at `t`.
+    /// The t of a hit along a ray that came `near` to be tested, where it was met at `t`. It is that of [`triangle::t_across`] unless the ray is
+    /// so flat that the two are far apart.
     pub fn t_along(&self, ray: &Ray, near: &Near, t: f64, triangle: u32) -> f64 {
-        triangle::t_across(self.corners(triangle), ray).unwrap_or(near.moved + t)
+        let moved_along = near.moved + t;
+        triangle::t_across(self.corners(triangle), ray)
+            .filter(|across| (across - moved_along).abs() <= 0.25 * unsure(ray, moved_along))
+            .unwrap_or(moved_along)
     }
 
     /// The surface where a ray met a triangle, about at `position`.
@@ -260,6 +264,15 @@ impl Faces {
         let triangles = (0..self.triangle_count() as u32).map(|triangle| self.corners(triangle));
         is_in_box && self.is_closed && super::closed::winds_around(triangles, point)
     }
+}
+
+/// By how much the t of two hits near `distance` may be off against each other, where they were found along a ray moved near and
+/// along the ray itself. Zero where the distance has no end.
+pub(super) fn unsure(ray: &Ray, distance: f64) -> f64 {
+    if distance.is_infinite() {
+        return 0.0;
+    }
+    4096.0 * f64::EPSILON * (distance + ray.origin.abs().max_element())
 }
 
 /// The vertices in the order in which the triangles use them, so that those of one leaf lie together in memory. The triangles index the

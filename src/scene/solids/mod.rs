@@ -232,15 +232,28 @@ impl Solids {
         let unit = UnitRay::new(&self.frame, &near, &aim);
         let stack = &mut Stack::new();
         let mut is_blocked = false;
+        let clearly_before = distance - faces::unsure(ray, distance);
         self.hierarchy
             .walk(&unit, unit.reach(distance), stack, |leaf, reach, stack| {
                 let object = self.finite[leaf];
                 is_blocked = casts_shadow(object)
                     && match &self.solids[object as usize] {
                         Solid::Faces { faces, .. } => {
-                            let is_before =
-                                |t, triangle| faces.t_along(ray, &near, t, triangle) < distance;
-                            faces.blocks(&near.ray, &aim, near.reach(distance), stack, is_before)
+                            // What lies at the distance itself, as far as can be told, is for the nearest meeting to say.
+                            let mut is_close = false;
+                            let clearly = |t, triangle| {
+                                let t = faces.t_along(ray, &near, t, triangle);
+                                is_close |= t < distance;
+                                t < clearly_before
+                            };
+                            let reach = near.reach(distance);
+                            faces.blocks(&near.ray, &aim, reach, stack, clearly)
+                                || is_close && {
+                                    let infinity = f64::INFINITY;
+                                    is_before(
+                                        self.meet_finite(object, ray, &near, &aim, infinity, stack),
+                                    )
+                                }
                         }
                         _ => is_before(self.meet_finite(object, ray, &near, &aim, distance, stack)),
                     };

@@ -224,8 +224,8 @@ const EDGES: &[Formula] = &[
     is("{A_i F_i_j=sum} = A_i F_i_j′ + L^2 [{e·f=e_dot_f} · {I}; 2π]"),
 ];
 const RAY: &[Formula] = &[is("{x}"), is("{u=direction}"), is("{hits}")];
-const ACROSS: &str = "u = 2 ({pixel_x} + 0.5) / {n=resolution} − 1";
-const ALONG: &str = "v = 2 ({pixel_y} + 0.5) / {n=resolution} − 1";
+const ACROSS: &str = "u = 2 ({x=pixel_x} + 0.5) / {n=resolution} − 1";
+const ALONG: &str = "v = 2 ({y=pixel_y} + 0.5) / {n=resolution} − 1";
 const SEEN: &str = "{F_x} = F_x′ + {ΔF=delta_F}";
 const SIGHT: &[Formula] = &[is("{V_i_j=share} = [Σ K V(x, y); Σ K]")];
-const EXCHANGE: Formula = is("{A_i F_i_j=A_i_F_ij} = A_i {F_i_j=F_ij}");
+const EXCHANGE: Formula = is("{A_i F_i_j=A_i_F_ij}");

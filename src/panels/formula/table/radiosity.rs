@@ -75,7 +75,7 @@ pub const TABLE: &[Entry] = &[
         When::NotPositive("k"),
         "The weight of the first iteration of Chebyshev is 1.",
         "Bobot iterasi Chebyshev yang pertama adalah 1.",
-        &[is("{omega} = 1")],
+        &[is("{omega}")],
     ),
     entry(
         "Weighted",
