@@ -2,7 +2,7 @@
 
 use super::progress::{Progress, named};
 use super::{Failure, LimitArguments, files};
-use crate::algorithms::form_factor::Method;
+use crate::algorithms::form_factor::{Method, Report};
 use crate::algorithms::room::{Room, Settings};
 use crate::render;
 use crate::scene::Scene;
@@ -110,6 +110,11 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let start = Instant::now();
     let matrix = matrix(&room);
     let seconds = start.elapsed().as_secs_f64();
+    let Report {
+        row_sums,
+        reciprocity_defect,
+        closure_defect,
+    } = Report::of(&room.patches, matrix);
     files::write_whole(&arguments.out, |out| {
         let patches = serde_json::to_string(&patches(&scene, &room.patches))?;
         write!(out, "{{\"patches\":{patches},\"matrix\":[")?;
@@ -118,8 +123,15 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             out.write_all(if i == 0 { b"\n" } else { b",\n" })?;
             serde_json::to_writer(&mut *out, row)?;
         }
-        let method = settings.form_factors.name();
-        writeln!(out, "],\"method\":\"{method}\",\"seconds\":{seconds}}}")
+        let rest = json!({
+            "method": settings.form_factors.name(),
+            "seconds": seconds,
+            "row_sums": row_sums,
+            "reciprocity_defect": reciprocity_defect,
+            "closure_defect": closure_defect,
+        });
+        // The rest of the one object
+        writeln!(out, "],{}", rest.to_string().trim_start_matches('{'))
     })
 }
 

@@ -60,9 +60,24 @@ impl Progress {
             let percent = 100 * done / all.max(1);
             // A terminal that is gone needs no progress.
             let mut terminal = std::io::stderr();
-            let _ = write!(terminal, "{start}{}: {percent} %{end}", self.what);
+            let left = remaining(now / 1000, done, all);
+            let _ = write!(terminal, "{start}{}: {percent} %{left}{end}", self.what);
             let _ = terminal.flush();
         }
+    }
+}
+
+/// In words how long the rest takes if it goes on as before, given the seconds so far; nothing before a hundredth is done. Spaces cover a longer
+/// word before.
+fn remaining(seconds: u64, done: usize, all: usize) -> String {
+    if done == 0 || all / done > 100 {
+        return String::new();
+    }
+    let left = seconds * all.saturating_sub(done) as u64 / done as u64;
+    match left {
+        0..60 => format!(", {left} s left   "),
+        60..3600 => format!(", {} min {} s left   ", left / 60, left % 60),
+        _ => format!(", {} h {} min left   ", left / 3600, left % 3600 / 60),
     }
 }
 
@@ -73,5 +88,19 @@ impl Drop for Progress {
         if self.terminal && spoken {
             super::tell(format_args!(""));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::remaining;
+
+    #[test]
+    fn the_rest_takes_as_long_as_what_is_done() {
+        assert_eq!(remaining(10, 50, 100).trim_end(), ", 10 s left");
+        assert_eq!(remaining(10, 1, 100).trim_end(), ", 16 min 30 s left");
+        assert_eq!(remaining(3600, 25, 100).trim_end(), ", 3 h 0 min left");
+        assert_eq!(remaining(10, 0, 100), "");
+        assert_eq!(remaining(10, 1, 1000), "");
     }
 }

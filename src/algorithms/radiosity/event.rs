@@ -1,6 +1,9 @@
 //! What the solvers tell.
 
-use super::{Solver, chebyshev, conjugate_gradients, direct, gathering, shooting};
+use super::{
+    Solver, chebyshev, conjugate_gradients, direct, gathering, gauss_seidel, jacobi,
+    over_relaxation, shooting,
+};
 use crate::record::{self, Fields, Line, Listing};
 
 /// A step of one solver.
@@ -154,9 +157,9 @@ impl record::Event for Event {
 
     fn line(&self) -> Line {
         let (listing, lines): (&'static Listing, Lines) = match self.solver {
-            Solver::Jacobi => (&gathering::JACOBI, gathering::line),
-            Solver::GaussSeidel => (&gathering::GAUSS_SEIDEL, gathering::line),
-            Solver::OverRelaxation => (&gathering::OVER_RELAXATION, gathering::line),
+            Solver::Jacobi => (&jacobi::PSEUDOCODE, gathering::line),
+            Solver::GaussSeidel => (&gauss_seidel::PSEUDOCODE, gathering::line),
+            Solver::OverRelaxation => (&over_relaxation::PSEUDOCODE, gathering::line),
             Solver::Shooting => (&shooting::SHOOTING, shooting::line),
             Solver::Overshooting => (&shooting::OVERSHOOTING, shooting::overshooting_line),
             Solver::Chebyshev => (&chebyshev::PSEUDOCODE, chebyshev::line),

@@ -3,7 +3,7 @@
 //!
 //! | file | what | source |
 //! | --- | --- | --- |
-//! | [`gathering`] | Jacobi, Gauss–Seidel, over-relaxation | Jacobi 1845, Seidel 1874, Young 1954 |
+//! | [`jacobi`], [`gauss_seidel`], [`over_relaxation`] | gathering: of old light, of the newest, and ω times as far | Jacobi 1845, Seidel 1874, Young 1954 |
 //! | [`shooting`] | shooting, and overshooting | Cohen et al. 1988, Feda & Purgathofer 1992 |
 //! | [`chebyshev`] | Chebyshev's semi-iteration | Golub & Varga 1961 |
 //! | [`conjugate_gradients`] | conjugate gradients, symmetrised | Hestenes & Stiefel 1952 |
@@ -18,10 +18,13 @@ pub mod conjugate_gradients;
 pub(crate) mod cube;
 pub mod direct;
 mod event;
-pub mod gathering;
+mod gathering;
+pub mod gauss_seidel;
 mod iterate;
+pub mod jacobi;
 mod lossless;
 mod outcome;
+pub mod over_relaxation;
 pub mod shooting;
 mod solver;
 mod system;

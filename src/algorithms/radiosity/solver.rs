@@ -4,10 +4,13 @@ use super::chebyshev::Chebyshev;
 use super::conjugate_gradients::ConjugateGradients;
 use super::direct::Direct;
 use super::event::Event;
-use super::gathering::{Gathering, youngs_omega};
+use super::gathering::Gathering;
+use super::gauss_seidel::GaussSeidel;
 use super::iterate::{By, run};
+use super::jacobi::Jacobi;
 use super::lossless::refuse_endless_light;
 use super::outcome::{Solution, Stop, Unsolved};
+use super::over_relaxation::{OverRelaxation, youngs_omega};
 use super::shooting::Shooter;
 use super::system::{Patches, Rows, System};
 use super::watch::Watch;
@@ -102,10 +105,27 @@ pub fn solve<R: Recorder<Event>>(
                 done => done,
             };
         }
-        Solver::Jacobi => run(Gathering::jacobi(system), &patches, stop, watch, by),
-        Solver::GaussSeidel => run(Gathering::gauss_seidel(system), &patches, stop, watch, by),
+        Solver::Jacobi => run(
+            Gathering::new(system, Jacobi::default()),
+            &patches,
+            stop,
+            watch,
+            by,
+        ),
+        Solver::GaussSeidel => run(
+            Gathering::new(system, GaussSeidel),
+            &patches,
+            stop,
+            watch,
+            by,
+        ),
         Solver::OverRelaxation => {
-            let method = Gathering::over_relaxation(system, youngs_omega(gain));
+            let method = Gathering::new(
+                system,
+                OverRelaxation {
+                    omega: youngs_omega(gain),
+                },
+            );
             run(method, &patches, stop, watch, by)
         }
         Solver::Shooting | Solver::Overshooting => {
@@ -136,7 +156,7 @@ pub fn over_relaxed<R: Recorder<Event>>(
 ) -> Result<Solution, Unsolved> {
     refuse_endless_light(system)?;
     let solver = Solver::OverRelaxation;
-    let method = Gathering::over_relaxation(*system, omega);
+    let method = Gathering::new(*system, OverRelaxation { omega });
     run(
         method,
         &system.patches,

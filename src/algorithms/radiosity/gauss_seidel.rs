@@ -1,0 +1,36 @@
+//! Gauss–Seidel's iteration: each patch gathers the newest light there is (Seidel 1874; Cohen & Greenberg 1985). About half as many
+//! iterations as Jacobi's.
+
+use super::event::Told;
+use super::gathering::{Light, Sweep};
+use super::watch::Followed;
+use crate::record::{Listing, Recorder};
+
+pub static PSEUDOCODE: Listing = Listing {
+    name: "Gauss–Seidel",
+    lines: &[
+        "B ← E",
+        "for k = 0, 1, 2, … until ‖E − (I − ρF)B‖ ≤ ε‖E‖",
+        "  for each patch i",
+        "    for each patch j",
+        "      sum ← sum + F_ij B_j",
+        "    B_i ← E_i + ρ_i sum",
+    ],
+};
+
+pub(super) struct GaussSeidel;
+
+impl Sweep for GaussSeidel {
+    fn sweep<R: Recorder<Told>>(
+        &mut self,
+        light: &mut Light,
+        followed: Followed,
+        recorder: &mut R,
+    ) {
+        for i in 0..light.b.len() {
+            if light.reflects(i) {
+                light.b[i] = light.gathered(i, &light.b, followed, recorder, |gathered| gathered);
+            }
+        }
+    }
+}

@@ -1,0 +1,50 @@
+//! Successive over-relaxation: Gauss–Seidel's step, ω times as far (Young 1954).
+
+use super::event::Told;
+use super::gathering::{Light, Sweep};
+use super::watch::Followed;
+use crate::record::{Listing, Recorder};
+
+pub static PSEUDOCODE: Listing = Listing {
+    name: "successive over-relaxation",
+    lines: &[
+        "B ← E",
+        "for k = 0, 1, 2, … until ‖E − (I − ρF)B‖ ≤ ε‖E‖",
+        "  for each patch i",
+        "    for each patch j",
+        "      sum ← sum + F_ij B_j",
+        "    B_i ← B_i + ω (E_i + ρ_i sum − B_i)",
+    ],
+};
+
+pub(super) struct OverRelaxation {
+    pub omega: f64,
+}
+
+impl Sweep for OverRelaxation {
+    fn sweep<R: Recorder<Told>>(
+        &mut self,
+        light: &mut Light,
+        followed: Followed,
+        recorder: &mut R,
+    ) {
+        let omega = self.omega;
+        recorder.step(|| Told::Weighted { omega });
+        for i in 0..light.b.len() {
+            if light.reflects(i) {
+                let b_i = light.b[i];
+                let farther = |gathered| b_i + omega * (gathered - b_i);
+                light.b[i] = light.gathered(i, &light.b, followed, recorder, farther);
+            }
+        }
+    }
+}
+
+/// Young's ω = 2 / (1 + √(1 − μ²)) for the bound μ = max_i ρ_i Σ_j F_ij on the spectral radius; 1 where μ is no bound below 1.
+pub(super) fn youngs_omega(gain: f64) -> f64 {
+    if gain < 1.0 {
+        2.0 / (1.0 + (1.0 - gain * gain).sqrt())
+    } else {
+        1.0
+    }
+}
