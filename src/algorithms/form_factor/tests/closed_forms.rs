@@ -52,6 +52,25 @@ fn parallel_and_folded_squares_are_exact_to_the_tolerance() {
     }
 }
 
+/// Coaxial discs of radius r at distance r: F = 2(r₂/r₁)² / (S + √(S² − 4(r₂/r₁)²)), S = 1 + (1 + R₂²)/R₁² = 3 (C-41).
+#[test]
+fn discs_are_the_limit_of_regular_polygons() {
+    let exact = 2.0 / (3.0 + 5.0_f64.sqrt());
+    let of_sides = |n: u32| {
+        let disc = |z: f64, sense: f64| -> Vec<DVec3> {
+            let corner = |k| f64::from(k) * sense * 2.0 * PI / f64::from(n);
+            let corners = (0..n).map(corner);
+            corners
+                .map(|phi| DVec3::new(phi.cos(), phi.sin(), z))
+                .collect()
+        };
+        automatic(&disc(0.0, 1.0), &disc(1.0, -1.0), 1e-9)
+    };
+    // The error of n sides falls like 1/n²: two of them tell the limit to the fourth order (Richardson).
+    let limit = (4.0 * of_sides(128) - of_sides(64)) / 3.0;
+    assert!((limit / exact - 1.0).abs() < 1e-6, "{limit}");
+}
+
 #[test]
 fn where_the_squares_stand_makes_no_difference() {
     let turn = DMat3::from_rotation_x(0.3) * DMat3::from_rotation_y(1.0);
