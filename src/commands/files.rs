@@ -2,6 +2,7 @@
 
 use super::{Failure, interrupt, progress, tell};
 use crate::algorithms::primary::Settings;
+use crate::algorithms::room;
 use crate::algorithms::stage::Stage;
 use crate::lesson::{Lesson, builtin};
 use crate::render::Method;
@@ -60,11 +61,11 @@ pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
     })
 }
 
-/// Reads a scene file, or the scene of a lesson file, and how far ray methods go in it.
-pub fn scene(path: &Path, limits: &Limits) -> Result<(Scene, Settings), Failure> {
+/// Reads a scene file, or the scene of a lesson file, how far ray methods go in it, and how its light is found.
+pub fn scene(path: &Path, limits: &Limits) -> Result<(Scene, Settings, room::Settings), Failure> {
     match document(path, limits)? {
-        Document::Scene(scene) => Ok((*scene, Settings::default())),
-        Document::Lesson(lesson) => Ok((lesson.scene, lesson.settings)),
+        Document::Scene(scene) => Ok((*scene, Settings::default(), room::Settings::default())),
+        Document::Lesson(lesson) => Ok((lesson.scene, lesson.settings, lesson.radiosity)),
     }
 }
 

@@ -37,9 +37,15 @@ pub struct Arguments {
 
 #[derive(clap::Args, Clone)]
 pub struct VisibilityArgument {
-    /// Whether what stands between two patches counts
-    #[arg(long, value_name = "none,auto", default_value = "auto", value_parser = PossibleValuesParser::new(["auto", "none"]))]
-    visibility: String,
+    /// Whether what stands between two patches counts [default: auto]
+    #[arg(long, value_name = "none,auto", value_parser = PossibleValuesParser::new(["auto", "none"]))]
+    visibility: Option<String>,
+}
+
+impl VisibilityArgument {
+    pub fn is_given(&self) -> bool {
+        self.visibility.is_some()
+    }
 }
 
 #[derive(clap::Args, Clone, Copy)]
@@ -63,20 +69,21 @@ impl MemoryArgument {
     }
 }
 
-/// How form factors are to be found, by the name of a method that clap has checked.
+/// How form factors are to be found, by the name of a method that clap has checked; for the rest what `unless` says.
 pub fn settings(
-    method: &str,
+    method: Option<&str>,
     visibility: &VisibilityArgument,
-    limits: LimitArguments,
+    unless: Settings,
 ) -> Result<Settings, Failure> {
-    let form_factors = Method::named(method)
-        .ok_or_else(|| Failure::Wrong(format!("{method}: there is no such method")))?;
-    Ok(Settings {
-        form_factors,
-        visibility: visibility.visibility == "auto",
-        max_patches: limits.max_patches,
-        ..Settings::default()
-    })
+    let mut settings = unless;
+    if let Some(method) = method {
+        settings.form_factors = Method::named(method)
+            .ok_or_else(|| Failure::Wrong(format!("{method}: there is no such method")))?;
+    }
+    if let Some(visibility) = &visibility.visibility {
+        settings.visibility = visibility == "auto";
+    }
+    Ok(settings)
 }
 
 /// A scene's patches, or what is wrong with them.
@@ -101,8 +108,12 @@ pub fn matrix(room: &Room) -> &[f64] {
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     files::check_output(&arguments.out)?;
-    let settings = settings(&arguments.method, &arguments.visibility, arguments.limits)?;
-    let (scene, _) = files::scene(&arguments.scene, &arguments.limits.into())?;
+    let unless = Settings {
+        max_patches: arguments.limits.max_patches,
+        ..Settings::default()
+    };
+    let settings = settings(Some(&arguments.method), &arguments.visibility, unless)?;
+    let (scene, ..) = files::scene(&arguments.scene, &arguments.limits.into())?;
     let room = room(&scene, &arguments.scene, settings)?;
     if let Some(refusal) = arguments.memory.refusal(&room) {
         return Err(files::wrong(&arguments.scene.display(), &refusal));

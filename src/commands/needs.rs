@@ -35,7 +35,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(name) => method(name)?,
         None => Method::RayTracing,
     };
-    let (scene, settings) = files::scene(&arguments.scene, &arguments.limits.into())?;
+    let (scene, settings, _) = files::scene(&arguments.scene, &arguments.limits.into())?;
     let settings = arguments.rays.or(settings);
     let mut out = std::io::stdout().lock();
     writeln!(out, "{} of {}", method.name(), arguments.scene.display())?;

@@ -4,7 +4,7 @@ use super::form_factors::{MemoryArgument, VisibilityArgument, matrix, room, sett
 use super::progress::named;
 use super::{Failure, LimitArguments, files, tell};
 use crate::algorithms::form_factor::Method;
-use crate::algorithms::radiosity::{ChannelUnsolved, Solver, Stop, Watch};
+use crate::algorithms::radiosity::{ChannelUnsolved, Solver, Watch};
 use crate::algorithms::room::{Light, Room, Settings};
 use crate::record::Unrecorded;
 use crate::scene::Scene;
@@ -30,46 +30,55 @@ pub struct Arguments {
 /// How the light of a room is found.
 #[derive(clap::Args, Clone)]
 pub struct SolutionArguments {
-    /// How the system of equations is solved
-    #[arg(long, value_name = "SOLVER", default_value = "auto", value_parser = PossibleValuesParser::new(Solver::ALL.map(Solver::name)))]
-    solver: String,
-    /// How a form factor is found
-    #[arg(long, value_name = "METHOD", default_value = "auto", value_parser = PossibleValuesParser::new(Method::NAMES))]
-    form_factors: String,
+    /// How the system of equations is solved [default: auto]
+    #[arg(long, value_name = "SOLVER", value_parser = PossibleValuesParser::new(Solver::ALL.map(Solver::name)))]
+    solver: Option<String>,
+    /// How a form factor is found [default: auto]
+    #[arg(long, value_name = "METHOD", value_parser = PossibleValuesParser::new(Method::NAMES))]
+    form_factors: Option<String>,
     #[command(flatten)]
     visibility: VisibilityArgument,
-    /// The relative residual that is small enough
-    #[arg(long, value_name = "T", default_value_t = Stop::default().tolerance, allow_negative_numbers = true)]
-    tolerance: f64,
-    /// The most iterations, or shots of one patch
-    #[arg(long, value_name = "N", default_value_t = Stop::default().max_iterations, allow_negative_numbers = true)]
-    max_iterations: u32,
+    /// The relative residual that is small enough [default: 1e-6]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    tolerance: Option<f64>,
+    /// The most iterations, or shots of one patch [default: 1000000]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    max_iterations: Option<u32>,
 }
 
 impl SolutionArguments {
-    /// What was asked for.
-    pub fn settings(&self, limits: LimitArguments) -> Result<Settings, Failure> {
-        let tolerance = self.tolerance;
+    pub fn is_given(&self) -> bool {
+        self.solver.is_some()
+            || self.form_factors.is_some()
+            || self.visibility.is_given()
+            || self.tolerance.is_some()
+            || self.max_iterations.is_some()
+    }
+
+    /// What was asked for, and for the rest what `unless` says.
+    pub fn or(&self, unless: Settings, limits: LimitArguments) -> Result<Settings, Failure> {
+        let mut settings = settings(self.form_factors.as_deref(), &self.visibility, unless)?;
+        settings.max_patches = limits.max_patches;
+        if let Some(name) = &self.solver {
+            settings.solver = Solver::from_name(name)
+                .ok_or_else(|| Failure::Wrong(format!("{name}: there is no such solver")))?;
+        }
+        settings.stop.tolerance = self.tolerance.unwrap_or(settings.stop.tolerance);
+        settings.stop.max_iterations = self.max_iterations.unwrap_or(settings.stop.max_iterations);
+        let tolerance = settings.stop.tolerance;
         if !(tolerance > 0.0 && tolerance < 1.0) {
             return Err(Failure::Wrong(format!(
                 "--tolerance {tolerance}: allowed are numbers above 0 and below 1"
             )));
         }
-        let mut settings = settings(&self.form_factors, &self.visibility, limits)?;
-        settings.solver = Solver::from_name(&self.solver)
-            .ok_or_else(|| Failure::Wrong(format!("{}: there is no such solver", self.solver)))?;
-        settings.stop = Stop {
-            tolerance,
-            max_iterations: self.max_iterations,
-        };
         Ok(settings)
     }
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     files::check_output(&arguments.out)?;
-    let settings = arguments.solution.settings(arguments.limits)?;
-    let (scene, _) = files::scene(&arguments.scene, &arguments.limits.into())?;
+    let (scene, _, unless) = files::scene(&arguments.scene, &arguments.limits.into())?;
+    let settings = arguments.solution.or(unless, arguments.limits)?;
     let start = Instant::now();
     let room = room(&scene, &arguments.scene, settings)?;
     let divided = start.elapsed();

@@ -80,14 +80,14 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     files::check_output(out)?;
 
     let start = Instant::now();
-    let (scene, settings) = files::scene(&arguments.scene, &arguments.limits.into())?;
+    let (scene, settings, radiosity) = files::scene(&arguments.scene, &arguments.limits.into())?;
     let read = start.elapsed();
     let settings = arguments.rays.or(settings);
     let stage = files::stage(scene, arguments.size, method, &arguments.scene.display())?
         .with_settings(settings)
         .with_radiosity(Settings {
             smooth: arguments.smooth,
-            ..arguments.solution.settings(arguments.limits)?
+            ..arguments.solution.or(radiosity, arguments.limits)?
         });
     let staged = start.elapsed();
     if method == Method::Radiosity {

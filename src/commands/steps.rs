@@ -2,10 +2,12 @@
 
 use super::files::{self, Document};
 use super::progress::{self, Progress};
+use super::radiosity::SolutionArguments;
 use super::render::{method, method_names};
 use super::{Failure, LimitArguments, RayArguments, parse_range, parse_size, tell};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::primary::Settings;
+use crate::algorithms::room;
 use crate::record::{RecordingLimit, Value};
 use crate::render::Method;
 use crate::replay::{Run, Walk};
@@ -35,6 +37,8 @@ pub struct Arguments {
     out: Option<PathBuf>,
     #[command(flatten)]
     rays: RayArguments,
+    #[command(flatten)]
+    solution: SolutionArguments,
     #[command(flatten)]
     limits: LimitArguments,
 }
@@ -143,7 +147,8 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
             if method.is_none()
                 && focus.is_none()
                 && arguments.size.is_none()
-                && !arguments.rays.is_given() =>
+                && !arguments.rays.is_given()
+                && !arguments.solution.is_given() =>
         {
             Ok(lesson
                 .open()
@@ -155,6 +160,7 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
             method.unwrap_or(lesson.method),
             arguments.size.unwrap_or(lesson.size),
             arguments.rays.or(lesson.settings),
+            arguments.solution.or(lesson.radiosity, arguments.limits)?,
             focus.unwrap_or(lesson.focus),
             &arguments.name,
         ),
@@ -167,6 +173,9 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
                 method,
                 arguments.size.unwrap_or([640, 480]),
                 arguments.rays.or(Settings::default()),
+                arguments
+                    .solution
+                    .or(room::Settings::default(), arguments.limits)?,
                 focus.unwrap_or(Focus::Frame),
                 &arguments.name,
             )
@@ -179,10 +188,13 @@ fn record_scene(
     method: Method,
     [width, height]: [u32; 2],
     settings: Settings,
+    radiosity: room::Settings,
     focus: Focus,
     name: &str,
 ) -> Result<Run, Failure> {
-    let stage = files::stage(scene, [width, height], method, &name)?.with_settings(settings);
+    let stage = files::stage(scene, [width, height], method, &name)?
+        .with_settings(settings)
+        .with_radiosity(radiosity);
     if method == Method::Radiosity {
         let wrong = |error: &_| files::wrong(&name, error);
         stage.room().map_err(|error| wrong(&error))?;

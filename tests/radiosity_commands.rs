@@ -1,0 +1,228 @@
+//! The commands that exchange light between patches, run as a user runs them.
+
+#[path = "common/program.rs"]
+mod program;
+
+use program::{lightwalk, refused, text};
+use serde_json::Value;
+use std::fs;
+
+/// A closed unit cube of 2×2 patches a wall, which all emit 1 and reflect half: B = 2 everywhere.
+fn furnace() -> tempfile::TempDir {
+    let corners = |bits: [usize; 4]| -> Vec<[f64; 3]> {
+        let corner = |bits: usize| [0, 1, 2].map(|axis| f64::from((bits >> axis & 1) as u32));
+        bits.into_iter().map(corner).collect()
+    };
+    let walls = [
+        [0, 1, 3, 2],
+        [5, 4, 6, 7],
+        [4, 0, 2, 6],
+        [1, 5, 7, 3],
+        [4, 5, 1, 0],
+        [2, 3, 7, 6],
+    ];
+    let objects: Vec<String> = (0..6)
+        .map(|wall| {
+            let vertices = corners(walls[wall]);
+            format!(r#"{{ "name": "wall {wall}", "material": "glow", "polygon": {{ "vertices": {vertices:?} }}, "patches": 2 }}"#)
+        })
+        .collect();
+    let scene = format!(
+        r#"{{ "schema": 1, "materials": {{ "glow": {{ "emission": [1, 1, 1], "reflectance": [0.5, 0.5, 0.5] }} }},
+            "camera": {{ "eye": [0.5, 0.5, 0.5], "target": [0.5, 0.5, 0], "up": [0, 1, 0], "fov_x_degrees": 60 }},
+            "objects": [{}] }}"#,
+        objects.join(", ")
+    );
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("furnace.json"), scene).unwrap();
+    folder
+}
+
+fn run(folder: &tempfile::TempDir, arguments: &str) -> std::process::Output {
+    lightwalk(folder.path(), &arguments.split(' ').collect::<Vec<_>>())
+}
+
+/// What a command wrote to `out.json`.
+fn written(folder: &tempfile::TempDir, arguments: &str) -> Value {
+    let output = run(folder, &format!("{arguments} --out out.json"));
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    serde_json::from_slice(&fs::read(folder.path().join("out.json")).unwrap()).unwrap()
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    let list = value.as_array().unwrap().iter();
+    list.map(|number| number.as_f64().unwrap()).collect()
+}
+
+#[test]
+fn form_factors_of_a_closed_cube_sum_to_1_by_every_exact_method() {
+    let folder = furnace();
+    for method in ["auto", "element-to-polygon", "contour"] {
+        let found = written(
+            &folder,
+            &format!("form-factors furnace.json --method {method}"),
+        );
+        assert_eq!(found["method"], method);
+        assert!(found["seconds"].as_f64().unwrap() >= 0.0);
+        let patches = found["patches"].as_array().unwrap();
+        assert_eq!(patches.len(), 24);
+        assert_eq!(patches[5]["object"], "wall 1");
+        assert_eq!((&patches[5]["i"], &patches[5]["j"]), (&1.into(), &0.into()));
+        assert_eq!(patches[5]["area"], 0.25);
+        for row in found["matrix"].as_array().unwrap() {
+            let sum: f64 = numbers(row).iter().sum();
+            assert!((sum - 1.0).abs() < 1e-3, "{method}: {sum}");
+        }
+        assert!(found["closure_defect"].as_f64().unwrap() < 1e-3);
+    }
+}
+
+#[test]
+fn every_solver_finds_the_light_of_a_furnace() {
+    let folder = furnace();
+    for solver in [
+        "auto",
+        "jacobi",
+        "gauss-seidel",
+        "over-relaxation",
+        "shooting",
+        "overshooting",
+        "chebyshev",
+        "conjugate-gradients",
+        "direct",
+    ] {
+        let found = written(
+            &folder,
+            &format!("radiosity furnace.json --solver {solver}"),
+        );
+        assert_eq!(found["solver"], solver);
+        for residual in numbers(&found["residual"]) {
+            assert!((0.0..=1e-6).contains(&residual));
+        }
+        let surfaces = found["surfaces"].as_array().unwrap();
+        assert_eq!(surfaces[3]["object"], "wall 3");
+        assert_eq!(surfaces[3]["grid"], serde_json::json!([2, 2]));
+        for patch in surfaces
+            .iter()
+            .flat_map(|surface| surface["patches"].as_array().unwrap())
+        {
+            for b in numbers(&patch["radiosity"]) {
+                assert!((b - 2.0).abs() < 1e-5, "{solver}: {b}");
+            }
+        }
+    }
+    let shot = written(
+        &folder,
+        "radiosity furnace.json --solver shooting --max-memory 0",
+    );
+    assert!(
+        (shot["surfaces"][0]["patches"][0]["radiosity"][1]
+            .as_f64()
+            .unwrap()
+            - 2.0)
+            .abs()
+            < 1e-5
+    );
+}
+
+#[test]
+fn a_picture_shows_b_itself_constant_or_smooth() {
+    let folder = furnace();
+    for smooth in ["", " --smooth"] {
+        let render = "render furnace.json --method radiosity --size 8x6 --out a.pfm --stats";
+        let output = run(&folder, &format!("{render}{smooth}"));
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let stats: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(stats["seconds"]["solve"].as_f64().unwrap() > 0.0);
+        let pfm = fs::read(folder.path().join("a.pfm")).unwrap();
+        let samples = pfm[pfm.len() - 8 * 6 * 3 * 4..].chunks(4);
+        for sample in samples {
+            let b = f32::from_le_bytes(sample.try_into().unwrap());
+            assert!((b - 2.0).abs() < 1e-5, "{b}");
+        }
+    }
+}
+
+#[test]
+fn steps_tell_iterations_a_patch_or_one_form_factor() {
+    let folder = furnace();
+    let kinds = |focus: &str| -> Vec<String> {
+        let steps = format!("steps furnace.json --method radiosity --solver jacobi {focus}");
+        let output = run(&folder, &steps);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let told = text(&output.stdout);
+        let kind = |line: &str| -> String {
+            let step: Value = serde_json::from_str(line).unwrap();
+            step["kind"].as_str().unwrap().to_owned()
+        };
+        told.lines().map(kind).collect()
+    };
+    let count = |kinds: &[String], kind: &str| kinds.iter().filter(|found| *found == kind).count();
+    // A furnace of ρ = 1/2: B = E leaves the residual 1/2, each iteration half of it, and 2⁻²⁰ < 10⁻⁶.
+    let all = kinds("--tolerance 1e-6");
+    assert_eq!(count(&all, "IterationDone"), 19);
+    assert_eq!(count(&all, "Exchanged"), 19 * 24 * 24);
+    let some = kinds("--iterations 1..3");
+    assert_eq!(count(&some, "IterationDone"), 2);
+    assert_eq!(count(&some, "Exchanged"), 2 * 24 * 24);
+    assert_eq!(count(&kinds("--patch 3"), "Exchanged"), 19 * 24);
+    let form_factor = kinds("--form-factor 0,4");
+    assert_eq!(
+        (&*form_factor[0], &*form_factor[form_factor.len() - 1]),
+        ("Reference", "FormFactorFound")
+    );
+}
+
+#[test]
+fn what_cannot_be_solved_is_said_and_leaves_no_file() {
+    let folder = furnace();
+    let scene = fs::read_to_string(folder.path().join("furnace.json")).unwrap();
+    let write = |name: &str, from: &str, to: &str| {
+        assert!(scene.contains(from));
+        fs::write(folder.path().join(name), scene.replacen(from, to, 1)).unwrap();
+    };
+    write("endless.json", "[0.5, 0.5, 0.5] }", "[1, 1, 1] }");
+    write(
+        "plane.json",
+        "\"objects\": [",
+        "\"objects\": [{ \"name\": \"sea\", \"material\": \"glow\", \"plane\": { \"point\": [0, -9, 0], \"normal\": [0, 1, 0] } }, ",
+    );
+    for (arguments, status, part) in [
+        ("radiosity endless.json", 1, "no solution exists"),
+        (
+            "radiosity furnace.json --solver jacobi --max-iterations 2",
+            1,
+            "after 2 iterations",
+        ),
+        ("radiosity plane.json", 2, "objects[0]"),
+        ("form-factors plane.json", 2, "\"sea\""),
+        ("radiosity furnace.json --max-memory 0", 2, "--max-memory"),
+        (
+            "radiosity furnace.json --max-patches 10",
+            2,
+            "--max-patches",
+        ),
+        ("radiosity furnace.json --tolerance 2", 2, "--tolerance"),
+        (
+            "radiosity furnace.json --solver magic",
+            2,
+            "conjugate-gradients",
+        ),
+        ("form-factors furnace.json --visibility maybe", 2, "none"),
+    ] {
+        let output = run(&folder, &format!("{arguments} --out out.json"));
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(status), "{arguments}: {message}");
+        assert!(message.contains(part), "{arguments}: {message}");
+        assert!(!folder.path().join("out.json").exists(), "{arguments}");
+    }
+    for (focus, part) in [
+        ("--pixel 0,0", "goes patch by patch"),
+        ("--patch 24", "there are 24 patches"),
+        ("--form-factor 0,99", "24 patches"),
+    ] {
+        let steps = format!("steps furnace.json --method radiosity {focus}");
+        let message = refused(&run(&folder, &steps), focus);
+        assert!(message.contains(part), "{message}");
+    }
+}
