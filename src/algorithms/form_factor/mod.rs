@@ -19,6 +19,7 @@ pub mod element_to_polygon;
 mod event;
 pub mod far;
 pub mod gauss;
+mod groups;
 pub mod hemicube;
 pub mod monte_carlo;
 pub mod polygon;

@@ -6,6 +6,7 @@
 
 use super::Event;
 use super::area_to_area::{cosines, kernel};
+use super::groups::{Group, groups};
 use super::sample::{self, Sample};
 use super::sobol::Sobol;
 use crate::record::{Listing, Recorder};
@@ -13,7 +14,6 @@ use crate::scene::patches::Patches;
 use crate::scene::solids::{Ray, Solids};
 use crate::scene::{Mesh, Scene, Shape, Tessellation};
 use glam::DVec3;
-use std::ops::Range;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "visibility",
@@ -56,33 +56,6 @@ pub struct Blockers {
     words: usize,
     has_too_many: bool,
     slack: f64,
-}
-
-/// Patches of one object in one plane.
-#[derive(Clone, Debug)]
-struct Group {
-    object: u32,
-    patches: Range<usize>,
-    /// Of the one patch, where it is not planar.
-    piece: Option<usize>,
-    normal: DVec3,
-    point: DVec3,
-    low: DVec3,
-    high: DVec3,
-    /// Between which heights it lies: in its plane unless it is warped.
-    heights: [f64; 2],
-    /// The steepest slope of a warped one against its plane.
-    slope: f64,
-}
-
-impl Group {
-    fn height(&self, point: DVec3) -> f64 {
-        self.normal.dot(point - self.point)
-    }
-
-    fn is_warped(&self) -> bool {
-        self.heights[0] < self.heights[1]
-    }
 }
 
 impl Blockers {
@@ -324,97 +297,4 @@ fn facets(scene: &Scene, patches: &Patches, groups: &[Group]) -> Scene {
         object.shape = Shape::Mesh(Mesh::new(&positions, faces, &[]));
     }
     scene
-}
-
-/// The steepest slope of patches that count as one warped group.
-const STEEPEST: f64 = 0.1;
-
-/// The patches of an object that are not planar, but almost: all of them as one group.
-fn warped(patches: &Patches, range: Range<usize>) -> Option<Group> {
-    let pieces = || range.clone().flat_map(|patch| patches.pieces(patch));
-    if range.clone().all(|patch| patches.pieces(patch).len() == 1) {
-        return None;
-    }
-    let normal = pieces()
-        .map(|piece| piece.area * piece.normal)
-        .sum::<DVec3>()
-        .normalize_or_zero();
-    let cosine = pieces()
-        .map(|piece| piece.normal.dot(normal))
-        .fold(1.0, f64::min);
-    let slope = (1.0 - cosine * cosine).max(0.0).sqrt() / cosine;
-    if !(cosine > 0.0 && slope <= STEEPEST) {
-        return None;
-    }
-    let corners = || pieces().flat_map(|piece| piece.corners.iter().copied());
-    let point = corners().next()?;
-    let heights = || corners().map(|corner| normal.dot(corner - point));
-    Some(Group {
-        object: patches[range.start].object,
-        patches: range.clone(),
-        piece: None,
-        normal,
-        point,
-        low: corners().fold(DVec3::INFINITY, DVec3::min),
-        high: corners().fold(DVec3::NEG_INFINITY, DVec3::max),
-        heights: [
-            heights().fold(f64::INFINITY, f64::min),
-            heights().fold(f64::NEG_INFINITY, f64::max),
-        ],
-        slope,
-    })
-}
-
-/// Patches in one plane that follow each other; of patches that are not planar, each piece.
-fn groups(scene: &Scene, patches: &Patches, slack: f64) -> Vec<Group> {
-    let mut groups: Vec<Group> = Vec::new();
-    for (number, patch) in patches.iter().enumerate() {
-        if !scene.objects[patch.object as usize].casts_shadow {
-            continue;
-        }
-        let surface = &patches.surfaces[patch.object as usize];
-        let all = surface.first..surface.first + (surface.grid[0] * surface.grid[1]) as usize;
-        if number == all.start {
-            groups.extend(warped(patches, all));
-        }
-        if groups
-            .last()
-            .is_some_and(|group| group.is_warped() && group.patches.contains(&number))
-        {
-            continue;
-        }
-        let is_whole = patches.pieces(number).len() == 1;
-        for (piece_number, piece) in patches.pieces(number).enumerate() {
-            let corners = piece.corners.iter().copied();
-            let low = corners.clone().fold(DVec3::INFINITY, DVec3::min);
-            let high = corners.clone().fold(DVec3::NEG_INFINITY, DVec3::max);
-            match groups.last_mut() {
-                Some(group)
-                    if is_whole
-                        && group.piece.is_none()
-                        && group.object == patch.object
-                        && group.patches.end == number
-                        && corners
-                            .clone()
-                            .all(|corner| group.height(corner).abs() <= slack) =>
-                {
-                    group.low = group.low.min(low);
-                    group.high = group.high.max(high);
-                    group.patches.end = number + 1;
-                }
-                _ => groups.push(Group {
-                    object: patch.object,
-                    patches: number..number + 1,
-                    piece: (!is_whole).then_some(piece_number),
-                    normal: piece.normal,
-                    point: piece.corners[0],
-                    low,
-                    high,
-                    heights: [0.0; 2],
-                    slope: 0.0,
-                }),
-            }
-        }
-    }
-    groups
 }
