@@ -42,6 +42,22 @@
 //!
 //! `cargo bench --no-default-features --bench telling` and `--bench recording` print them. The recorded frame misses its goal: a
 //! pixel takes 7 ns to draw and tells four events of 8 ns each; that is why a focus is recorded, and a whole frame on demand.
+//!
+//! # Speed
+//!
+//! On the same machine, one thread unless said otherwise; others in the same run.
+//!
+//! | what | goal | measured |
+//! | --- | --- | --- |
+//! | nearest hits in f64, mesh of 70 thousand triangles: primary, incoherent rays | `obvhs`'s best layout in f32 | 5.3 and 3.1 million a second: 1.23 and 1.04 of it |
+//! | the same, 1 million triangles | – | 2.6 and 1.1 million a second: 1.02 and 0.78 of it |
+//! | a lesson's scene at 640×480, 2 threads: first coarse picture, whole picture | 100 ms, – | 2 to 7 ms, 81 to 343 ms |
+//! | form factors of a cube of 384 patches, largest error 8.2e-4 | 20 million entries a second | 21 million |
+//! | radiosity of 6144 patches, ρ = 0.5, to 1e-6, against LU | 10 times as fast | 16 times |
+//! | any of a million exchanges of light | 20 ms | 4 ms at most |
+//! | the Cornell box, 3539 patches, 2 threads | seconds | 7 s |
+//!
+//! `cargo bench --no-default-features --features parallel` with `--bench rays`, `lesson_frames`, `form_factors` or `radiosity`.
 
 pub mod algorithms;
 #[cfg(feature = "gui")]

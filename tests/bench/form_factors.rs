@@ -1,5 +1,6 @@
 //! Form factors of a closed cube of 8 × 8 patches a face (384), one thread: for each method the largest relative error of an entry beside the
-//! time of the whole matrix, and the ratio of entries a second to the goal of 20 million.
+//! time of the whole matrix, and the ratio of entries a second to the goal of 20 million. Then how time and memory grow with the number
+//! of patches.
 
 use lightwalk::algorithms::form_factor::hemicube::Hemicubes;
 use lightwalk::algorithms::form_factor::{FormFactors, Method};
@@ -10,7 +11,7 @@ use std::time::Instant;
 const ROUNDS: usize = 9;
 const GOAL: f64 = 20e6;
 
-fn cube() -> Patches {
+fn cube(side: usize) -> Patches {
     let faces = [
         [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]],
         [[1, 0, 1], [0, 0, 1], [0, 1, 1], [1, 1, 1]],
@@ -24,7 +25,7 @@ fn cube() -> Patches {
         .enumerate()
         .map(|(face, vertices)| {
             format!(
-                r#"{{"name": "{face}", "material": "m", "polygon": {{"vertices": {vertices:?}}}, "patches": 8}}"#
+                r#"{{"name": "{face}", "material": "m", "polygon": {{"vertices": {vertices:?}}}, "patches": {side}}}"#
             )
         })
         .collect();
@@ -35,11 +36,11 @@ fn cube() -> Patches {
     let scene = read(text.as_bytes(), &Limits::default(), &mut |_| {
         Err(String::new())
     });
-    Patches::of(&scene.unwrap(), 1000).unwrap()
+    Patches::of(&scene.unwrap(), 100_000).unwrap()
 }
 
 fn main() {
-    let patches = cube();
+    let patches = cube(8);
     let n = patches.len();
     let exact = FormFactors::new(&patches, Method::Auto { tolerance: 1e-10 }, None).matrix();
     println!(
@@ -96,6 +97,28 @@ fn main() {
             "{:60} {worst:12.1e} {:10.2} {ratio:14.4}",
             format!("{method:?}"),
             1e3 * median
+        );
+    }
+    growth();
+}
+
+/// How time and memory grow with the number of patches, at 1e-6 and with nothing in between.
+fn growth() {
+    println!(
+        "\n{:>10} {:>10} {:>16} {:>12}",
+        "patches", "seconds", "ns an entry", "MiB"
+    );
+    for side in [4, 8, 16, 24] {
+        let patches = cube(side);
+        let entries = (patches.len() * patches.len()) as f64;
+        let start = Instant::now();
+        let matrix = FormFactors::new(&patches, Method::Auto { tolerance: 1e-6 }, None).matrix();
+        let seconds = start.elapsed().as_secs_f64();
+        let mebibytes = size_of_val(&*matrix) as f64 / f64::from(1 << 20);
+        println!(
+            "{:10} {seconds:10.3} {:16.1} {mebibytes:12.1}",
+            patches.len(),
+            1e9 * seconds / entries
         );
     }
 }
