@@ -218,12 +218,15 @@ impl Faces {
             });
     }
 
-    /// The t of a hit along a ray that came `near` to be tested, where it was met at `t`. It is that of [`triangle::t_across`] unless the ray is
-    /// so flat that the two are far apart.
+    /// The t of a hit along a ray that came `near` to be tested, where it was met at `t`. It is that of [`triangle::t_across`] unless the two
+    /// are so far apart that a hierarchy could tell them apart: where the ray is flat, or the object small for its coordinates.
     pub fn t_along(&self, ray: &Ray, near: &Near, t: f64, triangle: u32) -> f64 {
         let moved_along = near.moved + t;
         triangle::t_across(self.corners(triangle), ray)
-            .filter(|across| (across - moved_along).abs() <= 0.25 * unsure(ray, moved_along))
+            .filter(|across| {
+                let apart = (across - moved_along).abs();
+                apart <= self.frame.sliver().min(0.25 * unsure(ray, moved_along))
+            })
             .unwrap_or(moved_along)
     }
 

@@ -73,6 +73,11 @@ impl Frame {
         ((point - self.center) * self.scale).as_vec3()
     }
 
+    /// A length that is lost in the margins around boxes.
+    pub fn sliver(&self) -> f64 {
+        self.half / f64::from(1 << 24)
+    }
+
     /// A length in this frame.
     pub fn unit_length(&self, length: f64) -> f32 {
         (length * self.scale) as f32
