@@ -37,14 +37,6 @@ pub struct Region {
 }
 
 impl Focus {
-    /// Whether it looks at the exchange of light between patches, and at no part of the picture.
-    pub fn is_of_patches(self) -> bool {
-        matches!(
-            self,
-            Focus::Iterations { .. } | Focus::Patch(_) | Focus::FormFactor { .. }
-        )
-    }
-
     /// The pixels of `frame` that can be looked at.
     pub fn region(self, frame: &Frame) -> Region {
         let (columns, rows) = match self {

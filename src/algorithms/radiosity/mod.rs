@@ -35,6 +35,6 @@ mod watch;
 pub use channels::{Channel, ChannelUnsolved, solve_channels};
 pub use event::{Event, Told};
 pub use outcome::{Solution, Stop, Unsolved};
-pub use solver::{Solver, chebyshev_on, over_relaxed, shoot, solve};
+pub use solver::{Solver, chebyshev_on, shoot, solve};
 pub use system::{Matrix, Patches, Rows, System};
 pub use watch::Watch;

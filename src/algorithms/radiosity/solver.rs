@@ -146,26 +146,6 @@ pub fn solve<R: Recorder<Event>>(
     Ok(solution)
 }
 
-/// Over-relaxation with an ω of one's own, in (0, 2).
-pub fn over_relaxed<R: Recorder<Event>>(
-    system: &System,
-    omega: f64,
-    stop: Stop,
-    watch: &Watch,
-    recorder: &mut R,
-) -> Result<Solution, Unsolved> {
-    refuse_endless_light(system)?;
-    let solver = Solver::OverRelaxation;
-    let method = Gathering::new(*system, OverRelaxation { omega });
-    run(
-        method,
-        &system.patches,
-        stop,
-        watch,
-        &mut By { solver, recorder },
-    )
-}
-
 /// Chebyshev's iteration on an interval of one's own, below 1, which ought to hold the spectrum of ρF.
 pub fn chebyshev_on<R: Recorder<Event>>(
     system: &System,
