@@ -49,8 +49,8 @@
 //!
 //! | what | goal | measured |
 //! | --- | --- | --- |
-//! | nearest hits in f64, mesh of 70 thousand triangles: primary, incoherent rays | `obvhs`'s best layout in f32 | 5.3 and 3.1 million a second: 1.23 and 1.04 of it |
-//! | the same, 1 million triangles | – | 2.6 and 1.1 million a second: 1.02 and 0.78 of it |
+//! | nearest hits in f64, mesh of 70 thousand triangles: primary, incoherent rays | `obvhs`'s best layout in f32 | 5.3 and 2.9 million a second: 1.21 and 0.99 of it |
+//! | the same, 1 million triangles | – | 2.7 and 1.0 million a second: 1.02 and about 0.8 of it |
 //! | a lesson's scene at 640×480, 2 threads: first coarse picture, whole picture | 100 ms, – | 2 to 7 ms, 81 to 343 ms |
 //! | form factors of a cube of 384 patches, largest error 8.2e-4 | 20 million entries a second | 21 million |
 //! | radiosity of 6144 patches, ρ = 0.5, to 1e-6, against LU | 10 times as fast | 16 times |
