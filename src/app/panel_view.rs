@@ -17,7 +17,7 @@ use tiny_skia::Pixmap;
 #[derive(Clone, PartialEq)]
 struct Key {
     recording: u64,
-    /// Of the whole picture; always 0 where a panel does not show it.
+    /// Of what is made in the background; always 0 where a panel does not show it.
     pictures: u64,
     step: usize,
     /// In physical pixels.
@@ -67,7 +67,7 @@ impl PanelView {
         let key = Key {
             recording: session.recording(),
             pictures: match panel {
-                Panel::Image => session.pictures(),
+                Panel::Image | Panel::Race => session.pictures(),
                 _ => 0,
             },
             step: session.step(),
@@ -225,6 +225,7 @@ pub fn title(panel: Panel) -> Words {
         Panel::FormFactor => words::FORM_FACTOR,
         Panel::Matrix => words::MATRIX,
         Panel::Convergence => words::CONVERGENCE,
+        Panel::Race => words::RACE,
         Panel::Inspector => words::INSPECTOR,
         Panel::Code => words::CODE,
         Panel::Formula => words::FORMULA,
