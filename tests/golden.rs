@@ -131,6 +131,7 @@ fn every_panel_of_every_narrated_step_looks_as_before() {
                 narrated: &narrated,
                 breakpoints: &[],
                 tree: TreeView::whole(),
+                smooth: open.stage.radiosity.smooth,
             };
             for &panel in &panels {
                 let size = if panel == Panel::TimeLine {

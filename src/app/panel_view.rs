@@ -29,6 +29,8 @@ struct Key {
     breakpoints: Vec<usize>,
     /// Of the ray tree alone.
     tree: Option<TreeView>,
+    /// Of the room alone.
+    smooth: bool,
 }
 
 /// What is kept of a panel from frame to frame.
@@ -77,6 +79,7 @@ impl PanelView {
             language: session.look.language,
             breakpoints: session.breakpoints().to_vec(),
             tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
+            smooth: panel == Panel::Radiosity && session.look.smooth,
         };
         let mut highlighted: Vec<Tag> = session
             .hovered()

@@ -92,6 +92,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             narrated: &narrated,
             breakpoints: &[],
             tree: TreeView::whole(),
+            smooth: open.stage.radiosity.smooth,
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

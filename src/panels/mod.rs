@@ -140,6 +140,8 @@ pub struct Show<'a> {
     pub breakpoints: &'a [usize],
     /// How much of the ray tree is looked at.
     pub tree: &'a TreeView,
+    /// Whether the light of a room is interpolated between the corners of its patches.
+    pub smooth: bool,
 }
 
 /// The picture of a panel, `size` points large, without title or frame.
