@@ -7,6 +7,7 @@ use lightwalk::algorithms::flat::flat;
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::gouraud::gouraud;
+use lightwalk::algorithms::phong::phong;
 use lightwalk::algorithms::ray_casting::{RayCaster, ray_casting};
 use lightwalk::algorithms::ray_tracing::{RayTracer, ray_tracing};
 use lightwalk::algorithms::stage::Stage;
@@ -25,10 +26,11 @@ fn unrecorded(stage: &Stage, method: Method) -> Frame {
 }
 
 /// The methods whose runs tell of pixels.
-const PIXEL_BY_PIXEL: [Method; 5] = [
+const PIXEL_BY_PIXEL: [Method; 6] = [
     Method::Wireframe,
     Method::Flat,
     Method::Gouraud,
+    Method::Phong,
     Method::RayCasting,
     Method::RayTracing,
 ];
@@ -59,6 +61,11 @@ fn recorded(
         Method::Gouraud => {
             let mut recording = Recording::new(limit);
             gouraud(stage, focus, &mut frame, &mut recording);
+            (frame, recording.len(), recording.truncated())
+        }
+        Method::Phong => {
+            let mut recording = Recording::new(limit);
+            phong(stage, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
         Method::RayCasting => {
@@ -180,13 +187,14 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
 #[test]
 fn the_polygons_drawn_one_by_one_make_the_frame() {
     let stage = stage(TEAPOT, 64, 48);
-    for method in [Method::Flat, Method::Gouraud] {
+    for method in [Method::Flat, Method::Gouraud, Method::Phong] {
         let mut frame = Frame::new(64, 0..48, stage.scene.background);
         for number in 0..stage.tessellation.polygon_count() {
             let focus = Focus::Polygon(number);
             match method {
                 Method::Flat => flat(&stage, focus, &mut frame, &mut Unrecorded),
-                _ => gouraud(&stage, focus, &mut frame, &mut Unrecorded),
+                Method::Gouraud => gouraud(&stage, focus, &mut frame, &mut Unrecorded),
+                _ => phong(&stage, focus, &mut frame, &mut Unrecorded),
             }
         }
         assert!(frame == unrecorded(&stage, method), "{}", method.name());
@@ -201,6 +209,7 @@ fn canvas_of(run: &Run) -> Vec<lightwalk::color::Rgb> {
         Run::Wireframe(replay) => colors(&replay.state().canvas),
         Run::Flat(replay) => colors(&replay.state().canvas),
         Run::Gouraud(replay) => colors(&replay.state().canvas),
+        Run::Phong(replay) => colors(&replay.state().canvas),
         Run::RayCasting(replay) => colors(&replay.state().canvas),
         Run::RayTracing(replay) => colors(&replay.state().canvas),
         Run::Radiosity(..) | Run::FormFactor(..) => unreachable!("they draw no pixels"),

@@ -4,11 +4,12 @@
 
 use super::focus::Focus;
 use super::frame::Frame;
-use super::illumination::{self, SurfacePoint, illuminate};
-use super::scan_line::{self, Carried, Corner, Names, Part, ScanLine};
+use super::illumination::{SurfacePoint, illuminate};
+use super::scan_line::{Carried, Corner, Names, ScanLine};
+use super::shading::{self, Lines, Shading};
 use super::stage::{self, Stage};
 use crate::numeric::Linear;
-use crate::record::{self, Fields, Line, Listing, Recorder};
+use crate::record::{Fields, Listing, Recorder};
 use glam::DVec3;
 use std::ops::{Add, Mul, Sub};
 
@@ -102,76 +103,19 @@ impl Mul<f64> for Nothing {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Event {
-    Stage(stage::Event),
-    /// The mean of the polygon's vertices, in the world.
-    Middle {
-        position: DVec3,
-    },
-    Illumination(illumination::Event),
-    ScanLine(scan_line::Event<Nothing>),
+pub enum Flat {}
+
+impl Shading for Flat {
+    type Told = Nothing;
+    const LINES: Lines = Lines {
+        listing: &PSEUDOCODE,
+        vertex_normal: 1,
+        vertex_done: 1,
+        edge_table: 3,
+        pixel_normal: 1,
+    };
 }
+
+pub type Event = shading::Event<Flat>;
 
 const _: () = assert!(size_of::<Event>() <= 64);
-
-impl From<stage::Event> for Event {
-    fn from(event: stage::Event) -> Self {
-        Event::Stage(event)
-    }
-}
-
-impl From<illumination::Event> for Event {
-    fn from(event: illumination::Event) -> Self {
-        Event::Illumination(event)
-    }
-}
-
-impl From<scan_line::Event<Nothing>> for Event {
-    fn from(event: scan_line::Event<Nothing>) -> Self {
-        Event::ScanLine(event)
-    }
-}
-
-impl record::Event for Event {
-    fn kind(&self) -> &'static str {
-        match self {
-            Event::Stage(event) => event.kind(),
-            Event::Middle { .. } => "Middle",
-            Event::Illumination(event) => event.kind(),
-            Event::ScanLine(event) => event.kind(),
-        }
-    }
-
-    fn line(&self) -> Line {
-        let number = match self {
-            Event::Stage(_) => 0,
-            Event::Middle { .. } => 1,
-            Event::Illumination(event) => return event.line(),
-            Event::ScanLine(event) => match (event.part(), event) {
-                (Part::EdgeTable, _) => 3,
-                (Part::ScanLine, _) => 4,
-                (Part::Edge, scan_line::Event::Edge { .. }) => 5,
-                (Part::Edge, _) => 6,
-                (Part::Span, _) => 7,
-                (Part::Pixel, _) => 8,
-                (Part::Depth, _) => 9,
-                (Part::Interpolation | Part::Color, _) => 10,
-            },
-        };
-        Line {
-            listing: &PSEUDOCODE,
-            number,
-        }
-    }
-
-    fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::Stage(event) => event.fields(fields),
-            Event::Middle { position } => {
-                fields.push("P_m", position);
-            }
-            Event::Illumination(event) => event.fields(fields),
-            Event::ScanLine(event) => event.fields(fields),
-        }
-    }
-}

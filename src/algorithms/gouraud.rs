@@ -8,12 +8,13 @@
 
 use super::focus::Focus;
 use super::frame::Frame;
-use super::illumination::{self, SurfacePoint, illuminate};
-use super::scan_line::{self, Carried, Corner, Names, Part, ScanLine};
+use super::illumination::{SurfacePoint, illuminate};
+use super::scan_line::{Carried, Corner, Names, ScanLine};
+use super::shading::{self, Lines, OnceAVertex, Shading};
 use super::stage::{self, Stage};
-use super::vertex_normal::{self, vertex_normal};
+use super::vertex_normal::vertex_normal;
 use crate::color::Rgb;
-use crate::record::{self, Fields, Line, Listing, Recorder};
+use crate::record::{Fields, Listing, Recorder};
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "Gouraud",
@@ -45,22 +46,15 @@ pub fn gouraud<R: Recorder<Event>>(
     let lighting = stage.lighting();
     let mut scan_line = ScanLine::default();
     let mut corners = Vec::new();
-    let mut lit: Vec<Option<Rgb>> = Vec::new();
-    let mut object = None;
+    let mut lit = OnceAVertex::default();
 
     recorder.enter(|| stage.entered().into());
     for polygon in stage.polygons(focus, &region) {
         recorder.enter(|| polygon.entered().into());
-        if object != Some(polygon.object) {
-            object = Some(polygon.object);
-            lit.clear();
-            lit.resize(polygon.mesh.vertex_count(), None);
-        }
-
         // Intensity at each vertex, once for all the polygons that share it
         corners.clear();
         for (vertex, place) in polygon.corners() {
-            let value = *lit[vertex as usize].get_or_insert_with(|| {
+            let value = lit.at(&polygon, vertex, || {
                 let position = polygon.mesh.position(vertex);
                 recorder.enter(|| Event::Vertex { vertex, position });
                 let normal = vertex_normal(polygon.mesh, vertex, recorder);
@@ -115,98 +109,19 @@ impl Carried for Rgb {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Event {
-    Stage(stage::Event),
-    /// Opens a vertex of the object's mesh, at `position` in the world.
-    Vertex {
-        vertex: u32,
-        position: glam::DVec3,
-    },
-    Normal(vertex_normal::Event),
-    Illumination(illumination::Event),
-    /// Closes `Vertex`.
-    VertexLit {
-        vertex: u32,
-        intensity: Rgb,
-    },
-    ScanLine(scan_line::Event<Rgb>),
+pub enum Gouraud {}
+
+impl Shading for Gouraud {
+    type Told = Rgb;
+    const LINES: Lines = Lines {
+        listing: &PSEUDOCODE,
+        vertex_normal: 2,
+        vertex_done: 3,
+        edge_table: 4,
+        pixel_normal: 11,
+    };
 }
+
+pub type Event = shading::Event<Gouraud>;
 
 const _: () = assert!(size_of::<Event>() <= 64);
-
-impl From<stage::Event> for Event {
-    fn from(event: stage::Event) -> Self {
-        Event::Stage(event)
-    }
-}
-
-impl From<vertex_normal::Event> for Event {
-    fn from(event: vertex_normal::Event) -> Self {
-        Event::Normal(event)
-    }
-}
-
-impl From<illumination::Event> for Event {
-    fn from(event: illumination::Event) -> Self {
-        Event::Illumination(event)
-    }
-}
-
-impl From<scan_line::Event<Rgb>> for Event {
-    fn from(event: scan_line::Event<Rgb>) -> Self {
-        Event::ScanLine(event)
-    }
-}
-
-impl record::Event for Event {
-    fn kind(&self) -> &'static str {
-        match self {
-            Event::Stage(event) => event.kind(),
-            Event::Vertex { .. } => "Vertex",
-            Event::Normal(event) => event.kind(),
-            Event::Illumination(event) => event.kind(),
-            Event::VertexLit { .. } => "VertexLit",
-            Event::ScanLine(event) => event.kind(),
-        }
-    }
-
-    fn line(&self) -> Line {
-        let number = match self {
-            Event::Stage(_) => 0,
-            Event::Vertex { .. } => 1,
-            Event::Normal(_) => 2,
-            Event::Illumination(event) => return event.line(),
-            Event::VertexLit { .. } => 3,
-            Event::ScanLine(event) => match (event.part(), event) {
-                (Part::EdgeTable, _) => 4,
-                (Part::ScanLine, _) => 5,
-                (Part::Edge, scan_line::Event::Edge { .. }) => 6,
-                (Part::Edge, _) => 7,
-                (Part::Span, _) => 8,
-                (Part::Pixel, _) => 9,
-                (Part::Depth, _) => 10,
-                (Part::Interpolation, _) => 11,
-                (Part::Color, _) => 12,
-            },
-        };
-        Line {
-            listing: &PSEUDOCODE,
-            number,
-        }
-    }
-
-    fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::Stage(event) => event.fields(fields),
-            Event::Vertex { vertex, position } => {
-                fields.push("vertex", vertex).push("P_v", position);
-            }
-            Event::Normal(event) => event.fields(fields),
-            Event::Illumination(event) => event.fields(fields),
-            Event::VertexLit { vertex, intensity } => {
-                fields.push("vertex", vertex).push("I_v", intensity);
-            }
-            Event::ScanLine(event) => event.fields(fields),
-        }
-    }
-}

@@ -8,6 +8,8 @@
 //! | [`wireframe`] | the edges alone | DDA, Foley et al. 1990 §3.2.1 |
 //! | [`flat`] | one intensity a polygon | Bouknight 1970 |
 //! | [`gouraud`] | intensity interpolated from the vertices | Gouraud 1971 |
+//! | [`phong`] | normal interpolated from the vertices, lit at every pixel | Phong 1975 |
+//! | [`shading`] | what flat, Gouraud and Phong have in common | |
 //! | [`primary`], [`visible`], [`surface`] | a ray a pixel, the nearest object that it meets, the point that is lit | Appel 1968 |
 //! | [`ray_casting`] | the visible surface, lit | Appel 1968, Roth 1982 |
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays that tells them | Whitted 1980 |
@@ -24,6 +26,7 @@ pub mod frame;
 pub mod gouraud;
 pub mod illumination;
 pub mod patch_view;
+pub mod phong;
 pub mod primary;
 pub mod radiosity;
 pub mod ray_casting;
@@ -31,6 +34,7 @@ pub mod ray_tracing;
 pub mod ray_tree;
 pub mod room;
 pub mod scan_line;
+pub mod shading;
 pub mod stage;
 pub mod surface;
 pub mod vertex_normal;

@@ -6,7 +6,7 @@ use crate::scene::Mesh;
 use glam::DVec3;
 
 /// Below this length the face normals cancel out and their sum points nowhere: a rounding error of the sum itself.
-const VANISHED: f64 = 1e-12;
+pub(super) const VANISHED: f64 = 1e-12;
 
 /// The unit normal at a vertex, in world coordinates. Faces without area do not count. Where the sum vanishes
 /// (two faces back to back, say) the normal of the first face is taken.

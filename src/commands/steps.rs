@@ -209,16 +209,12 @@ fn record_scene(
         Focus::FormFactor { .. } => "--form-factor",
     };
     if !method.tells_of(focus) {
-        let does = match method {
-            Method::Wireframe | Method::Flat | Method::Gouraud => {
-                "goes polygon by polygon; choose --pixel, --scan-line or --polygon"
-            }
-            Method::RayCasting | Method::RayTracing => {
-                "goes pixel by pixel; choose --pixel or --scan-line"
-            }
-            Method::Radiosity => {
-                "goes patch by patch; choose --iterations, --patch or --form-factor"
-            }
+        let does = if method.converts_polygons() {
+            "goes polygon by polygon; choose --pixel, --scan-line or --polygon"
+        } else if method.follows_rays() {
+            "goes pixel by pixel; choose --pixel or --scan-line"
+        } else {
+            "goes patch by patch; choose --iterations, --patch or --form-factor"
         };
         return Err(Failure::Wrong(format!(
             "{option}: {} {does}",

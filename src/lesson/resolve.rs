@@ -191,14 +191,12 @@ impl Lesson {
             FocusFile::FormFactor([i, j]) => Focus::FormFactor { i, j },
         };
         if let Some(method) = method.filter(|method| !method.tells_of(focus)) {
-            let allowed = match method {
-                Method::Wireframe | Method::Flat | Method::Gouraud => {
-                    "allowed are `frame`, `polygon`, `scan_line` and `pixel`"
-                }
-                Method::RayCasting | Method::RayTracing => {
-                    "ray methods go pixel by pixel: allowed are `pixel`, `scan_line` and `frame`"
-                }
-                Method::Radiosity => "allowed are `frame`, `iterations`, `patch` and `form_factor`",
+            let allowed = if method.converts_polygons() {
+                "allowed are `frame`, `polygon`, `scan_line` and `pixel`"
+            } else if method.follows_rays() {
+                "ray methods go pixel by pixel: allowed are `pixel`, `scan_line` and `frame`"
+            } else {
+                "allowed are `frame`, `iterations`, `patch` and `form_factor`"
             };
             let message = format!(
                 "found a focus that {} does not have; {allowed}",

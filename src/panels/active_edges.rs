@@ -39,6 +39,7 @@ const MORE: Words = Words::new("more", "lagi");
 pub fn draw(show: &Show, size: Vec2) -> Picture {
     let mut picture = match show.run {
         Run::Gouraud(replay) => table(show, replay.state(), size),
+        Run::Phong(replay) => table(show, replay.state(), size),
         Run::Flat(replay) => table(show, replay.state(), size),
         Run::Wireframe(_) => message(NO_TABLE, show.language, size),
         Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
@@ -173,9 +174,10 @@ fn row<A: Carried>(edge: &EdgeInHand<A>, y: Option<u32>, in_hand: bool, language
     }
 }
 
-/// A grey as one number, another colour as three.
+/// A grey as one number, another colour and a vector as three.
 fn numbers(value: Value, digits: usize) -> String {
     match value {
+        Value::Vector(vector) => vector.to_array().map(|v| fixed(v, digits)).join(" "),
         Value::Rgb(color) if !color.is_grey() => color
             .channels()
             .map(|channel| fixed(channel, digits))

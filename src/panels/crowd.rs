@@ -125,7 +125,7 @@ fn lamp(color: Rgb) -> Light {
 }
 
 /// Every kind of event: colours and greys, both highlights, a light in front and one behind, hidden pixels, an edge on no
-/// row, normals that cancel out, and an edge outside the frame. 28×21, the whole frame.
+/// row, normals that cancel out at a vertex and half-way between two, and an edge outside the frame. 28×21, the whole frame.
 pub fn crowd(method: Method) -> Sample {
     let roof = [
         [-1.2, -1.0, 0.0],
@@ -136,6 +136,16 @@ pub fn crowd(method: Method) -> Sample {
     let wall = [[-1.6, -1.3, -1.0], [1.9, -1.3, -1.0], [1.5, 1.2, -1.0]];
     let leaf = [[-1.6, 0.5, 0.0], [-1.0, 0.6, 0.0], [-1.3, 1.4, 0.1]];
     let far = [[1.8, 0.9, 0.0], [6.0, 1.0, 0.0], [6.0, 3.0, 0.0]];
+    // Three faces that look back turn the normals of its lower corners round.
+    let twist = [
+        [1.3, 0.3, 0.0],
+        [1.3, -0.3, 0.0],
+        [1.7, -0.3, 0.0],
+        [1.7, 0.3, 0.0],
+        [1.5, -0.4, 0.0],
+        [1.5, -0.5, 0.0],
+        [1.5, -0.6, 0.0],
+    ];
     let scene = scene(
         vec![
             material("red", Rgb::new(0.7, 0.2, 0.1), Highlight::Phong),
@@ -146,6 +156,14 @@ pub fn crowd(method: Method) -> Sample {
             object("wall", 1, mesh(&wall, &[[0, 1, 2]])),
             object("leaf", 1, mesh(&leaf, &[[0, 1, 2], [0, 2, 1]])),
             object("far", 0, mesh(&far, &[[0, 1, 2]])),
+            object(
+                "twist",
+                1,
+                mesh(
+                    &twist,
+                    &[[0, 1, 2], [0, 2, 3], [1, 2, 4], [1, 2, 5], [1, 2, 6]],
+                ),
+            ),
         ],
         vec![
             lamp(Rgb::new(1.0, 0.9, 0.8)),

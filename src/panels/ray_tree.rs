@@ -35,7 +35,7 @@ const HEAD: f32 = 18.0;
 const SIGN: f32 = 6.0;
 
 pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let state = match state(show) {
+    let state = match show.run.rays() {
         Some(state) => state,
         None => return message(NO_RAYS, show.language, size),
     };
@@ -76,7 +76,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
 
 /// Where the middle of the tree's area lies, as shares of the tree's box; none where no tree is drawn.
 pub fn middle(show: &Show, size: Vec2) -> Option<Vec2> {
-    let state = state(show)?;
+    let state = show.run.rays()?;
     state.ray()?;
     let arrangement = arrange(&Rays::new(state), show.tree, Places::new(size).tree);
     Some(arrangement.middle)
@@ -85,18 +85,6 @@ pub fn middle(show: &Show, size: Vec2) -> Option<Vec2> {
 /// The part of a panel that the tree is drawn in.
 pub fn area(size: Vec2) -> Rect {
     Places::new(size).tree
-}
-
-fn state<'a>(show: &Show<'a>) -> Option<&'a State> {
-    match show.run {
-        Run::RayCasting(replay) => Some(replay.state()),
-        Run::RayTracing(replay) => Some(replay.state()),
-        Run::Wireframe(_)
-        | Run::Flat(_)
-        | Run::Gouraud(_)
-        | Run::Radiosity(..)
-        | Run::FormFactor(..) => None,
-    }
 }
 
 /// What is drawn where.

@@ -20,7 +20,6 @@ use super::words::{Language, Words};
 use crate::algorithms::visible::Met;
 use crate::picture::{Picture, Rect};
 use crate::record::Value;
-use crate::replay::Run;
 use crate::replay::rays::State;
 use glam::Vec2;
 use view::View;
@@ -39,7 +38,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     if show.run.walk().is_empty() {
         return message(NO_STEPS, show.language, size);
     }
-    let Some(state) = state(show) else {
+    let Some(state) = show.run.rays() else {
         return message(NO_RAYS, show.language, size);
     };
     let mut picture = Picture::new(size.x, size.y);
@@ -54,18 +53,6 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     }
     picture.alt = format!("{} {}", told_in_words(show), in_words(state, show.language));
     picture
-}
-
-fn state<'a>(show: &Show<'a>) -> Option<&'a State> {
-    match show.run {
-        Run::RayCasting(replay) => Some(replay.state()),
-        Run::RayTracing(replay) => Some(replay.state()),
-        Run::Wireframe(_)
-        | Run::Flat(_)
-        | Run::Gouraud(_)
-        | Run::Radiosity(..)
-        | Run::FormFactor(..) => None,
-    }
 }
 
 /// Side view and view from above beside or below each other; the side view alone where there is no room for both.

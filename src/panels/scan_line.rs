@@ -8,7 +8,7 @@ mod polygon;
 
 use super::Show;
 use super::message::{NO_POLYGONS, message};
-use super::values::told_in_words;
+use super::values::{told_in_words, value_of};
 use super::words::Words;
 use crate::algorithms::scan_line::Carried;
 use crate::picture::{Picture, Rect};
@@ -32,6 +32,7 @@ const NO_LINE: Words = Words::new(
 pub fn draw(show: &Show, size: Vec2) -> Picture {
     match show.run {
         Run::Gouraud(replay) => of_state(show, replay.state(), size),
+        Run::Phong(replay) => of_state(show, replay.state(), size),
         Run::Flat(replay) => of_state(show, replay.state(), size),
         Run::Wireframe(replay) => match replay.state().line {
             Some(ends) => {
@@ -54,10 +55,9 @@ fn of_state<A: Carried>(show: &Show, state: &State<A>, size: Vec2) -> Picture {
     }
     let mut picture = Picture::new(size.x, size.y);
     // The bars keep their place whether they are filled or not, so that the polygon stands still.
-    let bars = if A::NAMES.is_some() {
-        bars::height(size)
-    } else {
-        0.0
+    let bars = match value_of(A::default()) {
+        Some(value) => bars::height(value, size),
+        None => 0.0,
     };
     let area = Rect::new(0.0, 0.0, size.x, size.y - bars);
     polygon::draw(&mut picture, state, area);
@@ -113,6 +113,8 @@ mod tests {
             (Sample::triangle(Method::Flat), 3),
             (Sample::triangle(Method::Wireframe), 1),
             (crowd(Method::Gouraud), 37),
+            (Sample::triangle(Method::Phong), 3),
+            (crowd(Method::Phong), 97),
         ];
         for (sample, stride) in &mut samples {
             for step in (0..sample.run.walk().len()).step_by(*stride) {

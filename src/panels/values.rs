@@ -41,6 +41,7 @@ pub(super) fn difference(value: Value) -> String {
         Value::Number(number) => small(number),
         Value::Rgb(color) if color.is_grey() => small(color.r),
         Value::Rgb(color) => color.channels().map(small).join(" "),
+        Value::Vector(vector) => vector.to_array().map(small).join(" "),
         value => short(value, 6),
     }
 }

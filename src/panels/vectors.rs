@@ -13,7 +13,6 @@ use super::values::told_in_words;
 use super::words::Words;
 use crate::algorithms::visible::Met;
 use crate::picture::{Picture, Rect};
-use crate::replay::Run;
 use crate::replay::rays::State;
 use crate::scene::Scene;
 use angles::Angles;
@@ -33,16 +32,8 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     if show.run.walk().is_empty() {
         return message(NO_STEPS, show.language, size);
     }
-    let state = match show.run {
-        Run::RayCasting(replay) => replay.state(),
-        Run::RayTracing(replay) => replay.state(),
-        Run::Wireframe(_)
-        | Run::Flat(_)
-        | Run::Gouraud(_)
-        | Run::Radiosity(..)
-        | Run::FormFactor(..) => {
-            return message(NO_RAYS, show.language, size);
-        }
+    let Some(state) = show.run.rays() else {
+        return message(NO_RAYS, show.language, size);
     };
     let Some(surface) = SurfaceInSight::of(state) else {
         let words = if over(state) { NO_SURFACE } else { NOT_YET };

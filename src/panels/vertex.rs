@@ -28,6 +28,7 @@ const WIREFRAME: Words = Words::new(
 pub fn draw(show: &Show, size: Vec2) -> Picture {
     let mut picture = match show.run {
         Run::Gouraud(replay) => of_state(show, replay.state(), size),
+        Run::Phong(replay) => of_state(show, replay.state(), size),
         Run::Flat(replay) => of_state(show, replay.state(), size),
         Run::Wireframe(_) => message(WIREFRAME, show.language, size),
         Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {

@@ -12,6 +12,7 @@ use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud::gouraud;
 use crate::algorithms::patch_view::PatchView;
+use crate::algorithms::phong::phong;
 use crate::algorithms::ray_casting::RayCaster;
 use crate::algorithms::ray_tracing::RayTracer;
 use crate::algorithms::stage::Stage;
@@ -34,16 +35,18 @@ pub enum Method {
     Wireframe,
     Flat,
     Gouraud,
+    Phong,
     RayCasting,
     RayTracing,
     Radiosity,
 }
 
 impl Method {
-    pub const ALL: [Method; 6] = [
+    pub const ALL: [Method; 7] = [
         Method::Wireframe,
         Method::Flat,
         Method::Gouraud,
+        Method::Phong,
         Method::RayCasting,
         Method::RayTracing,
         Method::Radiosity,
@@ -55,6 +58,7 @@ impl Method {
             Method::Wireframe => "wireframe",
             Method::Flat => "flat",
             Method::Gouraud => "gouraud",
+            Method::Phong => "phong",
             Method::RayCasting => "ray-casting",
             Method::RayTracing => "ray-tracing",
             Method::Radiosity => "radiosity",
@@ -63,17 +67,19 @@ impl Method {
 
     /// Whether it follows rays instead of converting polygons.
     pub fn follows_rays(self) -> bool {
-        match self {
-            Method::Wireframe | Method::Flat | Method::Gouraud | Method::Radiosity => false,
-            Method::RayCasting | Method::RayTracing => true,
-        }
+        matches!(self, Method::RayCasting | Method::RayTracing)
+    }
+
+    /// Whether it converts polygons, scan line by scan line.
+    pub fn converts_polygons(self) -> bool {
+        !self.follows_rays() && self != Method::Radiosity
     }
 
     /// Whether a run of it can be told of that part.
     pub fn tells_of(self, focus: Focus) -> bool {
         match focus {
             Focus::Frame => true,
-            Focus::Polygon(_) => !self.follows_rays() && self != Method::Radiosity,
+            Focus::Polygon(_) => self.converts_polygons(),
             Focus::ScanLine(_) | Focus::Pixel { .. } => self != Method::Radiosity,
             Focus::Iterations { .. } | Focus::Patch(_) | Focus::FormFactor { .. } => {
                 self == Method::Radiosity
@@ -84,9 +90,9 @@ impl Method {
     /// Whether it does that part of following rays, where the scene needs it.
     pub fn does(self, part: Part) -> bool {
         match self {
-            Method::Wireframe | Method::Flat | Method::Gouraud | Method::Radiosity => false,
             Method::RayCasting => part.concerns_primary_rays(),
             Method::RayTracing => true,
+            _ => false,
         }
     }
 
@@ -172,6 +178,7 @@ fn draw<E: Send>(
         Method::Gouraud => {
             painter.bands(|band| gouraud(stage, Focus::Frame, band, &mut Unrecorded))
         }
+        Method::Phong => painter.bands(|band| phong(stage, Focus::Frame, band, &mut Unrecorded)),
         Method::RayCasting => {
             let caster = RayCaster::new(stage, needs, Hierarchy);
             match totals {

@@ -6,6 +6,7 @@ use crate::algorithms::focus::Focus;
 use crate::algorithms::form_factor::{FormFactors, Method as Integration};
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud;
+use crate::algorithms::phong;
 use crate::algorithms::radiosity::Watch;
 use crate::algorithms::ray_casting::{self, RayCaster};
 use crate::algorithms::ray_tracing::{self, RayTracer};
@@ -14,6 +15,7 @@ use crate::algorithms::visible::InTurn;
 use crate::color::Rgb;
 use crate::record::{Recorder, Recording, RecordingLimit, Unrecorded};
 use crate::render::{Method, matrix};
+use glam::DVec3;
 use std::convert::Infallible;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -24,6 +26,7 @@ pub enum Run {
     Wireframe(Box<Replay<crate::algorithms::wireframe::Event, wireframe::State>>),
     Flat(Box<Replay<flat::Event, shading::State<Nothing>>>),
     Gouraud(Box<Replay<gouraud::Event, shading::State<Rgb>>>),
+    Phong(Box<Replay<phong::Event, shading::State<DVec3>>>),
     RayCasting(Box<Replay<ray_casting::Event, rays::State>>),
     RayTracing(Box<Replay<ray_tracing::Event, rays::State>>),
     Radiosity(
@@ -67,6 +70,14 @@ impl Run {
                     gouraud::gouraud(&stage, focus, frame, recording);
                 },
             )),
+            Method::Phong => Run::Phong(replay(
+                Recording::new(limit),
+                &stage,
+                shading::State::new,
+                |frame, recording| {
+                    phong::phong(&stage, focus, frame, recording);
+                },
+            )),
             Method::RayCasting => Run::RayCasting(replay(
                 Recording::new(limit),
                 &stage,
@@ -98,11 +109,21 @@ impl Run {
         }
     }
 
+    /// The rays in hand, where the run follows rays.
+    pub fn rays(&self) -> Option<&rays::State> {
+        match self {
+            Run::RayCasting(replay) => Some(replay.state()),
+            Run::RayTracing(replay) => Some(replay.state()),
+            _ => None,
+        }
+    }
+
     pub fn walk(&self) -> &dyn Walk {
         match self {
             Run::Wireframe(replay) => &**replay,
             Run::Flat(replay) => &**replay,
             Run::Gouraud(replay) => &**replay,
+            Run::Phong(replay) => &**replay,
             Run::RayCasting(replay) => &**replay,
             Run::RayTracing(replay) => &**replay,
             Run::Radiosity(_, replay) => &**replay,
@@ -115,6 +136,7 @@ impl Run {
             Run::Wireframe(replay) => &mut **replay,
             Run::Flat(replay) => &mut **replay,
             Run::Gouraud(replay) => &mut **replay,
+            Run::Phong(replay) => &mut **replay,
             Run::RayCasting(replay) => &mut **replay,
             Run::RayTracing(replay) => &mut **replay,
             Run::Radiosity(_, replay) => &mut **replay,

@@ -8,8 +8,9 @@ pub use super::in_hand::{
     RowInHand, SpanInHand, VertexInHand,
 };
 use crate::algorithms::scan_line::Carried;
+use crate::algorithms::shading::{Event, Shading};
 use crate::algorithms::stage::{self, Stage};
-use crate::algorithms::{flat, gouraud, scan_line, vertex_normal};
+use crate::algorithms::{scan_line, vertex_normal};
 use crate::color::Rgb;
 use glam::DVec3;
 use std::sync::Arc;
@@ -252,6 +253,7 @@ impl<A: Carried> State<A> {
                     x_p,
                     depth: None,
                     values: None,
+                    normal: None,
                     step,
                 })
             }
@@ -291,15 +293,16 @@ impl<A: Carried> State<A> {
     }
 }
 
-impl Fold<gouraud::Event> for State<Rgb> {
-    fn apply(&mut self, step: usize, event: &gouraud::Event) {
-        match event {
-            gouraud::Event::Stage(event) => self.walk_stage(step, event),
-            gouraud::Event::Vertex { vertex, position } => {
+impl<M: Shading> Fold<Event<M>> for State<M::Told> {
+    fn apply(&mut self, step: usize, event: &Event<M>) {
+        match *event {
+            Event::Stage(ref event) => self.walk_stage(step, event),
+            Event::Middle { .. } | Event::VertexReady { .. } => {}
+            Event::Vertex { vertex, position } => {
                 self.point = None;
                 self.vertex = Some(VertexInHand {
-                    vertex: *vertex,
-                    position: *position,
+                    vertex,
+                    position,
                     faces: Vec::new(),
                     sum: DVec3::ZERO,
                     normal: None,
@@ -307,36 +310,23 @@ impl Fold<gouraud::Event> for State<Rgb> {
                     step,
                 });
             }
-            gouraud::Event::Normal(event) => self.find_normal(step, event),
-            gouraud::Event::Illumination(event) => PointInHand::light(&mut self.point, step, event),
-            gouraud::Event::VertexLit { vertex, intensity } => {
-                self.lit.push((*vertex, *intensity));
+            Event::Normal(ref event) => self.find_normal(step, event),
+            Event::Illumination(ref event) => PointInHand::light(&mut self.point, step, event),
+            Event::VertexLit { vertex, intensity } => {
+                self.lit.push((vertex, intensity));
                 if let Some(vertex) = &mut self.vertex {
-                    vertex.intensity = Some(*intensity);
+                    vertex.intensity = Some(intensity);
                 }
             }
-            gouraud::Event::ScanLine(event) => {
+            Event::ScanLine(ref event) => {
                 self.vertex = None;
                 self.point = None;
                 self.convert(step, event);
             }
-        }
-    }
-
-    fn bytes_beyond(&self, before: &Self) -> usize {
-        self.bytes() + self.canvas.bytes_beyond(&before.canvas)
-    }
-}
-
-impl Fold<flat::Event> for State<flat::Nothing> {
-    fn apply(&mut self, step: usize, event: &flat::Event) {
-        match event {
-            flat::Event::Stage(event) => self.walk_stage(step, event),
-            flat::Event::Middle { .. } => {}
-            flat::Event::Illumination(event) => PointInHand::light(&mut self.point, step, event),
-            flat::Event::ScanLine(event) => {
-                self.point = None;
-                self.convert(step, event);
+            Event::PixelNormal { normal, .. } | Event::PixelNormalLost { normal, .. } => {
+                if let Some(pixel) = &mut self.pixel {
+                    pixel.normal = Some(normal);
+                }
             }
         }
     }

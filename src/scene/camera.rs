@@ -63,6 +63,14 @@ impl View {
             0.5 * f64::from(self.height) - scale * point.y,
         )
     }
+
+    /// The point of the world at that depth that stands at a place of the screen.
+    pub fn from_screen(&self, screen: DVec2, depth: f64) -> DVec3 {
+        let scale = depth / self.focal;
+        let x = scale * (screen.x - 0.5 * f64::from(self.width));
+        let y = scale * (0.5 * f64::from(self.height) - screen.y);
+        self.eye + (x * self.right + y * self.up + depth * self.forward)
+    }
 }
 
 #[cfg(test)]
@@ -86,5 +94,21 @@ mod tests {
             view.to_screen(view.to_camera(DVec3::ZERO)),
             DVec2::new(32.0, 24.0)
         );
+    }
+
+    #[test]
+    fn a_point_is_found_again_from_its_place_on_the_screen_and_its_depth() {
+        let camera = Camera {
+            eye: DVec3::new(3.0, -1.0, 2.0),
+            target: DVec3::new(0.5, 0.2, -4.0),
+            up: DVec3::new(0.1, 1.0, 0.3),
+            fov_x: 0.9,
+        };
+        let view = View::new(&camera, 640, 480);
+        for point in [[0.0, 0.0, 0.0], [-3.0, 2.0, -9.0], [2.9, -1.2, 1.0]].map(DVec3::from) {
+            let seen = view.to_camera(point);
+            let found = view.from_screen(view.to_screen(seen), seen.z);
+            assert!(found.distance(point) < 1e-14 * point.distance(camera.eye).max(10.0));
+        }
     }
 }

@@ -19,12 +19,15 @@ pub struct Names {
     pub step: &'static str,
 }
 
-/// The part of scan conversion that an event belongs to: an algorithm's listing has a line for each.
+/// The part of scan conversion that an event belongs to. An algorithm's listing has a line for each, in this order; what
+/// stands between the last two is its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {
     EdgeTable,
     ScanLine,
     Edge,
+    /// The cut of the scan line with an edge, and what is carried there.
+    Cut,
     Span,
     Pixel,
     Depth,
@@ -163,10 +166,8 @@ impl<A: Carried> Event<A> {
             | Event::EdgeSkipped { .. }
             | Event::EdgeTableBuilt { .. } => Part::EdgeTable,
             Event::ScanLine { .. } | Event::ScanLineDone => Part::ScanLine,
-            Event::Edge { .. }
-            | Event::EdgeEnds { .. }
-            | Event::EdgeInterpolated { .. }
-            | Event::EdgeCut => Part::Edge,
+            Event::Edge { .. } => Part::Edge,
+            Event::EdgeEnds { .. } | Event::EdgeInterpolated { .. } | Event::EdgeCut => Part::Cut,
             Event::Span { .. } | Event::SpanEnds { .. } | Event::SpanDone => Part::Span,
             Event::Pixel { .. } => Part::Pixel,
             Event::DepthTested { .. } | Event::PixelHidden => Part::Depth,

@@ -20,7 +20,8 @@ use crate::numeric::{Linear, Ramp, interpolate};
 use crate::record::Recorder;
 use crate::scene::View;
 use edge::Edge;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
+use std::fmt::Debug;
 
 pub use event::{Event, Names, Part};
 
@@ -28,7 +29,7 @@ pub use event::{Event, Names, Part};
 mod tests;
 
 /// What the corners of a polygon carry, and how its values are called.
-pub trait Carried: Linear + Default + Send + Sync + 'static {
+pub trait Carried: Linear + Default + PartialEq + Debug + Send + Sync + 'static {
     /// Names of the interpolated values; `None` where nothing is carried and so nothing is told of it.
     const NAMES: Option<&'static Names>;
     /// Appends a value under a name.
@@ -58,6 +59,17 @@ pub struct Fragment<A> {
     pub y: u32,
     /// As interpolated by increments.
     pub value: A,
+    /// 1/depth, likewise.
+    pub inverse_depth: f64,
+}
+
+impl<A> Fragment<A> {
+    /// The point of the polygon that the pixel's centre shows, in the world. 1/depth is linear on the screen, so it lies on the
+    /// polygon however much the depth changes from corner to corner.
+    pub fn position(&self, view: &View) -> DVec3 {
+        let centre = DVec2::new(f64::from(self.x) + 0.5, f64::from(self.y) + 0.5);
+        view.from_screen(centre, 1.0 / self.inverse_depth)
+    }
 }
 
 /// Scan converter with the memory that it uses from polygon to polygon.
@@ -304,6 +316,7 @@ fn fill_span<A: Carried, E: From<Event<A>>, R: Recorder<E>>(
                             x,
                             y,
                             value: value.value,
+                            inverse_depth: inverse_depth.value,
                         },
                     );
                     frame.inverse_depth[index] = inverse_depth.value;

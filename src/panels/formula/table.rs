@@ -1,6 +1,7 @@
 //! What each kind of step says, and its formulas. An entry is taken by its kind and condition; the first that fits holds.
 
 mod form_factor;
+mod normals;
 mod radiosity;
 mod rays;
 
@@ -104,7 +105,13 @@ const ON_THE_SLIDE: Words = Words::new(
 );
 
 /// Those of one method go first: they say more where a step of the same kind occurs in others too.
-pub const TABLES: [&[Entry]; 4] = [radiosity::TABLE, form_factor::TABLE, rays::TABLE, TABLE];
+pub const TABLES: [&[Entry]; 5] = [
+    radiosity::TABLE,
+    form_factor::TABLE,
+    rays::TABLE,
+    normals::TABLE,
+    TABLE,
+];
 
 const TABLE: &[Entry] = &[
     // Stage
@@ -130,8 +137,8 @@ const TABLE: &[Entry] = &[
     // Normals
     entry(
         "Vertex",
-        "Vertex {vertex} has no intensity yet: first its normal, then the illumination model.",
-        "Titik sudut {vertex} belum punya intensitas: normalnya dulu, lalu model pencahayaan.",
+        "Vertex {vertex} comes up for the first time: its normal is the mean of the faces around it.",
+        "Titik sudut {vertex} muncul pertama kali: normalnya adalah rata-rata muka di sekelilingnya.",
         &[is("{P_v}")],
     ),
     entry(
@@ -293,7 +300,13 @@ const TABLE: &[Entry] = &[
         "CornerPlaced",
         "Corner {corner} on the screen, in pixels; z is its depth.",
         "Sudut {corner} di layar, dalam piksel; z kedalamannya.",
-        &[is("{x}"), is("{y}"), is("{z}"), if_told("I", "{I}")],
+        &[
+            is("{x}"),
+            is("{y}"),
+            is("{z}"),
+            if_told("I", "{I}"),
+            if_told("N", "{N}"),
+        ],
     ),
     entry(
         "EdgeEntered",
@@ -306,6 +319,10 @@ const TABLE: &[Entry] = &[
             if_told(
                 "dI_dy",
                 "{dI_dy} = [{I_2=I@corner:lower} − {I_1=I@corner:upper}; {y_2=y@corner:lower} − {y_1=y@corner:upper}]",
+            ),
+            if_told(
+                "dN_dy",
+                "{dN_dy} = [{N_2=N@corner:lower} − {N_1=N@corner:upper}; {y_2=y@corner:lower} − {y_1=y@corner:upper}]",
             ),
         ],
     ),

@@ -41,7 +41,7 @@ fn nothing_overlaps_or_is_cut_at_any_step_and_size() {
 }
 
 fn rays_of(sample: &Sample) -> &State {
-    state(&sample.show()).expect("the sample follows rays")
+    sample.run.rays().expect("the sample follows rays")
 }
 
 #[test]

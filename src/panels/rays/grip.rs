@@ -1,7 +1,7 @@
 //! Moving a light by the pointer.
 
 use super::view::View;
-use super::{state, views};
+use super::views;
 use crate::panels::Show;
 use crate::scene::Light;
 use glam::{DVec3, Vec2};
@@ -22,7 +22,7 @@ pub struct Grip {
 
 /// The point light at `at` in the rays panel of that size.
 pub fn grip(show: &Show, size: Vec2, at: Vec2) -> Option<Grip> {
-    let state = state(show)?;
+    let state = show.run.rays()?;
     let (view, _) = views(state, size)
         .into_iter()
         .find(|(view, _)| view.area.contains(at))?;

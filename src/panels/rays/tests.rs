@@ -49,7 +49,7 @@ fn a_ray_ends_where_it_meets_its_surface() {
     let mut sample = Sample::rays(Method::RayTracing, sample::BALL, 5);
     sample.go_to("SurfaceMet", 0);
     let show = sample.show();
-    let state = state(&show).expect("rays");
+    let state = show.run.rays().expect("rays");
     let ray = state.ray().expect("a ray");
     for (view, _) in views(state, LARGE) {
         let picture = draw(&show, LARGE);
@@ -64,7 +64,7 @@ fn views_stay_as_they_are_from_step_to_step() {
     let mut sample = Sample::rays(Method::RayTracing, sample::BALL, 5);
     let views_at = |sample: &Sample| -> Vec<View> {
         let show = sample.show();
-        let views = views(state(&show).expect("rays"), LARGE);
+        let views = views(show.run.rays().expect("rays"), LARGE);
         views.into_iter().map(|(view, _)| view).collect()
     };
     let first = views_at(&sample);
@@ -77,7 +77,7 @@ fn views_stay_as_they_are_from_step_to_step() {
 fn a_light_follows_the_pointer_in_the_plane_of_its_view() {
     let sample = Sample::rays(Method::RayTracing, sample::BALL, 5);
     let show = sample.show();
-    let state = state(&show).expect("rays");
+    let state = show.run.rays().expect("rays");
     for (view, _) in views(state, LARGE) {
         for (number, light) in state.stage.scene.lights.iter().enumerate() {
             let Light::Point { position, .. } = *light else {
@@ -123,7 +123,7 @@ fn of_many_rays_those_stand_out_from_which_the_ray_in_hand_comes() {
     let last = sample.walk().len() - 1;
     sample.seek(last);
     let show = sample.show();
-    let state = state(&show).expect("rays");
+    let state = show.run.rays().expect("rays");
     assert!(state.rays.len() > 24, "{} rays", state.rays.len());
     let way: Vec<usize> = state.way().collect();
     let picture = draw(&show, LARGE);

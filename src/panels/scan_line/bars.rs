@@ -1,14 +1,15 @@
 //! An interpolation as bars: how much weight each end has, the ramp from end to end, and the direct and the incremental value.
+//! The ramp of a colour is its shades, that of a normal a fan of arrows: how it turns, and how it grows shorter on the way.
 
 use super::super::values::{difference, short, value_of};
 use super::super::words::{Language, Words};
 use crate::algorithms::scan_line::Carried;
 use crate::color::Rgb;
 use crate::numeric::interpolate;
-use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, Text, measure};
+use crate::picture::{Image, Ink, Picture, Rect, Stroke, Style, Tag, Text, measure};
 use crate::record::Value;
 use crate::replay::shading::State;
-use glam::Vec2;
+use glam::{DVec3, Vec2};
 
 const WEIGHTS: Words = Words::new("weights", "bobot");
 const RAMP: Words = Words::new("ramp", "gradasi");
@@ -24,13 +25,27 @@ const WIDE: f32 = 420.0;
 /// Colours along the ramp.
 const SHADES: u32 = 64;
 
-/// The height that the bars take of a panel of that size: none where the panel is too low.
-pub(super) fn height(size: Vec2) -> f32 {
+/// By how much the fan of a normal is higher than the shades of a colour.
+const FAN: f32 = 20.0;
+/// Between two arrows of a fan.
+const ARROWS: f32 = 26.0;
+
+/// The height that the bars of such a value take of a panel of that size: none where the panel is too low.
+pub(super) fn height(of: Value, size: Vec2) -> f32 {
     let lines = if size.x >= WIDE { 2.0 } else { 3.0 };
+    let ramp = BAR + extra(of);
     match size.y {
-        y if y >= 300.0 => 2.0 * BAR + lines * LINE + 6.0,
-        y if y >= 230.0 => 2.0 * BAR + 4.0,
+        y if y >= 300.0 => BAR + ramp + lines * LINE + 6.0,
+        y if y >= 230.0 => BAR + ramp + 4.0,
         y if y >= 170.0 => BAR + 4.0,
+        _ => 0.0,
+    }
+}
+
+/// What the ramp of such a value needs beyond the height of a bar.
+fn extra(of: Value) -> f32 {
+    match of {
+        Value::Vector(_) => FAN,
         _ => 0.0,
     }
 }
@@ -88,29 +103,30 @@ impl Interpolation {
         let titles = [WEIGHTS, RAMP].map(|words| words.in_language(language));
         // Titles only where the bars stay long.
         let left = if area.width >= 380.0 { 72.0 } else { 4.0 };
-        let bar = |row: f32| {
-            Rect::new(
-                area.x + left,
-                area.y + row * BAR + 2.0,
-                area.width - left - 4.0,
-                BAR - 6.0,
-            )
+        let ramp = BAR + extra(self.ends[0].1);
+        let bar = |top: f32, height: f32| {
+            let width = area.width - left - 4.0;
+            Rect::new(area.x + left, area.y + top + 2.0, width, height - 6.0)
+        };
+        let bars = [bar(0.0, BAR), bar(BAR, ramp)];
+        let rows = if area.height >= BAR + ramp - 4.0 {
+            2
+        } else {
+            1
         };
         if left > 4.0 {
-            let rows = if area.height >= 2.0 * BAR { 2 } else { 1 };
-            for (row, words) in titles.into_iter().enumerate().take(rows) {
-                let bar = bar(row as f32);
+            for (bar, words) in bars.into_iter().zip(titles).take(rows) {
                 let place = Rect::new(area.x + 4.0, bar.y, left, bar.height);
                 picture.text_in(place, words, title);
             }
         }
-        self.draw_weights(picture, bar(0.0));
-        if area.height >= 2.0 * BAR - 4.0 {
-            self.draw_ramp(picture, bar(1.0));
+        self.draw_weights(picture, bars[0]);
+        if rows == 2 {
+            self.draw_ramp(picture, bars[1]);
         }
-        let rest = area.height - 2.0 * BAR;
+        let rest = area.height - BAR - ramp;
         if rest >= LINE {
-            let rest = Rect::new(area.x + 4.0, area.y + 2.0 * BAR, area.width - 8.0, rest);
+            let rest = Rect::new(area.x + 4.0, area.y + BAR + ramp, area.width - 8.0, rest);
             self.draw_values(picture, rest, language);
         }
     }
@@ -155,14 +171,23 @@ impl Interpolation {
                 picture.text((x, y), name, set);
             });
         }
-        if let (Value::Rgb(one), Value::Rgb(two)) = (one, two) {
-            picture.image(strip, shades(one, two));
+        let at = self.weights[1].clamp(0.0, 1.0);
+        let x = strip.x + at as f32 * strip.width;
+        match (one, two) {
+            (Value::Vector(one), Value::Vector(two)) => {
+                picture.rect(strip, Ink::Rule.stroke(1.0));
+                fan(picture, strip, [one, two], at);
+            }
+            _ => {
+                if let (Value::Rgb(one), Value::Rgb(two)) = (one, two) {
+                    picture.image(strip, shades(one, two));
+                }
+                picture.rect(strip, Ink::Rule.stroke(1.0));
+                let mark = Rect::new(x - 3.0, strip.y - 2.0, 6.0, strip.height + 4.0);
+                picture.rect(mark.grown(1.0), Ink::Surface.stroke(1.0));
+                picture.rect(mark, Ink::This.stroke(2.0));
+            }
         }
-        picture.rect(strip, Ink::Rule.stroke(1.0));
-        let x = strip.x + self.weights[1].clamp(0.0, 1.0) as f32 * strip.width;
-        let mark = Rect::new(x - 3.0, strip.y - 2.0, 6.0, strip.height + 4.0);
-        picture.rect(mark.grown(1.0), Ink::Surface.stroke(1.0));
-        picture.rect(mark, Ink::This.stroke(2.0));
     }
 
     /// Direct value, incremental value, and what lies between them: side by side where there is room.
@@ -172,6 +197,7 @@ impl Interpolation {
         };
         let digits = |value| match value {
             Value::Rgb(color) if !color.is_grey() => 3,
+            Value::Vector(_) => 3,
             _ => 6,
         };
         let columns = [
@@ -219,6 +245,7 @@ fn exact(value: Value, digits: usize) -> String {
     match value {
         Value::Rgb(color) if color.is_grey() => one(color.r),
         Value::Rgb(color) => color.channels().map(one).join(" "),
+        Value::Vector(vector) => vector.to_array().map(one).join(" "),
         value => short(value, digits),
     }
 }
@@ -238,6 +265,34 @@ fn weights(one: f64, two: f64, at: f64) -> [f64; 2] {
         interpolate(1.0, one, 0.0, two, at),
         interpolate(0.0, one, 1.0, two, at),
     ]
+}
+
+/// The normals from one end to the other, in the plane of both with their mean direction upward; the one at `at` stands out.
+/// A dotted line shows how high a unit vector reaches.
+fn fan(picture: &mut Picture, strip: Rect, [one, two]: [DVec3; 2], at: f64) {
+    let up = (one + two).try_normalize();
+    let up = up.unwrap_or_else(|| one.any_orthonormal_vector());
+    let across = (two - one).reject_from_normalized(up).normalize_or_zero();
+    let unit = strip.height - 6.0;
+    let foot = strip.bottom() - 3.0;
+    let top = foot - unit;
+    let reach = Ink::Rule.stroke(1.0).dotted();
+    picture.line((strip.x, top), (strip.right(), top), reach);
+    let aside = (0.5 * unit).min(0.25 * strip.width);
+    let feet = Rect::new(strip.x + aside, strip.y, strip.width - 2.0 * aside, unit);
+    let mut arrow = |at: f64, stroke: Stroke| {
+        let normal = interpolate(one, 0.0, two, 1.0, at);
+        let along = Vec2::new(normal.dot(across) as f32, -normal.dot(up) as f32);
+        let from = Vec2::new(feet.x + at as f32 * feet.width, foot);
+        picture.clipped(strip, |picture| {
+            picture.arrow(from, from + unit * along, stroke);
+        });
+    };
+    let count = (feet.width / ARROWS).floor().max(1.0);
+    for i in 0..=count as u32 {
+        arrow(f64::from(i) / f64::from(count), Ink::Muted.stroke(1.0));
+    }
+    arrow(at, Ink::This.stroke(2.5));
 }
 
 /// Colours from one to another, left to right.

@@ -5,7 +5,7 @@ use super::super::labels::Labels;
 use super::super::values::{on_swatch, short, swatch, value_of};
 use super::corners::{Corner, corners};
 use crate::algorithms::scan_line::Carried;
-use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, Text};
 use crate::record::Value;
 use crate::replay::shading::{EdgeInHand, RowInHand, State};
 use glam::{DVec2, Vec2};
@@ -13,6 +13,8 @@ use glam::{DVec2, Vec2};
 /// Radius of a corner, with its number in it, and of a point on the scan line.
 const CORNER: f32 = 8.5;
 const POINT: f32 = 6.0;
+/// Length of a unit normal that lies in the screen.
+const NORMAL: f32 = 36.0;
 /// Points a pixel from which on the centres of the pixels are shown.
 const CENTRES: f64 = 6.0;
 
@@ -182,6 +184,14 @@ impl<A: Carried> Drawing<'_, A> {
             } else {
                 Ink::Text.stroke(1.5)
             };
+            draw_normal(
+                picture,
+                &mut self.labels,
+                self.state,
+                (place, CORNER),
+                corner.value,
+                ring,
+            );
             picture.tagged(corner.tag, |picture| {
                 picture.circle(place, CORNER, swatch(corner.value).fill().outlined(ring));
                 let set = Style::Bold.size(11.0).ink(on_swatch(corner.value)).middle();
@@ -236,8 +246,16 @@ impl<A: Carried> Drawing<'_, A> {
         for (x, _, _, value, calm) in points.iter().rev() {
             let place = self.fit.place(DVec2::new(*x, row.y_4));
             let ring = if *calm { Ink::Text } else { Ink::This };
-            let paint = swatch(*value).fill().outlined(ring.stroke(2.5));
-            picture.circle(place, POINT, paint);
+            let ring = ring.stroke(2.5);
+            draw_normal(
+                picture,
+                &mut self.labels,
+                state,
+                (place, POINT),
+                *value,
+                ring,
+            );
+            picture.circle(place, POINT, swatch(*value).fill().outlined(ring));
             self.labels
                 .keep_free(Rect::between(place, place).grown(POINT));
         }
@@ -278,7 +296,8 @@ impl<A: Carried> Drawing<'_, A> {
 
     /// Where flat shading lights its polygon: in the middle.
     fn draw_middle(&mut self, picture: &mut Picture) {
-        let (Some(point), None) = (&self.state.point, &self.state.vertex) else {
+        let (Some(point), None, None) = (&self.state.point, &self.state.vertex, &self.state.pixel)
+        else {
             return;
         };
         let view = &self.state.stage.view;
@@ -350,12 +369,34 @@ impl<A: Carried> Drawing<'_, A> {
     ) {
         let text = match value {
             Some(Value::Number(_)) => format!("{name} = {}", short(value.unwrap_or(0.0.into()), 2)),
+            Some(Value::Vector(_)) => name.to_string(),
             Some(value) => format!("{name} = {}", short(value, 3)),
             None => name.to_string(),
         };
         picture.tagged(Tag::Field(name), |picture| {
             self.labels.put(picture, point, toward, &text, set);
         });
+    }
+}
+
+/// A normal as it is seen on the screen, from the edge of a disc on: short where it points at the eye or away from it.
+fn draw_normal<A>(
+    picture: &mut Picture,
+    labels: &mut Labels,
+    state: &State<A>,
+    (place, radius): (Vec2, f32),
+    value: Option<Value>,
+    stroke: Stroke,
+) {
+    let Some(Value::Vector(normal)) = value else {
+        return;
+    };
+    let view = &state.stage.view;
+    let seen = DVec2::new(normal.dot(view.right), -normal.dot(view.up)).as_vec2();
+    let tip = place + NORMAL * seen;
+    if NORMAL * seen.length() > radius + 4.0 {
+        picture.arrow(place, tip, stroke);
+        labels.spare(place, tip);
     }
 }
 

@@ -78,10 +78,8 @@ fn where_nothing_passes_there_is_no_transmitted_ray() {
 fn a_mirrored_direction_leaves_at_the_angle_at_which_the_ray_came() {
     let mut sample = Sample::rays(Method::RayTracing, sample::FLOOR, 5);
     sample.go_to("Reflection", 0);
-    let Run::RayTracing(replay) = &sample.run else {
-        panic!("a ray tracer's run")
-    };
-    let surface = SurfaceInSight::of(replay.state()).expect("the floor");
+    let state = sample.run.rays().expect("a ray tracer's run");
+    let surface = SurfaceInSight::of(state).expect("the floor");
     let u = surface.project(surface.ray.ray.direction);
     let sent = surface.ray.branches[0]
         .and_then(|branch| branch.branch)

@@ -1,0 +1,183 @@
+//! What the scan-line methods that light surfaces have in common: each lights points of its polygons (their middles, vertices or
+//! pixels), carries something from the corners to the pixels, and tells of it in the same words. A method says what it carries
+//! and where its listing has the lines.
+
+use super::illumination;
+use super::scan_line::{self, Carried};
+use super::stage::{self, Polygon};
+use super::vertex_normal;
+use crate::color::Rgb;
+use crate::record::{self, Fields, Line, Listing};
+use glam::DVec3;
+use std::fmt::Debug;
+
+/// A scan-line method that lights surfaces.
+pub trait Shading: Copy + PartialEq + Debug + Send + Sync + 'static {
+    /// What is told of what goes from the corners to the pixels.
+    type Told: Carried;
+    const LINES: Lines;
+}
+
+/// Where a listing has the lines of the family. It starts with the line for each polygon and the line of the point or vertex,
+/// and ends with the line that colours a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Lines {
+    pub listing: &'static Listing,
+    /// That of the normal at a vertex.
+    pub vertex_normal: usize,
+    /// That on which a vertex is finished.
+    pub vertex_done: usize,
+    /// From here on the lines of [`scan_line::Part`], in their order.
+    pub edge_table: usize,
+    /// That of the normal at a pixel.
+    pub pixel_normal: usize,
+}
+
+/// What is found once for each vertex of an object, for all the polygons that share it.
+pub struct OnceAVertex<V> {
+    object: Option<usize>,
+    found: Vec<Option<V>>,
+}
+
+impl<V> Default for OnceAVertex<V> {
+    fn default() -> Self {
+        OnceAVertex {
+            object: None,
+            found: Vec::new(),
+        }
+    }
+}
+
+impl<V: Copy> OnceAVertex<V> {
+    /// What was found at a vertex of the polygon's object, or what `find` finds now. Objects come one after another.
+    pub fn at(&mut self, polygon: &Polygon, vertex: u32, find: impl FnOnce() -> V) -> V {
+        if self.object != Some(polygon.object) {
+            self.object = Some(polygon.object);
+            self.found.clear();
+            self.found.resize(polygon.mesh.vertex_count(), None);
+        }
+        *self.found[vertex as usize].get_or_insert_with(find)
+    }
+}
+
+/// What a method of the family tells.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Event<M: Shading> {
+    Stage(stage::Event),
+    /// The mean of the polygon's vertices, in the world.
+    Middle {
+        position: DVec3,
+    },
+    /// Opens a vertex of the object's mesh, at `position` in the world.
+    Vertex {
+        vertex: u32,
+        position: DVec3,
+    },
+    Normal(vertex_normal::Event),
+    Illumination(illumination::Event),
+    /// Closes `Vertex`: its intensity is known.
+    VertexLit {
+        vertex: u32,
+        intensity: Rgb,
+    },
+    /// Closes `Vertex`: its normal is known.
+    VertexReady {
+        vertex: u32,
+    },
+    ScanLine(scan_line::Event<M::Told>),
+    /// The interpolated normal at a pixel, of length `length`, brought to unit length.
+    PixelNormal {
+        length: f64,
+        normal: DVec3,
+    },
+    /// The interpolated normal at a pixel vanishes: the normal of the face stands for it.
+    PixelNormalLost {
+        length: f64,
+        normal: DVec3,
+    },
+}
+
+impl<M: Shading> From<stage::Event> for Event<M> {
+    fn from(event: stage::Event) -> Self {
+        Event::Stage(event)
+    }
+}
+
+impl<M: Shading> From<vertex_normal::Event> for Event<M> {
+    fn from(event: vertex_normal::Event) -> Self {
+        Event::Normal(event)
+    }
+}
+
+impl<M: Shading> From<illumination::Event> for Event<M> {
+    fn from(event: illumination::Event) -> Self {
+        Event::Illumination(event)
+    }
+}
+
+impl<M: Shading> From<scan_line::Event<M::Told>> for Event<M> {
+    fn from(event: scan_line::Event<M::Told>) -> Self {
+        Event::ScanLine(event)
+    }
+}
+
+impl<M: Shading> record::Event for Event<M> {
+    fn kind(&self) -> &'static str {
+        match self {
+            Event::Stage(event) => event.kind(),
+            Event::Middle { .. } => "Middle",
+            Event::Vertex { .. } => "Vertex",
+            Event::Normal(event) => event.kind(),
+            Event::Illumination(event) => event.kind(),
+            Event::VertexLit { .. } => "VertexLit",
+            Event::VertexReady { .. } => "VertexReady",
+            Event::ScanLine(event) => event.kind(),
+            Event::PixelNormal { .. } => "PixelNormal",
+            Event::PixelNormalLost { .. } => "PixelNormalLost",
+        }
+    }
+
+    fn line(&self) -> Line {
+        let lines = M::LINES;
+        let number = match self {
+            Event::Stage(_) => 0,
+            Event::Middle { .. } | Event::Vertex { .. } => 1,
+            Event::Normal(_) => lines.vertex_normal,
+            Event::Illumination(event) => return event.line(),
+            Event::VertexLit { .. } | Event::VertexReady { .. } => lines.vertex_done,
+            Event::ScanLine(event) => match event.part() {
+                scan_line::Part::Color => lines.listing.lines.len() - 1,
+                part => lines.edge_table + part as usize,
+            },
+            Event::PixelNormal { .. } | Event::PixelNormalLost { .. } => lines.pixel_normal,
+        };
+        Line {
+            listing: lines.listing,
+            number,
+        }
+    }
+
+    fn fields(&self, fields: &mut Fields) {
+        match *self {
+            Event::Stage(event) => event.fields(fields),
+            Event::Middle { position } => {
+                fields.push("P_m", position);
+            }
+            Event::Vertex { vertex, position } => {
+                fields.push("vertex", vertex).push("P_v", position);
+            }
+            Event::Normal(event) => event.fields(fields),
+            Event::Illumination(event) => event.fields(fields),
+            Event::VertexLit { vertex, intensity } => {
+                fields.push("vertex", vertex).push("I_v", intensity);
+            }
+            Event::VertexReady { vertex } => {
+                fields.push("vertex", vertex);
+            }
+            Event::ScanLine(event) => event.fields(fields),
+            Event::PixelNormal { length, normal } | Event::PixelNormalLost { length, normal } => {
+                fields.push("length", length).push("N", normal);
+            }
+        }
+    }
+}
