@@ -38,6 +38,9 @@ pub struct LessonFile {
     /// Of radiosity: how the light of the room is found.
     #[serde(default, deserialize_with = "present")]
     pub radiosity: Option<Keyed<RadiosityFile>>,
+    /// Methods beside that of the run, the last one the reference: two to six in all.
+    #[serde(default, deserialize_with = "present")]
+    pub compare: Option<Vec<String>>,
     pub focus: FocusFile,
     /// Indices of the point lights that may be moved.
     #[serde(default, deserialize_with = "present")]

@@ -2,7 +2,7 @@
 
 use super::file::{FocusFile, LessonFile, StepFile, Text};
 use super::narrate::narrate;
-use super::settings::{radiosity, rays};
+use super::settings::{compare, radiosity, rays};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::room;
@@ -54,6 +54,8 @@ pub struct Lesson {
     pub settings: Settings,
     /// How the light of a room is found.
     pub radiosity: room::Settings,
+    /// Methods whose pictures are compared, the last one the reference.
+    pub compare: Vec<Method>,
     pub focus: Focus,
     /// Indices into the scene's lights: point lights that may be moved.
     pub movable_lights: Vec<usize>,
@@ -206,6 +208,7 @@ impl Lesson {
         }
         let settings = rays(&file, &mut problems);
         let radiosity = radiosity(&file, &mut problems);
+        let compare = compare(&file, &mut problems);
 
         match (scene, method) {
             (Some(scene), Some(method)) if problems.is_empty() => Ok(Lesson {
@@ -219,6 +222,7 @@ impl Lesson {
                 size: file.size,
                 settings,
                 radiosity,
+                compare,
                 focus,
                 movable_lights,
                 panels,

@@ -2,9 +2,11 @@
 
 mod active_edges;
 mod code;
+mod comparison;
 mod convergence;
 #[cfg(test)]
 mod crowd;
+mod difference;
 mod fit;
 mod form_factor;
 mod formula;
@@ -15,6 +17,7 @@ mod log_axes;
 mod matrix;
 mod message;
 mod names;
+mod profile;
 mod race;
 mod radiosity;
 mod ray_tree;
@@ -36,6 +39,7 @@ pub use time_line::step_at;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::picture::Picture;
+use crate::render::compare::Compared;
 use crate::replay::Run;
 use glam::Vec2;
 use words::Language;
@@ -67,6 +71,12 @@ pub enum Panel {
     Convergence,
     /// All solvers on the same room, by iteration and by time.
     Race,
+    /// The picture by several methods side by side.
+    Comparison,
+    /// How far each is from the reference.
+    Difference,
+    /// Intensity along a scan line, its slope, and how it looks.
+    Profile,
     /// All values of the step, and where each came from.
     Inspector,
     /// The pseudocode, with the current line.
@@ -78,7 +88,7 @@ pub enum Panel {
 }
 
 impl Panel {
-    pub const ALL: [Panel; 16] = [
+    pub const ALL: [Panel; 19] = [
         Panel::Image,
         Panel::ScanLine,
         Panel::ActiveEdges,
@@ -91,6 +101,9 @@ impl Panel {
         Panel::Matrix,
         Panel::Convergence,
         Panel::Race,
+        Panel::Comparison,
+        Panel::Difference,
+        Panel::Profile,
         Panel::Inspector,
         Panel::Code,
         Panel::Formula,
@@ -112,11 +125,19 @@ impl Panel {
             Panel::Matrix => "matrix",
             Panel::Convergence => "convergence",
             Panel::Race => "race",
+            Panel::Comparison => "comparison",
+            Panel::Difference => "difference",
+            Panel::Profile => "profile",
             Panel::Inspector => "inspector",
             Panel::Code => "code",
             Panel::Formula => "formula",
             Panel::TimeLine => "time-line",
         }
+    }
+
+    /// Whether it shows the pictures of several methods.
+    pub fn compares(self) -> bool {
+        matches!(self, Panel::Comparison | Panel::Difference | Panel::Profile)
     }
 
     pub fn from_name(name: &str) -> Option<Self> {
@@ -131,6 +152,8 @@ pub struct Show<'a> {
     pub run: &'a Run,
     /// The whole picture, rendered unrecorded.
     pub finished: &'a Frame,
+    /// The same picture by several methods, the last one the reference; as many as are made.
+    pub compared: &'a [Compared],
     /// What the run recorded.
     pub focus: Focus,
     pub language: Language,
@@ -159,6 +182,9 @@ pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
         Panel::Matrix => matrix::draw(show, size),
         Panel::Convergence => convergence::draw(show, size),
         Panel::Race => race::draw(show, size),
+        Panel::Comparison => comparison::draw(show, size),
+        Panel::Difference => difference::draw(show, size),
+        Panel::Profile => profile::draw(show, size),
         Panel::Inspector => inspector::draw(show, size),
         Panel::Code => code::draw(show, size),
         Panel::Formula => formula::draw(show, size),

@@ -1,6 +1,7 @@
 //! Runs an algorithm over a whole frame: unrecorded, on as many threads as are wanted, all at once or coarse first.
 
 mod bands;
+pub mod compare;
 mod crew;
 mod light;
 mod painter;

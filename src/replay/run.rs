@@ -118,6 +118,19 @@ impl Run {
         }
     }
 
+    /// What was recorded.
+    pub fn method(&self) -> Method {
+        match self {
+            Run::Wireframe(_) => Method::Wireframe,
+            Run::Flat(_) => Method::Flat,
+            Run::Gouraud(_) => Method::Gouraud,
+            Run::Phong(_) => Method::Phong,
+            Run::RayCasting(_) => Method::RayCasting,
+            Run::RayTracing(_) => Method::RayTracing,
+            Run::Radiosity(..) | Run::FormFactor(..) => Method::Radiosity,
+        }
+    }
+
     pub fn walk(&self) -> &dyn Walk {
         match self {
             Run::Wireframe(replay) => &**replay,

@@ -48,7 +48,7 @@ impl Session {
     fn light_up(&mut self, lights: Vec<Light>) {
         let stage = Arc::new((*self.open.stage).clone().with_lights(lights));
         self.preview
-            .begin_anew(stage.clone(), self.open.lesson.method);
+            .begin_anew(stage.clone(), super::methods(&self.open));
         self.open.stage = stage;
         self.look_again();
     }
