@@ -3,6 +3,7 @@
 mod common;
 
 use common::{TEAPOT, stage};
+use lightwalk::algorithms::exact::exact;
 use lightwalk::algorithms::flat::flat;
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
@@ -26,11 +27,12 @@ fn unrecorded(stage: &Stage, method: Method) -> Frame {
 }
 
 /// The methods whose runs tell of pixels.
-const PIXEL_BY_PIXEL: [Method; 6] = [
+const PIXEL_BY_PIXEL: [Method; 7] = [
     Method::Wireframe,
     Method::Flat,
     Method::Gouraud,
     Method::Phong,
+    Method::Exact,
     Method::RayCasting,
     Method::RayTracing,
 ];
@@ -61,6 +63,11 @@ fn recorded(
         Method::Gouraud => {
             let mut recording = Recording::new(limit);
             gouraud(stage, focus, &mut frame, &mut recording);
+            (frame, recording.len(), recording.truncated())
+        }
+        Method::Exact => {
+            let mut recording = Recording::new(limit);
+            exact(stage, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
         Method::Phong => {
@@ -187,13 +194,14 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
 #[test]
 fn the_polygons_drawn_one_by_one_make_the_frame() {
     let stage = stage(TEAPOT, 64, 48);
-    for method in [Method::Flat, Method::Gouraud, Method::Phong] {
+    for method in [Method::Flat, Method::Gouraud, Method::Phong, Method::Exact] {
         let mut frame = Frame::new(64, 0..48, stage.scene.background);
         for number in 0..stage.tessellation.polygon_count() {
             let focus = Focus::Polygon(number);
             match method {
                 Method::Flat => flat(&stage, focus, &mut frame, &mut Unrecorded),
                 Method::Gouraud => gouraud(&stage, focus, &mut frame, &mut Unrecorded),
+                Method::Exact => exact(&stage, focus, &mut frame, &mut Unrecorded),
                 _ => phong(&stage, focus, &mut frame, &mut Unrecorded),
             }
         }
@@ -210,6 +218,7 @@ fn canvas_of(run: &Run) -> Vec<lightwalk::color::Rgb> {
         Run::Flat(replay) => colors(&replay.state().canvas),
         Run::Gouraud(replay) => colors(&replay.state().canvas),
         Run::Phong(replay) => colors(&replay.state().canvas),
+        Run::Exact(replay) => colors(&replay.state().canvas),
         Run::RayCasting(replay) => colors(&replay.state().canvas),
         Run::RayTracing(replay) => colors(&replay.state().canvas),
         Run::Radiosity(..) | Run::FormFactor(..) => unreachable!("they draw no pixels"),

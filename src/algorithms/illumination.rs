@@ -8,9 +8,11 @@
 //! distance; every light tells it as `slide_factor`, for comparison only.
 
 use crate::color::Rgb;
+use crate::numeric::Linear;
 use crate::record::{self, Fields, Line, Listing, Recorder};
 use crate::scene::{Highlight, Light, Material};
 use glam::DVec3;
+use std::ops::{Add, Mul, Sub};
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "illumination",
@@ -62,13 +64,61 @@ pub struct ToLight {
     pub distance: f64,
 }
 
+/// Light sent to the eye, with the part of it that a texture multiplies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Intensity {
+    /// I
+    pub whole: Rgb,
+    /// The sum of I_d over all lights.
+    pub diffuse: Rgb,
+}
+
+impl Intensity {
+    /// I where a texture of the colour T multiplies k_d: I − I_d + T·I_d.
+    pub fn textured(self, color: Rgb) -> Rgb {
+        self.whole - self.diffuse + color * self.diffuse
+    }
+}
+
+impl Linear for Intensity {}
+
+impl Add for Intensity {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Intensity {
+            whole: self.whole + other.whole,
+            diffuse: self.diffuse + other.diffuse,
+        }
+    }
+}
+
+impl Sub for Intensity {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Intensity {
+            whole: self.whole - other.whole,
+            diffuse: self.diffuse - other.diffuse,
+        }
+    }
+}
+
+impl Mul<f64> for Intensity {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        Intensity {
+            whole: self.whole * factor,
+            diffuse: self.diffuse * factor,
+        }
+    }
+}
+
 /// Intensity at `point`, unclamped. Light arrives where `arrives` says so; it is asked only where N·L > 0.
 pub fn illuminate<E: From<Event>, R: Recorder<E>>(
     point: &SurfacePoint,
     lighting: &Lighting,
     recorder: &mut R,
     mut arrives: impl FnMut(&ToLight, &mut R) -> bool,
-) -> Rgb {
+) -> Intensity {
     let to_eye = point.to_eye;
     let turned = point.normal.dot(to_eye) < 0.0;
     let normal = if turned { -point.normal } else { point.normal };
@@ -90,11 +140,20 @@ pub fn illuminate<E: From<Event>, R: Recorder<E>>(
         .into()
     });
 
-    let mut intensity = ambient;
+    let mut intensity = Intensity {
+        whole: ambient,
+        diffuse: Rgb::BLACK,
+    };
     for light in 0..lighting.lights.len() {
-        intensity += illuminate_by(light, lighting, point, normal, recorder, &mut arrives);
+        let added = illuminate_by(light, lighting, point, normal, recorder, &mut arrives);
+        intensity = intensity + added;
     }
-    recorder.leave(|| Event::Illuminated { intensity }.into());
+    recorder.leave(|| {
+        Event::Illuminated {
+            intensity: intensity.whole,
+        }
+        .into()
+    });
     intensity
 }
 
@@ -106,7 +165,7 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
     normal: DVec3,
     recorder: &mut R,
     arrives: &mut impl FnMut(&ToLight, &mut R) -> bool,
-) -> Rgb {
+) -> Intensity {
     let to_eye = point.to_eye;
     let Incidence {
         to_light,
@@ -133,7 +192,7 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
     };
     if n_dot_l > 0.0 && !arrives(&source, recorder) {
         recorder.leave(|| Event::LightAdded { term: Rgb::BLACK }.into());
-        return Rgb::BLACK;
+        return Intensity::default();
     }
 
     let k_d = point.diffuse;
@@ -146,7 +205,10 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
 
     if !lighting.specular {
         recorder.leave(|| Event::LightAdded { term: diffuse }.into());
-        return diffuse;
+        return Intensity {
+            whole: diffuse,
+            diffuse,
+        };
     }
     let Material {
         specular: k_s,
@@ -197,7 +259,10 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
 
     let term = diffuse + specular;
     recorder.leave(|| Event::LightAdded { term }.into());
-    term
+    Intensity {
+        whole: term,
+        diffuse,
+    }
 }
 
 struct Incidence {

@@ -9,7 +9,9 @@
 //! | [`flat`] | one intensity a polygon | Bouknight 1970 |
 //! | [`gouraud`] | intensity interpolated from the vertices | Gouraud 1971 |
 //! | [`phong`] | normal interpolated from the vertices, lit at every pixel | Phong 1975 |
-//! | [`shading`] | what flat, Gouraud and Phong have in common | |
+//! | [`exact`] | lit with the normal of the true surface: what the three are compared with | |
+//! | [`shading`], [`fill`] | what these have in common | |
+//! | [`texture`] | textures on polygons, right and as plain interpolation has them | Heckbert & Moreton 1991 |
 //! | [`primary`], [`visible`], [`surface`] | a ray a pixel, the nearest object that it meets, the point that is lit | Appel 1968 |
 //! | [`ray_casting`] | the visible surface, lit | Appel 1968, Roth 1982 |
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays that tells them | Whitted 1980 |
@@ -19,6 +21,8 @@
 //!
 //! [`stage`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
 
+pub mod exact;
+pub mod fill;
 pub mod flat;
 pub mod focus;
 pub mod form_factor;
@@ -37,6 +41,7 @@ pub mod scan_line;
 pub mod shading;
 pub mod stage;
 pub mod surface;
+pub mod texture;
 pub mod vertex_normal;
 pub mod visible;
 pub mod wireframe;

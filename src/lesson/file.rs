@@ -38,6 +38,9 @@ pub struct LessonFile {
     /// Of radiosity: how the light of the room is found.
     #[serde(default, deserialize_with = "present")]
     pub radiosity: Option<Keyed<RadiosityFile>>,
+    /// Of textured polygons: `perspective` unless given, or `linear`, which is wrong.
+    #[serde(default, deserialize_with = "present")]
+    pub texture_mapping: Option<String>,
     pub focus: FocusFile,
     /// Indices of the point lights that may be moved.
     #[serde(default, deserialize_with = "present")]

@@ -1,4 +1,4 @@
-//! How far ray methods go in a lesson, and how the light of its room is found.
+//! How far ray methods go in a lesson, where textures are looked up, and how the light of its room is found.
 
 use super::file::LessonFile;
 use super::resolve::problem;
@@ -6,6 +6,7 @@ use crate::algorithms::form_factor::Method;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
 use crate::algorithms::room;
+use crate::algorithms::texture::Mapping;
 use crate::scene::document::{Keyed, Problem};
 use std::num::NonZeroU32;
 
@@ -31,6 +32,19 @@ pub fn rays(file: &LessonFile, problems: &mut Vec<Problem>) -> Settings {
             unless.samples,
         ),
     }
+}
+
+/// Where the textures of polygons are to be looked up.
+pub fn mapping(file: &LessonFile, problems: &mut Vec<Problem>) -> Mapping {
+    let Some(name) = &file.texture_mapping else {
+        return Mapping::default();
+    };
+    Mapping::from_name(name).unwrap_or_else(|| {
+        let known = Mapping::ALL.map(Mapping::name).join(", ");
+        let message = format!("found \"{name}\"; allowed are {known}");
+        problems.push(problem("texture_mapping", message));
+        Mapping::default()
+    })
 }
 
 /// How the light of a room is to be found.
