@@ -331,7 +331,7 @@ fn a_light_in_the_surface_lights_nothing_of_it_and_breaks_nothing() {
     ];
     // At the very point that pixel (12, 11) shows, where L is a rounding error and may point anywhere
     let inside = r#"{ "point": { "position": [0.5, 0.5, 0], "attenuation": [0, 0, 1] } }"#;
-    let stage = stage(&scene(CLAY, &[polygon(&upright)], inside), SIZE, SIZE);
+    let stage = stage(&scene(CHALK, &[polygon(&upright)], inside), SIZE, SIZE);
     let ambient = Rgb::new(0.05, 0.06, 0.07);
     for method in FAMILY {
         let picture = picture(&stage, method);
