@@ -107,6 +107,16 @@ fn every_panel_of_every_narrated_step_looks_as_before() {
             NonZeroUsize::MIN,
             &|_, _| {},
         );
+        // Who is faster is told by a clock that ticks each time it is looked at: the same everywhere.
+        if open.lesson.panels.contains(&Panel::Race) {
+            let room = open.stage.room().unwrap();
+            let mut ticks = 0.0;
+            let clock = || {
+                ticks += 1e-5;
+                ticks
+            };
+            room.race_or(room.matrix().unwrap(), clock).unwrap();
+        }
         let narrated: Vec<usize> = open.narrated.iter().map(|narrated| narrated.step).collect();
         let mut panels = open.lesson.panels.clone();
         panels.extend([Panel::Code, Panel::Formula, Panel::TimeLine]);
@@ -121,6 +131,7 @@ fn every_panel_of_every_narrated_step_looks_as_before() {
                 narrated: &narrated,
                 breakpoints: &[],
                 tree: TreeView::whole(),
+                smooth: open.stage.radiosity.smooth,
             };
             for &panel in &panels {
                 let size = if panel == Panel::TimeLine {

@@ -9,8 +9,9 @@
 use super::fill::Fill;
 use super::focus::Focus;
 use super::frame::Frame;
-use super::illumination::{Intensity, SurfacePoint, illuminate};
-use super::scan_line::{Cargo, Carried, Names};
+use super::illumination::{SurfacePoint, illuminate};
+use super::intensity::Intensity;
+use super::scan_line::{Carried, Names};
 use super::shading::{self, Lines, OnceAVertex, Shading, pixel_point};
 use super::stage::{self, Stage};
 use super::texture;
@@ -92,20 +93,6 @@ pub fn gouraud<R: Recorder<Event>>(
         recorder.leave(|| stage::Event::PolygonDone.into());
     }
     recorder.leave(|| stage::Event::FrameDone.into());
-}
-
-/// Of a textured polygon the diffuse part goes along: the texture multiplies that alone.
-impl Cargo for Intensity {
-    type Told = Rgb;
-    fn told(self) -> Rgb {
-        self.whole
-    }
-}
-
-impl From<Intensity> for Rgb {
-    fn from(intensity: Intensity) -> Rgb {
-        intensity.whole
-    }
 }
 
 /// Gouraud carries an intensity.

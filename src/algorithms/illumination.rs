@@ -7,12 +7,11 @@
 //! The lecture's slide multiplies by (dist·cos φ)/√dist instead of f_att(d)·N·L. Read literally, that grows with the
 //! distance; every light tells it as `slide_factor`, for comparison only.
 
+use super::intensity::Intensity;
 use crate::color::Rgb;
-use crate::numeric::Linear;
 use crate::record::{self, Fields, Line, Listing, Recorder};
 use crate::scene::{Highlight, Light, Material};
 use glam::DVec3;
-use std::ops::{Add, Mul, Sub};
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "illumination",
@@ -62,54 +61,6 @@ pub struct ToLight {
     pub direction: DVec3,
     /// Infinite for a directional light.
     pub distance: f64,
-}
-
-/// Light sent to the eye, with the part of it that a texture multiplies.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Intensity {
-    /// I
-    pub whole: Rgb,
-    /// The sum of I_d over all lights.
-    pub diffuse: Rgb,
-}
-
-impl Intensity {
-    /// I where a texture of the colour T multiplies k_d: I − I_d + T·I_d.
-    pub fn textured(self, color: Rgb) -> Rgb {
-        self.whole - self.diffuse + color * self.diffuse
-    }
-}
-
-impl Linear for Intensity {}
-
-impl Add for Intensity {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Intensity {
-            whole: self.whole + other.whole,
-            diffuse: self.diffuse + other.diffuse,
-        }
-    }
-}
-
-impl Sub for Intensity {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        Intensity {
-            whole: self.whole - other.whole,
-            diffuse: self.diffuse - other.diffuse,
-        }
-    }
-}
-
-impl Mul<f64> for Intensity {
-    type Output = Self;
-    fn mul(self, factor: f64) -> Self {
-        Intensity {
-            whole: self.whole * factor,
-            diffuse: self.diffuse * factor,
-        }
-    }
 }
 
 /// Intensity at `point`, unclamped. Light arrives where `arrives` says so; it is asked only where N·L > 0.

@@ -3,7 +3,7 @@
 //!
 //! | file | what | source |
 //! | --- | --- | --- |
-//! | [`illumination`] | intensity at one point | Phong 1975, Blinn 1977 |
+//! | [`illumination`], [`intensity`] | intensity at one point | Phong 1975, Blinn 1977 |
 //! | [`scan_line`] | polygons to pixels: edge table, active edges, spans, depth buffer | Wylie et al. 1967, Catmull 1974 |
 //! | [`wireframe`] | the edges alone | DDA, Foley et al. 1990 §3.2.1 |
 //! | [`flat`] | one intensity a polygon | Bouknight 1970 |
@@ -29,6 +29,7 @@ pub mod form_factor;
 pub mod frame;
 pub mod gouraud;
 pub mod illumination;
+pub mod intensity;
 pub mod patch_view;
 pub mod phong;
 pub mod primary;

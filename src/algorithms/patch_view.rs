@@ -80,8 +80,8 @@ impl<'a> PatchView<'a> {
     }
 }
 
-/// At a corner it is the mean of the patches of one object that meet there.
-fn corner_values(room: &Room, radiosity: &[Rgb]) -> Vec<Vec<Rgb>> {
+/// By patch, the radiosity at the corners of its pieces in their order: the mean of the patches of one object that meet there.
+pub fn corner_values(room: &Room, radiosity: &[Rgb]) -> Vec<Vec<Rgb>> {
     let place = |object: u32, corner: DVec3| (object, corner.to_array().map(f64::to_bits));
     let mut sums: HashMap<(u32, [u64; 3]), (Rgb, f64)> = HashMap::new();
     for (number, patch) in room.patches.iter().enumerate() {

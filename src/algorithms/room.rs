@@ -1,6 +1,7 @@
 //! A scene as radiosity sees it: patches, what stands between them, their form factors, and in the end their light.
 
 use super::form_factor::{Blockers, FormFactors, Method};
+use super::radiosity::race::Race;
 use super::radiosity::{
     self, Channel, ChannelUnsolved, Event, Matrix, Rows, Solution, Solver, Stop, System, Told,
     Unsolved, Watch, shoot, solve, solve_channels,
@@ -50,9 +51,12 @@ pub struct Room {
     pub emission: Vec<Rgb>,
     matrix: OnceLock<Vec<f64>>,
     light: OnceLock<Result<Light, ChannelUnsolved>>,
+    race: OnceLock<Result<Race, Unsolved>>,
     /// The patches as rays meet them.
     pub solids: PatchSolids,
 }
+
+const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
 /// The light of a room.
 #[derive(Clone, Debug)]
@@ -84,6 +88,7 @@ impl Room {
             solids,
             matrix: OnceLock::new(),
             light: OnceLock::new(),
+            race: OnceLock::new(),
         })
     }
 
@@ -150,21 +155,42 @@ impl Room {
         })
     }
 
+    /// All solvers on the first channel that has light, each on `clock`, which tells seconds; run when it is first asked for.
+    /// Errors: why not even the exact solution was found.
+    pub fn race_or(&self, matrix: &[f64], clock: impl FnMut() -> f64) -> Result<&Race, &Unsolved> {
+        let race = self.race.get_or_init(|| {
+            let lists = [0, 1, 2].map(|c| self.channel(c));
+            let lit = |(_, emission): &(_, Vec<f64>)| emission.iter().any(|&e| e > 0.0);
+            let c = lists.iter().position(lit).unwrap_or(0);
+            let (rho, emission) = &lists[c];
+            let areas = self.patches.areas();
+            let patches = radiosity::Patches::new(&areas, rho, emission)?;
+            let matrix = Matrix::new(matrix, self.patches.len())?;
+            let system = System::new(&matrix, patches)?;
+            Race::run(&system, CHANNELS[c], self.settings.stop.tolerance, clock)
+        });
+        race.as_ref()
+    }
+
+    /// The race, where it was run.
+    pub fn race(&self) -> Option<Result<&Race, &Unsolved>> {
+        self.race.get().map(Result::as_ref)
+    }
+
+    /// ρ and E of every patch in channel `c`.
+    fn channel(&self, c: usize) -> (Vec<f64>, Vec<f64>) {
+        let of = |colors: &[Rgb]| colors.iter().map(|color| color.channels()[c]).collect();
+        (of(&self.reflectance), of(&self.emission))
+    }
+
     fn solve_by<R: Recorder<Event>>(
         &self,
         recorder: &mut R,
         solve: impl FnMut(&radiosity::Patches, &mut R) -> Result<Solution, Unsolved>,
     ) -> Result<Light, ChannelUnsolved> {
-        const NAMES: [&str; 3] = ["red", "green", "blue"];
-        let of = |colors: &[Rgb], channel: usize| -> Vec<f64> {
-            colors
-                .iter()
-                .map(|color| color.channels()[channel])
-                .collect()
-        };
-        let lists = [0, 1, 2].map(|c| (of(&self.reflectance, c), of(&self.emission, c)));
+        let lists = [0, 1, 2].map(|c| self.channel(c));
         let channels = [0, 1, 2].map(|c| Channel {
-            name: NAMES[c],
+            name: CHANNELS[c],
             rho: &lists[c].0,
             emission: &lists[c].1,
         });

@@ -5,7 +5,7 @@
 //! Wherever the depth changes along a polygon that is wrong, and seen to be (Heckbert & Moreton, "Interpolation for polygon texture
 //! mapping and shading", 1991): it is told beside the right one, and drawn where the stage asks for it.
 
-use super::illumination::Intensity;
+use super::intensity::Intensity;
 use super::scan_line::Cargo;
 use super::stage::{Polygon, Stage};
 use crate::color::Rgb;

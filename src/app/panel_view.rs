@@ -17,7 +17,7 @@ use tiny_skia::Pixmap;
 #[derive(Clone, PartialEq)]
 struct Key {
     recording: u64,
-    /// Of the whole picture; always 0 where a panel does not show it.
+    /// Of what is made in the background; always 0 where a panel does not show it.
     pictures: u64,
     step: usize,
     /// In physical pixels.
@@ -29,6 +29,8 @@ struct Key {
     breakpoints: Vec<usize>,
     /// Of the ray tree alone.
     tree: Option<TreeView>,
+    /// Of the room alone.
+    smooth: bool,
 }
 
 /// What is kept of a panel from frame to frame.
@@ -67,7 +69,7 @@ impl PanelView {
         let key = Key {
             recording: session.recording(),
             pictures: match panel {
-                Panel::Image => session.pictures(),
+                Panel::Image | Panel::Race => session.pictures(),
                 _ => 0,
             },
             step: session.step(),
@@ -77,6 +79,7 @@ impl PanelView {
             language: session.look.language,
             breakpoints: session.breakpoints().to_vec(),
             tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
+            smooth: panel == Panel::Radiosity && session.look.smooth,
         };
         let mut highlighted: Vec<Tag> = session
             .hovered()
@@ -225,6 +228,7 @@ pub fn title(panel: Panel) -> Words {
         Panel::FormFactor => words::FORM_FACTOR,
         Panel::Matrix => words::MATRIX,
         Panel::Convergence => words::CONVERGENCE,
+        Panel::Race => words::RACE,
         Panel::Inspector => words::INSPECTOR,
         Panel::Code => words::CODE,
         Panel::Formula => words::FORMULA,

@@ -2,7 +2,7 @@
 
 use super::panel_view::{self, PanelView};
 use super::session::{Command, Session};
-use super::{light_controls, style, tree_controls};
+use super::{light_controls, style, tree_controls, words};
 use crate::panels::{Panel, step_at};
 use crate::picture::{Ink, Tag};
 use egui::{Rect, Ui, WidgetText};
@@ -180,6 +180,13 @@ fn card_title(
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         if panel == Panel::RayTree {
             tree_controls::buttons(session, commands, ui);
+        }
+        if panel == Panel::Radiosity {
+            let words = session.say(words::SMOOTH);
+            let text = egui::RichText::new(words).size(13.0);
+            let button = egui::Button::new(text).selected(session.look.smooth);
+            let name = session.say(words::SMOOTH_ROOM);
+            super::window::button(session, button, name, Command::Smooth, commands, ui);
         }
         let caption = egui::RichText::new(panel_view::caption(session, panel))
             .size(13.0)

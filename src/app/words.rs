@@ -82,6 +82,9 @@ words! {
     FORM_FACTOR: "Form factor", "Faktor bentuk";
     MATRIX: "Matrix of form factors", "Matriks faktor bentuk";
     CONVERGENCE: "Convergence", "Konvergensi";
+    RACE: "Solvers side by side", "Para penyelesai berdampingan";
+    SMOOTH: "smooth", "halus";
+    SMOOTH_ROOM: "interpolate the light between the corners of patches", "interpolasikan cahaya antara sudut-sudut patch";
     RAYS: "Rays in the scene", "Sinar di dalam adegan";
     TREE_FIT: "fit", "pas";
     WHOLE_TREE: "show the whole tree", "tampilkan seluruh pohon";

@@ -6,7 +6,7 @@ use super::{Failure, LimitArguments, parse_range, parse_size};
 use crate::panels::words::Language;
 use crate::panels::{Panel, Show, TreeView, draw};
 use crate::picture::{Theme, rasterize, to_png};
-use crate::render::render;
+use crate::render::{race, render};
 use glam::Vec2;
 use std::num::NonZeroUsize;
 use std::ops::Range;
@@ -75,6 +75,9 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         rendering.show(done, all)
     });
     drop(rendering);
+    if panels.contains(&Panel::Race) {
+        race(&open.stage);
+    }
 
     std::fs::create_dir_all(&arguments.out)
         .map_err(|error| Failure::Wrong(format!("--out {}: {error}", arguments.out.display())))?;
@@ -89,6 +92,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             narrated: &narrated,
             breakpoints: &[],
             tree: TreeView::whole(),
+            smooth: open.stage.radiosity.smooth,
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

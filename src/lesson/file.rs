@@ -63,6 +63,8 @@ pub struct RadiosityFile {
     pub tolerance: Option<f64>,
     #[serde(default, deserialize_with = "present")]
     pub max_iterations: Option<u32>,
+    #[serde(default, deserialize_with = "present")]
+    pub smooth: Option<bool>,
 }
 
 /// Which part of the frame, or of the exchange of light, is recorded.

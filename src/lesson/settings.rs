@@ -78,6 +78,7 @@ pub fn radiosity(file: &LessonFile, problems: &mut Vec<Problem>) -> room::Settin
         }
     }
     settings.visibility = file.visibility.unwrap_or(settings.visibility);
+    settings.smooth = file.smooth.unwrap_or(settings.smooth);
     if let Some(tolerance) = file.tolerance {
         settings.stop.tolerance = tolerance;
         if !(tolerance > 0.0 && tolerance < 1.0) {

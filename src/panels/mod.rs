@@ -11,9 +11,11 @@ mod formula;
 mod image;
 mod inspector;
 mod labels;
+mod log_axes;
 mod matrix;
 mod message;
 mod names;
+mod race;
 mod radiosity;
 mod ray_tree;
 mod rays;
@@ -63,6 +65,8 @@ pub enum Panel {
     Matrix,
     /// Residual and error bound, iteration by iteration.
     Convergence,
+    /// All solvers on the same room, by iteration and by time.
+    Race,
     /// All values of the step, and where each came from.
     Inspector,
     /// The pseudocode, with the current line.
@@ -74,7 +78,7 @@ pub enum Panel {
 }
 
 impl Panel {
-    pub const ALL: [Panel; 15] = [
+    pub const ALL: [Panel; 16] = [
         Panel::Image,
         Panel::ScanLine,
         Panel::ActiveEdges,
@@ -86,6 +90,7 @@ impl Panel {
         Panel::FormFactor,
         Panel::Matrix,
         Panel::Convergence,
+        Panel::Race,
         Panel::Inspector,
         Panel::Code,
         Panel::Formula,
@@ -106,6 +111,7 @@ impl Panel {
             Panel::FormFactor => "form-factor",
             Panel::Matrix => "matrix",
             Panel::Convergence => "convergence",
+            Panel::Race => "race",
             Panel::Inspector => "inspector",
             Panel::Code => "code",
             Panel::Formula => "formula",
@@ -134,6 +140,8 @@ pub struct Show<'a> {
     pub breakpoints: &'a [usize],
     /// How much of the ray tree is looked at.
     pub tree: &'a TreeView,
+    /// Whether the light of a room is interpolated between the corners of its patches.
+    pub smooth: bool,
 }
 
 /// The picture of a panel, `size` points large, without title or frame.
@@ -150,6 +158,7 @@ pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
         Panel::FormFactor => form_factor::draw(show, size),
         Panel::Matrix => matrix::draw(show, size),
         Panel::Convergence => convergence::draw(show, size),
+        Panel::Race => race::draw(show, size),
         Panel::Inspector => inspector::draw(show, size),
         Panel::Code => code::draw(show, size),
         Panel::Formula => formula::draw(show, size),

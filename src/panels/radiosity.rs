@@ -5,6 +5,7 @@ mod colors;
 mod exchange;
 mod order;
 mod room_view;
+mod smooth;
 
 use super::Show;
 use super::message::{NO_PATCHES, message};
@@ -16,7 +17,7 @@ use crate::color::Rgb;
 use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, Text, elide};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
-use colors::{DECADES, Unshot, exposure, light, shoots, viridis};
+use colors::{DECADES, Unshot, exposure, light, shoots, twin, viridis};
 use exchange::{Exchange, three_digits};
 use glam::Vec2;
 use room_view::RoomView;
@@ -68,11 +69,18 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     for (coloring, place) in colorings.iter().zip(places) {
         let area = coloring.frame(&mut picture, place);
         let fit = view.fit(area);
+        let smooth = show.smooth && coloring.may_be_smooth;
+        if smooth {
+            let (place, image) = smooth::image(room, &view, &fit, &coloring.patches);
+            picture.image(place, image);
+        }
         for seen in &view.seen {
             let paint = Ink::Rgb(coloring.patches[seen.patch]).fill();
-            let paint = match outlined {
-                true => paint.outlined(Ink::Muted.stroke(0.75).opacity(0.6)),
-                false => paint,
+            let paint = match (smooth, outlined) {
+                // Not seen, but pointed at.
+                (true, _) => paint.opacity(0.0),
+                (false, true) => paint.outlined(Ink::Muted.stroke(0.75).opacity(0.6)),
+                (false, false) => paint,
             };
             picture.tagged(Tag::Patch(seen.patch), |picture| {
                 for piece in &seen.pieces {
@@ -93,6 +101,8 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
 struct Coloring {
     title: String,
     patches: Vec<Rgb>,
+    /// Whether what lies between two patches has a meaning: of light it has.
+    may_be_smooth: bool,
     scale: Option<Scale>,
 }
 
@@ -109,17 +119,19 @@ fn colorings(show: &Show, room: &Room) -> Vec<Coloring> {
         return vec![Coloring {
             title: say(REFLECTANCE).to_string(),
             patches: room.reflectance.clone(),
+            may_be_smooth: false,
             scale: None,
         }];
     };
     let state = replay.state();
     let exposure = exposure(room);
     let mut colorings = vec![Coloring {
-        title: title(state, show.language),
+        title: title(state, room, show.language),
         patches: light(state, room)
             .into_iter()
             .map(|b| b * exposure)
             .collect(),
+        may_be_smooth: true,
         scale: Some(Scale {
             color: Rgb::splat,
             ends: [
@@ -137,6 +149,7 @@ fn colorings(show: &Show, room: &Room) -> Vec<Coloring> {
                 channel(unshot.channel, show.language)
             ),
             patches: unshot.shares.into_iter().map(viridis).collect(),
+            may_be_smooth: false,
             scale: Some(Scale {
                 color: viridis,
                 ends: [
@@ -150,7 +163,7 @@ fn colorings(show: &Show, room: &Room) -> Vec<Coloring> {
 }
 
 /// What is shown, and of which channels.
-fn title(state: &State, language: Language) -> String {
+fn title(state: &State, room: &Room, language: Language) -> String {
     let say = |words: Words| words.in_language(language);
     let Some(now) = state.channel() else {
         return say(EMISSION).to_string();
@@ -160,13 +173,13 @@ fn title(state: &State, language: Language) -> String {
     } else {
         RADIOSITY
     };
-    let mut channels: Vec<&str> = Vec::new();
-    for name in state.channels.iter().filter_map(|channel| channel.channel) {
-        if !channels.contains(&channel(name, language)) {
-            channels.push(channel(name, language));
-        }
-    }
-    format!("{}: {}", say(what), channels.join(", "))
+    let told = |c: usize| {
+        let mut told = state.channels.iter();
+        told.any(|channel| channel.channel == Some(CHANNELS[c].0))
+    };
+    let lit = (0..CHANNELS.len()).filter(|&c| told(c) || told(twin(room, c)));
+    let names: Vec<&str> = lit.map(|c| say(CHANNELS[c].1)).collect();
+    format!("{}: {}", say(what), names.join(", "))
 }
 
 fn channel(name: &'static str, language: Language) -> &'static str {

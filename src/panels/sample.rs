@@ -128,6 +128,7 @@ impl Sample {
             narrated: &[],
             breakpoints: &[],
             tree: TreeView::whole(),
+            smooth: false,
         }
     }
 

@@ -3,8 +3,10 @@
 use super::crew::Crew;
 use crate::algorithms::radiosity::ChannelUnsolved;
 use crate::algorithms::room::{Light, Room};
+use crate::algorithms::stage::Stage;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use web_time::Instant;
 
 /// Rows are dealt out in so many blocks a thread: the first ones are longer, where a pair counts once.
 const BLOCKS: usize = 16;
@@ -18,6 +20,18 @@ pub fn matrix<'a, E: Send>(
     progress: &(impl Fn(usize, usize) -> Result<(), E> + Sync),
 ) -> Result<&'a [f64], E> {
     matrix_by(room, &Crew::new(threads), progress)
+}
+
+/// Lets all solvers run on the stage's room, where its matrix is made, one after the other and on one thread; the room keeps how
+/// they did.
+pub fn race(stage: &Stage) {
+    let start = Instant::now();
+    if let Ok(room) = stage.room()
+        && let Some(matrix) = room.matrix()
+    {
+        // Why there is no solution, the room keeps too.
+        let _ = room.race_or(matrix, || start.elapsed().as_secs_f64());
+    }
 }
 
 /// What a room's light is, or why there is none to be shown.

@@ -26,7 +26,7 @@ use std::convert::Infallible;
 use std::num::NonZeroUsize;
 use tally::Totals;
 
-pub use light::matrix;
+pub use light::{matrix, race};
 pub use painter::Painter;
 pub use tally::RayCounts;
 

@@ -8,6 +8,7 @@
 //! | [`chebyshev`] | Chebyshev's semi-iteration | Golub & Varga 1961 |
 //! | [`conjugate_gradients`] | conjugate gradients, symmetrised | Hestenes & Stiefel 1952 |
 //! | [`direct`] | LU | Golub & Van Loan §3.4 |
+//! | [`race`] | all of them on one system, by iteration and by time | |
 //!
 //! A small residual is not a small error: beside it stands the bound ‖B − B*‖_∞ ≤ ‖r‖_∞ / (1 − max_i ρ_i Σ_j F_ij).
 
@@ -25,6 +26,7 @@ pub mod jacobi;
 mod lossless;
 mod outcome;
 pub mod over_relaxation;
+pub mod race;
 pub mod shooting;
 mod solver;
 mod system;

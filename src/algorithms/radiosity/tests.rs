@@ -26,8 +26,8 @@ fn solvers_take_the_iterations_of_the_table() {
     }
     let emission = lamp(8);
     let table = [
-        (Solver::Jacobi, vec![17, 110, 1148]),
-        (Solver::GaussSeidel, vec![9, 56, 584]),
+        (Solver::Jacobi, vec![17, 110, 1148, 11528]),
+        (Solver::GaussSeidel, vec![9, 56, 584, 5862]),
         (Solver::Shooting, vec![3356, 21480, 223_000]),
         (Solver::Overshooting, vec![1203, 1978, 2980, 3498, 3941]),
         (Solver::Chebyshev, vec![9, 27, 87, 275, 869]),

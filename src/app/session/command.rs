@@ -82,6 +82,8 @@ pub enum Command {
     /// The sheet of keys.
     Keys,
     Inspector,
+    /// Rooms smooth, or patch by patch.
+    Smooth,
     LargerText,
     SmallerText,
     NormalText,

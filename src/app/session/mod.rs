@@ -41,6 +41,8 @@ pub struct Look {
     before_presenting: Theme,
     pub keys: bool,
     pub inspector: bool,
+    /// Whether rooms are shown smooth, not patch by patch.
+    pub smooth: bool,
     pub questions: bool,
 }
 
@@ -54,6 +56,7 @@ impl Look {
             before_presenting: Theme::Light,
             keys: false,
             inspector: true,
+            smooth: false,
             questions: true,
         }
     }
@@ -152,6 +155,7 @@ impl Session {
     fn start_over(&mut self) {
         self.recording += 1;
         self.look.inspector = self.open.lesson.panels.contains(&Panel::Inspector);
+        self.look.smooth = self.open.stage.radiosity.smooth;
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
         self.standings = vec![Standing::Open; self.narrated.len()];
         self.breakpoints.clear();
@@ -236,6 +240,7 @@ impl Session {
             narrated: &self.narrated,
             breakpoints: self.breakpoints(),
             tree: &self.tree,
+            smooth: self.look.smooth,
         }
     }
 

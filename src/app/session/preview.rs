@@ -1,8 +1,9 @@
-//! The whole picture, made in the background: nobody waits for it, and nobody keeps it from being called off.
+//! The whole picture, and of a room the race of its solvers, made in the background: nobody waits for it, and nobody keeps it from
+//! being called off.
 
 use crate::algorithms::frame::Frame;
 use crate::algorithms::stage::Stage;
-use crate::render::{Cancelled, Method, preview};
+use crate::render::{Cancelled, Method, preview, race};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -62,7 +63,12 @@ impl Preview {
             let progress = |done, all| state.progress(done, all);
             // The other end may be gone: then there is nobody to be sorry for.
             let show = &mut |pass: &Frame| drop(passes.send(pass.clone()));
-            if let Ok(whole) = preview(&stage, method, threads, progress, show) {
+            let Ok(whole) = preview(&stage, method, threads, progress, show) else {
+                return;
+            };
+            if passes.send(whole.clone()).is_ok() && method == Method::Radiosity {
+                race(&stage);
+                // The picture stays; that it comes again says that the race is run.
                 drop(passes.send(whole));
             }
         })

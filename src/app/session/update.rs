@@ -250,6 +250,7 @@ impl Session {
             Command::StopPresenting => {}
             Command::Keys => look.keys = !look.keys,
             Command::Inspector => look.inspector = !look.inspector,
+            Command::Smooth => look.smooth = !look.smooth,
             Command::NormalText => look.text = super::Look::new().text,
             Command::LargerText if look.text + 1 == TEXT_SIZES.len() => {
                 return Err(words::LARGEST.into());

@@ -18,20 +18,30 @@ pub(super) fn shoots(solver: Solver) -> bool {
     matches!(solver, Solver::Shooting | Solver::Overshooting)
 }
 
-/// The light of every patch so far. It begins with what they emit; a channel that is still to be solved is dark. Where patches
-/// shoot, their unshot light, which they already have, counts (Cohen, Chen, Wallace & Greenberg 1988).
+/// The light of every patch so far. It begins with what they emit; a channel that is still to be solved is dark, unless it is equal to
+/// one before it, whose light it shares: a grey room is grey from the first step on. Where patches shoot, their unshot light, which
+/// they already have, counts (Cohen, Chen, Wallace & Greenberg 1988).
 pub(super) fn light(state: &State, room: &Room) -> Vec<Rgb> {
     if state.channels.is_empty() {
         return room.emission.clone();
     }
     let [red, green, blue] = [0, 1, 2].map(|c| {
-        of_channel(state, CHANNELS[c]).map_or_else(
+        of_channel(state, CHANNELS[twin(room, c)]).map_or_else(
             || vec![0.0; room.patches.len()],
             |channel| values(channel, room.emission.iter().map(|e| e.channels()[c])),
         )
     });
     let channels = zip(red, zip(green, blue));
     channels.map(|(r, (g, b))| Rgb::new(r, g, b)).collect()
+}
+
+/// The first channel in which patches reflect and emit as much as in channel `c`: one is solved for both.
+pub(super) fn twin(room: &Room, c: usize) -> usize {
+    let equal = |other: usize| {
+        let mut colors = room.reflectance.iter().chain(&room.emission);
+        colors.all(|color| color.channels()[other] == color.channels()[c])
+    };
+    (0..c).find(|&other| equal(other)).unwrap_or(c)
 }
 
 /// The channel as it was solved, be it under the name of an equal one; none of one that is dark or still to be solved.

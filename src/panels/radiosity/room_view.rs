@@ -19,10 +19,10 @@ pub(super) struct Seen {
 
 pub(super) struct RoomView<'a> {
     room: &'a Room,
-    view: View,
+    pub view: View,
     /// The part of the screen that is shown.
-    low: DVec2,
-    high: DVec2,
+    pub low: DVec2,
+    pub high: DVec2,
     /// In the order in which they are painted.
     pub seen: Vec<Seen>,
 }

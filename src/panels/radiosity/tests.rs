@@ -51,7 +51,12 @@ fn every_step_is_legible_at_every_size() {
         for step in sample.some_steps(9973) {
             sample.seek(step);
             for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                let picture = draw(&sample.show_in(language), size);
+                let smooth = step % 2 == 1;
+                let show = Show {
+                    smooth,
+                    ..sample.show_in(language)
+                };
+                let picture = draw(&show, size);
                 let what = format!("{} {step} at {size}", sample.walk().kind(step));
                 assert_legible(&picture, &what);
                 assert!(!picture.items.is_empty(), "{what}");
@@ -194,4 +199,66 @@ fn the_light_begins_with_the_emission_and_ends_with_the_solution() {
             assert!(apart.into_iter().all(|apart| apart <= allowed), "{apart:?}");
         }
     }
+}
+
+#[test]
+fn a_smooth_room_shows_at_a_corner_the_mean_of_the_patches_that_meet_there() {
+    let sample = Sample::room(Solver::Auto, Focus::Frame);
+    let (stage, room) = (stage_of(&sample), room_of(&sample));
+    let view = RoomView::new(stage, room);
+    let fit = view.fit(Rect::new(10.0, 20.0, 700.0, 420.0));
+    // Grey like a landscape whose height is the place: linear, so the mean at a corner between equal cells is the corner's own.
+    let gray = |at: glam::DVec3| 0.5 + 0.05 * (at.x + 0.5 * at.z - at.y);
+    let colors: Vec<Rgb> = room
+        .patches
+        .iter()
+        .map(|patch| Rgb::splat(gray(patch.center)))
+        .collect();
+    let (place, image) = smooth::image(room, &view, &fit, &colors);
+    let mut picture = Picture::new(800.0, 500.0);
+    picture.image(place, image);
+    let pixels = crate::picture::rasterize(&picture, crate::picture::Theme::Light, 1.0).unwrap();
+    let mut corners = 0;
+    let all = room.patches.iter().enumerate();
+    let outlines: Vec<(u32, glam::DVec3)> = all
+        .flat_map(|(number, patch)| {
+            let pieces = room.patches.pieces(number);
+            pieces.flat_map(move |piece| piece.corners.iter().map(move |&at| (patch.object, at)))
+        })
+        .collect();
+    for &(object, corner) in &outlines {
+        let meeting = outlines
+            .iter()
+            .filter(|&&other| other == (object, corner))
+            .count();
+        let camera = stage.view.to_camera(corner);
+        // Of the floor: on the ball cells are not equal, and corners lie on its outline.
+        if meeting != 4 || corner.y != 0.0 || camera.z <= stage.view.near {
+            continue;
+        }
+        let seen = stage.view.to_screen(camera);
+        let ray = Ray {
+            origin: stage.view.eye,
+            direction: (corner - stage.view.eye).normalize(),
+        };
+        let nearest = room
+            .solids
+            .nearest(&ray)
+            .map(|(patch, _)| room.patches[patch].object);
+        let at = fit.place(seen);
+        let Some(pixel) = pixels.pixel(at.x as u32, at.y as u32) else {
+            continue;
+        };
+        if nearest != Some(object) {
+            continue;
+        }
+        corners += 1;
+        let told = f64::from(pixel.red());
+        let [wanted, ..] = Rgb::splat(gray(corner)).to_srgb8();
+        assert!(
+            (told - f64::from(wanted)).abs() < 6.0,
+            "{corner}: {told}, not {wanted}"
+        );
+    }
+    assert!(corners > 20, "{corners} corners");
 }

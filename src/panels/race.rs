@@ -1,0 +1,418 @@
+//! All solvers on the same room, side by side: what is left by iteration and by time, as far as the recorded run has come. Where
+//! there is room, the residual, which a solver knows, stands above the error, which it does not.
+
+use super::Show;
+use super::labels::Labels;
+use super::log_axes::LogAxes;
+use super::message::{NO_PATCHES, message};
+use super::values::told_in_words;
+use super::words::{Language, Words};
+use crate::algorithms::radiosity::race::{Lap, Race, Racer};
+use crate::algorithms::radiosity::{Solver, Unsolved};
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide, number};
+use crate::replay::Run;
+use crate::replay::radiosity::State;
+use glam::Vec2;
+
+const MARGIN: f32 = 8.0;
+const TEXT: f32 = 11.0;
+const ROW: f32 = 17.0;
+/// What lies farther below the tolerance stands at the lower end: of the fields, LU would take the most for nothing.
+const BELOW: f64 = 1e-2;
+
+const ITERATIONS: Words = Words::new(
+    "iterations (n shots count as one)",
+    "iterasi (n tembakan dihitung satu)",
+);
+const TIME: Words = Words::new("seconds", "detik");
+const RESIDUAL: Words = Words::new("relative residual", "residu relatif");
+const ERROR: Words = Words::new("relative error of B", "galat relatif B");
+const RUNNING: Words = Words::new(
+    "The solvers are still running.",
+    "Para penyelesai masih berjalan.",
+);
+const NO_SOLUTION: Words = Words::new(
+    "This room has no solution, so nobody can win.",
+    "Ruangan ini tidak punya solusi, jadi tidak ada pemenang.",
+);
+const NOT_BEGUN: Words = Words::new(
+    "The solvers wait at the start. Step to the end of an iteration.",
+    "Para penyelesai menunggu di garis mulai. Melangkahlah sampai akhir sebuah iterasi.",
+);
+const GAVE_UP: Words = Words::new("gave up", "menyerah");
+const ON_THE_WAY: Words = Words::new("under way", "di jalan");
+const PATCHES: Words = Words::new("patches", "patch");
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    let Run::Radiosity(stage, replay) = show.run else {
+        return message(NO_PATCHES, show.language, size);
+    };
+    let race = match stage.room().ok().and_then(|room| room.race()) {
+        None => return message(RUNNING, show.language, size),
+        Some(Err(_)) => return message(NO_SOLUTION, show.language, size),
+        Some(Ok(race)) => race,
+    };
+    let state = replay.state();
+    let Some(now) = Now::of(state, race) else {
+        return message(NOT_BEGUN, show.language, size);
+    };
+    let mut picture = Picture::new(size.x, size.y);
+    picture.alt = in_words(show, race, now);
+    let whole = picture.bounds().grown(-MARGIN);
+    let below = standings(&mut picture, race, now, whole, show.language);
+    for (plot, place) in plots(Rect {
+        height: below - whole.y,
+        ..whole
+    }) {
+        plot.draw(&mut picture, race, now, place, show.language);
+    }
+    picture
+}
+
+/// How far the race is shown: as far as the run that is walked through has come.
+#[derive(Clone, Copy)]
+struct Now {
+    sweeps: f64,
+    seconds: f64,
+}
+
+impl Now {
+    /// None before the first iteration is done. Once a channel is solved, to the end.
+    fn of(state: &State, race: &Race) -> Option<Now> {
+        const END: Now = Now {
+            sweeps: f64::INFINITY,
+            seconds: f64::INFINITY,
+        };
+        let first = state.channels.first()?;
+        let channel = state.channel()?;
+        if first.converged.is_some() || first.left_out.is_some() {
+            return Some(END);
+        }
+        let last = channel.history.get(channel.history.len().checked_sub(1)?)?;
+        let named = |solver| race.racers.iter().find(|racer| racer.solver == solver);
+        let Some(racer) = named(channel.solver) else {
+            return Some(END);
+        };
+        let done = f64::from(last.k) + 1.0;
+        let by_count = |lap: &Lap| f64::from(lap.iterations);
+        let seconds = racer.at(done, by_count).map_or(0.0, |lap| lap.seconds);
+        let shots = if racer.solver.shoots() {
+            race.patches as f64
+        } else {
+            1.0
+        };
+        Some(Now {
+            sweeps: done / shots,
+            seconds,
+        })
+    }
+}
+
+/// One field: what goes upward, and what to the right.
+#[derive(Clone, Copy)]
+struct Plot {
+    error: bool,
+    time: bool,
+}
+
+/// Four fields where there is room for them, else two: the residual by iteration and the error by time; in a narrow panel the latter
+/// alone.
+fn plots(whole: Rect) -> Vec<(Plot, Rect)> {
+    if whole.width < 330.0 {
+        let plot = Plot {
+            error: true,
+            time: true,
+        };
+        return vec![(plot, whole)];
+    }
+    let half = Rect {
+        width: 0.5 * whole.width,
+        ..whole
+    };
+    let right = half.shifted(Vec2::new(half.width, 0.0));
+    if whole.height < 270.0 {
+        let plot = |both| Plot {
+            error: both,
+            time: both,
+        };
+        return vec![(plot(false), half), (plot(true), right)];
+    }
+    let mut plots = Vec::new();
+    for (row, error) in [false, true].into_iter().enumerate() {
+        for (place, time) in [(half, false), (right, true)] {
+            let height = 0.5 * whole.height;
+            let place = Rect { height, ..place };
+            let down = Vec2::new(0.0, height * row as f32);
+            plots.push((Plot { error, time }, place.shifted(down)));
+        }
+    }
+    plots
+}
+
+impl Plot {
+    fn across(self, race: &Race, racer: &Racer, lap: &Lap) -> f64 {
+        match self.time {
+            true => lap.seconds,
+            false => racer.sweeps(lap, race.patches),
+        }
+    }
+
+    fn up(self, race: &Race, lap: &Lap) -> f64 {
+        let left = if self.error { lap.error } else { lap.residual };
+        left.max(BELOW * race.tolerance)
+    }
+
+    fn draw(self, picture: &mut Picture, race: &Race, now: Now, place: Rect, language: Language) {
+        let laps = || {
+            let racers = race.racers.iter();
+            racers.flat_map(|racer| racer.laps.iter().map(move |lap| (racer, lap)))
+        };
+        let axes = LogAxes::new(
+            laps().map(|(racer, lap)| self.across(race, racer, lap)),
+            laps()
+                .map(|(_, lap)| self.up(race, lap))
+                .chain([1.0, BELOW * race.tolerance]),
+            place,
+        );
+        let up = if self.error { ERROR } else { RESIDUAL };
+        let right = if self.time { TIME } else { ITERATIONS };
+        let [up, right] = [up, right].map(|words| {
+            let words = words.in_language(language);
+            elide(words, Style::Body, TEXT, axes.place.width)
+        });
+        axes.draw(picture, &up, &right);
+        if !self.error {
+            let y = axes.point(1.0, race.tolerance).y;
+            let stroke = Ink::Good.stroke(1.5).dotted();
+            picture.line((axes.place.x, y), (axes.place.right(), y), stroke);
+        }
+        let mut labels = Labels::new(axes.place.grown(2.0));
+        let mut heads = Vec::new();
+        for (number, racer) in race.racers.iter().enumerate() {
+            let until = if self.time { now.seconds } else { now.sweeps };
+            let shown = racer
+                .laps
+                .iter()
+                .map(|lap| (self.across(race, racer, lap), self.up(race, lap)))
+                .take_while(|&(across, _)| across <= until);
+            let points: Vec<Vec2> = shown.map(|(x, y)| axes.point(x, y)).collect();
+            let Some(&head) = points.last() else { continue };
+            let (ink, stroke) = stroke(number);
+            for pair in points.windows(2) {
+                labels.spare(pair[0], pair[1]);
+            }
+            if points.len() > 1 {
+                picture.polyline(points, stroke);
+            }
+            picture.circle(head, 3.0, ink);
+            heads.push((head, racer.solver));
+        }
+        for &(head, _) in &heads {
+            labels.keep_free(Rect::new(head.x, head.y, 0.0, 0.0).grown(3.0));
+        }
+        for (head, solver) in heads {
+            let style = Style::Bold.size(TEXT);
+            let toward = Vec2::new(1.0, -0.4);
+            labels.put(picture, (head, 3.0), toward, letters(solver), style);
+        }
+    }
+}
+
+/// Told apart by colour and by dashes.
+fn stroke(number: usize) -> (Ink, Stroke) {
+    let ink = Ink::Series(number as u8);
+    let stroke = ink.stroke(1.75);
+    let stroke = match number % 3 {
+        0 => stroke,
+        1 => stroke.dashed(),
+        _ => stroke.dotted(),
+    };
+    (ink, stroke)
+}
+
+/// As short as a label at a curve must be.
+fn letters(solver: Solver) -> &'static str {
+    match solver {
+        Solver::Auto => "auto",
+        Solver::Jacobi => "J",
+        Solver::GaussSeidel => "GS",
+        Solver::OverRelaxation => "SOR",
+        Solver::Shooting => "S",
+        Solver::Overshooting => "S+",
+        Solver::Chebyshev => "Ch",
+        Solver::ConjugateGradients => "CG",
+        Solver::Direct => "LU",
+    }
+}
+
+/// Under the fields, each solver with its line and how far it has come, unless that would take more than a third of the room.
+/// Returns where they begin.
+fn standings(picture: &mut Picture, race: &Race, now: Now, whole: Rect, language: Language) -> f32 {
+    const SAMPLE: f32 = 18.0;
+    // With names, and without.
+    const CELLS: [f32; 2] = [290.0, 150.0];
+    let arranged = CELLS.map(|cell| {
+        let columns = ((whole.width / cell) as usize).clamp(1, 4);
+        (columns, race.racers.len().div_ceil(columns))
+    });
+    let fits = |(_, rows): (usize, usize)| ROW * rows as f32 <= 0.34 * whole.height;
+    let Some(named) = arranged.iter().position(|&arranged| fits(arranged)) else {
+        return whole.bottom();
+    };
+    let (columns, rows) = arranged[named];
+    let named = named == 0;
+    let top = whole.bottom() - ROW * rows as f32;
+    let width = whole.width / columns as f32;
+    for (index, racer) in race.racers.iter().enumerate() {
+        let (row, column) = (index % rows, index / rows);
+        let cell = Rect::new(
+            whole.x + width * column as f32,
+            top + ROW * row as f32,
+            width,
+            ROW,
+        );
+        let y = cell.center().y;
+        let (_, stroke) = stroke(index);
+        picture.line((cell.x, y), (cell.x + SAMPLE, y), stroke);
+        let style = Style::Bold.size(TEXT);
+        let name = Rect {
+            x: cell.x + SAMPLE + 5.0,
+            ..cell
+        };
+        picture.text_in(name, letters(racer.solver), style);
+        let text = Rect {
+            x: name.x + 30.0,
+            ..cell
+        };
+        let style = Style::Body.size(TEXT).ink(Ink::Muted);
+        let words = elide(
+            &match named {
+                true => format!(
+                    "{}: {}",
+                    racer.solver.name(),
+                    standing(racer, now, language)
+                ),
+                false => standing(racer, now, language),
+            },
+            style.style,
+            style.size,
+            cell.right() - text.x - 4.0,
+        );
+        picture.text_in(text, words, style);
+    }
+    top - 4.0
+}
+
+/// Iterations and time to its end, or that it is not there yet.
+fn standing(racer: &Racer, now: Now, language: Language) -> String {
+    let say = |words: Words| words.in_language(language);
+    let Some(last) = racer.laps.last() else {
+        return say(ON_THE_WAY).to_owned();
+    };
+    if last.seconds > now.seconds {
+        return say(ON_THE_WAY).to_owned();
+    }
+    let (unit, many) = if last.seconds < 1e-3 {
+        ("µs", 1e6)
+    } else {
+        ("ms", 1e3)
+    };
+    let effort = format!(
+        "{} · {} {unit}",
+        last.iterations,
+        number(three(many * last.seconds))
+    );
+    match racer.unsolved {
+        None => effort,
+        Some(Unsolved::NotConverged { .. }) => format!("{} ({effort})", say(GAVE_UP)),
+        Some(_) => say(GAVE_UP).to_owned(),
+    }
+}
+
+/// To three digits: no clock tells more.
+fn three(value: f64) -> f64 {
+    let text = format!("{value:.2e}");
+    text.parse().unwrap_or(value)
+}
+
+fn in_words(show: &Show, race: &Race, now: Now) -> String {
+    let say = |words: Words| words.in_language(show.language);
+    let mut words = format!("{} {} {}.", told_in_words(show), race.patches, say(PATCHES));
+    for racer in &race.racers {
+        let standing = standing(racer, now, show.language);
+        words = format!("{words} {}: {standing}.", racer.solver.name());
+    }
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::crowd::{self, SIZES, assert_legible};
+    use super::super::sample::Sample;
+    use super::*;
+    use crate::algorithms::focus::Focus;
+    use crate::picture::Shape;
+    use crate::render::Method;
+
+    /// The sample room whose race was run on a clock that ticks.
+    fn sample(solver: Solver, focus: Focus) -> Sample {
+        let sample = Sample::room(solver, focus);
+        if let Run::Radiosity(stage, _) = &sample.run {
+            let room = stage.room().unwrap();
+            let mut ticks = 0.0;
+            let clock = || {
+                ticks += 1e-6;
+                ticks
+            };
+            room.race_or(room.matrix().unwrap(), clock).unwrap();
+        }
+        sample
+    }
+
+    #[test]
+    fn every_step_is_legible_at_every_size() {
+        for mut sample in [
+            sample(Solver::GaussSeidel, Focus::Frame),
+            sample(Solver::Shooting, Focus::Iterations { start: 5, end: 9 }),
+            sample(Solver::Auto, Focus::Patch(3)),
+            Sample::room(Solver::Auto, Focus::Frame),
+            crowd::crowd(Method::Gouraud),
+        ] {
+            for step in sample.some_steps(9973) {
+                sample.seek(step);
+                for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
+                    let picture = draw(&sample.show_in(language), size);
+                    let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                    assert_legible(&picture, &what);
+                    assert!(!picture.items.is_empty(), "{what}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn nobody_is_ahead_of_the_run_that_is_walked_through() {
+        let mut sample = sample(Solver::GaussSeidel, Focus::Frame);
+        let heads = |sample: &Sample| {
+            let picture = draw(&sample.show(), Vec2::new(640.0, 460.0));
+            let circles = picture.items.iter().filter_map(|item| match item.shape {
+                Shape::Circle { center, .. } => Some(center.x),
+                _ => None,
+            });
+            circles.collect::<Vec<f32>>()
+        };
+        sample.go_to("IterationDone", 0);
+        let early = heads(&sample);
+        sample.go_to("RoomDone", 0);
+        let late = heads(&sample);
+        assert_eq!(late.len(), 4 * (Solver::ALL.len() - 1));
+        assert!(early.len() < late.len());
+        // The first field counts iterations: all who have done one stand at the first, and shots before it.
+        let first = &early[..early.len() / 4];
+        let most = first.iter().fold(0.0_f32, |most, &x| most.max(x));
+        let last = late[..late.len() / 4]
+            .iter()
+            .fold(0.0_f32, |most, &x| most.max(x));
+        assert!(most < last);
+    }
+}
