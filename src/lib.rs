@@ -14,7 +14,7 @@
 //! | [`color`], [`numeric`] | linear RGB and the one place of clamping and sRGB; interpolation, direct and incremental |
 //! | [`record`] | what an algorithm tells its steps to, and the tree of scopes over them |
 //! | [`scene`] | scene files and their checks, camera, lights, materials, meshes, division into polygons; where rays meet them ([`scene::solids`]), what rays need of them, and the patches of radiosity ([`scene::patches`]) |
-//! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud, ray casting, ray tracing; [`algorithms::form_factor`] and [`algorithms::radiosity`] with a file a method or solver |
+//! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud, Phong, textures, ray casting, ray tracing; [`algorithms::form_factor`] and [`algorithms::radiosity`] with a file a method or solver |
 //! | [`render`] | a whole frame or a whole matrix of form factors, unrecorded, on all cores; frames all at once or coarse first |
 //! | [`replay`] | timelines with checkpoints, walking, searching; the state of each algorithm at a step |
 //! | [`picture`] | display lists with tags, text, themes, and their rasteriser; uses [`color`] alone |

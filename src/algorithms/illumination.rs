@@ -7,6 +7,7 @@
 //! The lecture's slide multiplies by (dist·cos φ)/√dist instead of f_att(d)·N·L. Read literally, that grows with the
 //! distance; every light tells it as `slide_factor`, for comparison only.
 
+use super::intensity::Intensity;
 use crate::color::Rgb;
 use crate::record::{self, Fields, Line, Listing, Recorder};
 use crate::scene::{Highlight, Light, Material};
@@ -68,7 +69,7 @@ pub fn illuminate<E: From<Event>, R: Recorder<E>>(
     lighting: &Lighting,
     recorder: &mut R,
     mut arrives: impl FnMut(&ToLight, &mut R) -> bool,
-) -> Rgb {
+) -> Intensity {
     let to_eye = point.to_eye;
     let turned = point.normal.dot(to_eye) < 0.0;
     let normal = if turned { -point.normal } else { point.normal };
@@ -90,11 +91,20 @@ pub fn illuminate<E: From<Event>, R: Recorder<E>>(
         .into()
     });
 
-    let mut intensity = ambient;
+    let mut intensity = Intensity {
+        whole: ambient,
+        diffuse: Rgb::BLACK,
+    };
     for light in 0..lighting.lights.len() {
-        intensity += illuminate_by(light, lighting, point, normal, recorder, &mut arrives);
+        let added = illuminate_by(light, lighting, point, normal, recorder, &mut arrives);
+        intensity = intensity + added;
     }
-    recorder.leave(|| Event::Illuminated { intensity }.into());
+    recorder.leave(|| {
+        Event::Illuminated {
+            intensity: intensity.whole,
+        }
+        .into()
+    });
     intensity
 }
 
@@ -106,7 +116,7 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
     normal: DVec3,
     recorder: &mut R,
     arrives: &mut impl FnMut(&ToLight, &mut R) -> bool,
-) -> Rgb {
+) -> Intensity {
     let to_eye = point.to_eye;
     let Incidence {
         to_light,
@@ -133,7 +143,7 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
     };
     if n_dot_l > 0.0 && !arrives(&source, recorder) {
         recorder.leave(|| Event::LightAdded { term: Rgb::BLACK }.into());
-        return Rgb::BLACK;
+        return Intensity::default();
     }
 
     let k_d = point.diffuse;
@@ -146,7 +156,10 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
 
     if !lighting.specular {
         recorder.leave(|| Event::LightAdded { term: diffuse }.into());
-        return diffuse;
+        return Intensity {
+            whole: diffuse,
+            diffuse,
+        };
     }
     let Material {
         specular: k_s,
@@ -197,7 +210,10 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
 
     let term = diffuse + specular;
     recorder.leave(|| Event::LightAdded { term }.into());
-    term
+    Intensity {
+        whole: term,
+        diffuse,
+    }
 }
 
 struct Incidence {

@@ -186,7 +186,8 @@ impl<'a, S: Search> RayTracer<'a, S> {
         let lit = illuminate(&facing.point, &lighting, recorder, |to_light, recorder| {
             let shadows = self.needs.shadow(to_light.light, hit.object as usize);
             !(shadows && self.in_shadow(facing, to_light, recorder))
-        });
+        })
+        .whole;
         let emission = facing.point.material.emission;
         let local = (lit + emission).finite();
         recorder.step(|| ray_tree::Event::Local { emission, local }.into());

@@ -38,9 +38,12 @@ pub struct LessonFile {
     /// Of radiosity: how the light of the room is found.
     #[serde(default, deserialize_with = "present")]
     pub radiosity: Option<Keyed<RadiosityFile>>,
-    /// Methods beside that of the run, the last one the reference: two to six in all.
+    /// Two to six methods whose pictures are compared, the last one the reference.
     #[serde(default, deserialize_with = "present")]
     pub compare: Option<Vec<String>>,
+    /// Of textured polygons: `perspective` unless given, or `linear`, which is wrong.
+    #[serde(default, deserialize_with = "present")]
+    pub texture_mapping: Option<String>,
     pub focus: FocusFile,
     /// Indices of the point lights that may be moved.
     #[serde(default, deserialize_with = "present")]

@@ -2,11 +2,12 @@
 
 use super::file::{FocusFile, LessonFile, StepFile, Text};
 use super::narrate::narrate;
-use super::settings::{compare, radiosity, rays};
+use super::settings::{compare, mapping, radiosity, rays};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::room;
 use crate::algorithms::stage::Stage;
+use crate::algorithms::texture::Mapping;
 use crate::panels::Panel;
 use crate::panels::words::Language;
 use crate::record::RecordingLimit;
@@ -56,6 +57,8 @@ pub struct Lesson {
     pub radiosity: room::Settings,
     /// Methods whose pictures are compared, the last one the reference.
     pub compare: Vec<Method>,
+    /// Where the textures of polygons are looked up.
+    pub mapping: Mapping,
     pub focus: Focus,
     /// Indices into the scene's lights: point lights that may be moved.
     pub movable_lights: Vec<usize>,
@@ -209,6 +212,7 @@ impl Lesson {
         let settings = rays(&file, &mut problems);
         let radiosity = radiosity(&file, &mut problems);
         let compare = compare(&file, &mut problems);
+        let mapping = mapping(&file, &mut problems);
 
         match (scene, method) {
             (Some(scene), Some(method)) if problems.is_empty() => Ok(Lesson {
@@ -223,6 +227,7 @@ impl Lesson {
                 settings,
                 radiosity,
                 compare,
+                mapping,
                 focus,
                 movable_lights,
                 panels,
@@ -242,7 +247,8 @@ impl Lesson {
         let stage = Arc::new(
             Stage::new(self.scene.clone(), View::new(&camera, width, height))
                 .with_settings(self.settings)
-                .with_radiosity(self.radiosity),
+                .with_radiosity(self.radiosity)
+                .with_mapping(self.mapping),
         );
         if self.method == Method::Radiosity {
             let wrong = |error: &_| problem("scene", format!("{error}"));

@@ -1,4 +1,5 @@
-//! How far ray methods go in a lesson, how the light of its room is found, and which methods are compared.
+//! How far ray methods go in a lesson, where textures are looked up, how the light of its room is found, and which methods are
+//! compared.
 
 use super::file::LessonFile;
 use super::resolve::problem;
@@ -6,6 +7,7 @@ use crate::algorithms::form_factor::Method;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
 use crate::algorithms::room;
+use crate::algorithms::texture::Mapping;
 use crate::render::Method as Picture;
 use crate::scene::document::{Keyed, Problem};
 use std::num::NonZeroU32;
@@ -69,6 +71,19 @@ pub fn compare(file: &LessonFile, problems: &mut Vec<Problem>) -> Vec<Picture> {
         problems.push(problem("compare", message));
     }
     methods
+}
+
+/// Where the textures of polygons are to be looked up.
+pub fn mapping(file: &LessonFile, problems: &mut Vec<Problem>) -> Mapping {
+    let Some(name) = &file.texture_mapping else {
+        return Mapping::default();
+    };
+    Mapping::from_name(name).unwrap_or_else(|| {
+        let known = Mapping::ALL.map(Mapping::name).join(", ");
+        let message = format!("found \"{name}\"; allowed are {known}");
+        problems.push(problem("texture_mapping", message));
+        Mapping::default()
+    })
 }
 
 /// How the light of a room is to be found.

@@ -33,6 +33,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     match show.run {
         Run::Gouraud(replay) => of_state(show, replay.state(), size),
         Run::Phong(replay) => of_state(show, replay.state(), size),
+        Run::Exact(replay) => of_state(show, replay.state(), size),
         Run::Flat(replay) => of_state(show, replay.state(), size),
         Run::Wireframe(replay) => match replay.state().line {
             Some(ends) => {

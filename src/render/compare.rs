@@ -1,6 +1,7 @@
 //! Several methods on one stage: their pictures, what each did for it, and how long it took.
 
 use super::{Method, render};
+use crate::algorithms::exact::exact;
 use crate::algorithms::flat::flat;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
@@ -79,6 +80,7 @@ fn operations(stage: &Stage, method: Method) -> Operations {
         Method::Flat => flat(stage, focus, frame, counter),
         Method::Gouraud => gouraud(stage, focus, frame, counter),
         Method::Phong => phong(stage, focus, frame, counter),
+        Method::Exact => exact(stage, focus, frame, counter),
         Method::RayCasting => {
             let caster = RayCaster::new(stage, stage.needs(), Hierarchy);
             ray_casting(&caster, focus, frame, counter);

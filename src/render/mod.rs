@@ -8,6 +8,7 @@ mod painter;
 mod pixels;
 mod tally;
 
+use crate::algorithms::exact::exact;
 use crate::algorithms::flat::flat;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
@@ -37,17 +38,20 @@ pub enum Method {
     Flat,
     Gouraud,
     Phong,
+    /// With the normals of the true surfaces.
+    Exact,
     RayCasting,
     RayTracing,
     Radiosity,
 }
 
 impl Method {
-    pub const ALL: [Method; 7] = [
+    pub const ALL: [Method; 8] = [
         Method::Wireframe,
         Method::Flat,
         Method::Gouraud,
         Method::Phong,
+        Method::Exact,
         Method::RayCasting,
         Method::RayTracing,
         Method::Radiosity,
@@ -60,6 +64,7 @@ impl Method {
             Method::Flat => "flat",
             Method::Gouraud => "gouraud",
             Method::Phong => "phong",
+            Method::Exact => "exact",
             Method::RayCasting => "ray-casting",
             Method::RayTracing => "ray-tracing",
             Method::Radiosity => "radiosity",
@@ -88,12 +93,15 @@ impl Method {
         }
     }
 
-    /// Whether it does that part of following rays, where the scene needs it.
+    /// Whether it does that part of the work, where the scene needs it.
     pub fn does(self, part: Part) -> bool {
         match self {
             Method::RayCasting => part.concerns_primary_rays(),
             Method::RayTracing => true,
-            _ => false,
+            Method::Wireframe | Method::Radiosity => false,
+            Method::Flat | Method::Gouraud | Method::Phong | Method::Exact => {
+                part == Part::TextureCoordinates
+            }
         }
     }
 
@@ -179,6 +187,7 @@ fn draw<E: Send>(
         Method::Gouraud => {
             painter.bands(|band| gouraud(stage, Focus::Frame, band, &mut Unrecorded))
         }
+        Method::Exact => painter.bands(|band| exact(stage, Focus::Frame, band, &mut Unrecorded)),
         Method::Phong => painter.bands(|band| phong(stage, Focus::Frame, band, &mut Unrecorded)),
         Method::RayCasting => {
             let caster = RayCaster::new(stage, needs, Hierarchy);

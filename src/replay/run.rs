@@ -1,6 +1,7 @@
 //! One recorded run of one of the algorithms.
 
 use super::{Fold, Replay, Timeline, Walk, form_factor, radiosity, rays, shading, wireframe};
+use crate::algorithms::exact;
 use crate::algorithms::flat::{self, Nothing};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::form_factor::{FormFactors, Method as Integration};
@@ -27,6 +28,7 @@ pub enum Run {
     Flat(Box<Replay<flat::Event, shading::State<Nothing>>>),
     Gouraud(Box<Replay<gouraud::Event, shading::State<Rgb>>>),
     Phong(Box<Replay<phong::Event, shading::State<DVec3>>>),
+    Exact(Box<Replay<exact::Event, shading::State<DVec3>>>),
     RayCasting(Box<Replay<ray_casting::Event, rays::State>>),
     RayTracing(Box<Replay<ray_tracing::Event, rays::State>>),
     Radiosity(
@@ -68,6 +70,14 @@ impl Run {
                 shading::State::new,
                 |frame, recording| {
                     gouraud::gouraud(&stage, focus, frame, recording);
+                },
+            )),
+            Method::Exact => Run::Exact(replay(
+                Recording::new(limit),
+                &stage,
+                shading::State::new,
+                |frame, recording| {
+                    exact::exact(&stage, focus, frame, recording);
                 },
             )),
             Method::Phong => Run::Phong(replay(
@@ -125,6 +135,7 @@ impl Run {
             Run::Flat(_) => Method::Flat,
             Run::Gouraud(_) => Method::Gouraud,
             Run::Phong(_) => Method::Phong,
+            Run::Exact(_) => Method::Exact,
             Run::RayCasting(_) => Method::RayCasting,
             Run::RayTracing(_) => Method::RayTracing,
             Run::Radiosity(..) | Run::FormFactor(..) => Method::Radiosity,
@@ -137,6 +148,7 @@ impl Run {
             Run::Flat(replay) => &**replay,
             Run::Gouraud(replay) => &**replay,
             Run::Phong(replay) => &**replay,
+            Run::Exact(replay) => &**replay,
             Run::RayCasting(replay) => &**replay,
             Run::RayTracing(replay) => &**replay,
             Run::Radiosity(_, replay) => &**replay,
@@ -150,6 +162,7 @@ impl Run {
             Run::Flat(replay) => &mut **replay,
             Run::Gouraud(replay) => &mut **replay,
             Run::Phong(replay) => &mut **replay,
+            Run::Exact(replay) => &mut **replay,
             Run::RayCasting(replay) => &mut **replay,
             Run::RayTracing(replay) => &mut **replay,
             Run::Radiosity(_, replay) => &mut **replay,

@@ -253,7 +253,6 @@ impl<A: Carried> State<A> {
                     x_p,
                     depth: None,
                     values: None,
-                    normal: None,
                     step,
                 })
             }
@@ -297,7 +296,13 @@ impl<M: Shading> Fold<Event<M>> for State<M::Told> {
     fn apply(&mut self, step: usize, event: &Event<M>) {
         match *event {
             Event::Stage(ref event) => self.walk_stage(step, event),
-            Event::Middle { .. } | Event::VertexReady { .. } => {}
+            Event::Middle { .. }
+            | Event::VertexReady { .. }
+            | Event::PixelPoint { .. }
+            | Event::Texture(_)
+            | Event::PixelNormal { .. }
+            | Event::PixelNormalLost { .. }
+            | Event::TruePoint { .. } => {}
             Event::Vertex { vertex, position } => {
                 self.point = None;
                 self.vertex = Some(VertexInHand {
@@ -322,11 +327,6 @@ impl<M: Shading> Fold<Event<M>> for State<M::Told> {
                 self.vertex = None;
                 self.point = None;
                 self.convert(step, event);
-            }
-            Event::PixelNormal { normal, .. } | Event::PixelNormalLost { normal, .. } => {
-                if let Some(pixel) = &mut self.pixel {
-                    pixel.normal = Some(normal);
-                }
             }
         }
     }

@@ -160,18 +160,12 @@ fn cylinder(base: DVec3, axis: DVec3, radius: f64, height: f64, capped: bool) ->
 /// With u along the rows of control points and v from row to row, the front is where ∂P/∂u × ∂P/∂v points. Texture coordinates: (u, v).
 fn bezier(patches: &[[DVec3; 16]], divisions: u32) -> Mesh {
     let n = divisions;
-    let weights: Vec<[f64; 4]> = (0..=n).map(|i| bernstein(i, n)).collect();
+    let weights: Vec<[f64; 4]> = (0..=n).map(|i| grid_weights(i, n)).collect();
     let mut positions = Vec::new();
     for points in patches {
         for across in &weights {
             for along in &weights {
-                let rows = std::array::from_fn(|row| {
-                    combine(
-                        along,
-                        std::array::from_fn(|column| points[4 * row + column]),
-                    )
-                });
-                positions.push(combine(across, rows));
+                positions.push(patch_point(points, along, across));
             }
         }
     }
@@ -191,19 +185,33 @@ fn bezier(patches: &[[DVec3; 16]], divisions: u32) -> Mesh {
     Mesh::new(&positions, faces, &uvs)
 }
 
-/// The cubic Bernstein polynomials at i/n.
+/// The weights of control points at i/n.
 ///
 /// Counted from the other end they come out in reverse order to the last bit, so that neighbours that run through their
 /// common edge in opposite directions weld.
-fn bernstein(i: u32, n: u32) -> [f64; 4] {
-    let t = f64::from(i) / f64::from(n);
-    let s = f64::from(n - i) / f64::from(n);
+pub(super) fn grid_weights(i: u32, n: u32) -> [f64; 4] {
+    bernstein(f64::from(i) / f64::from(n), f64::from(n - i) / f64::from(n))
+}
+
+/// The cubic Bernstein polynomials at t, with s = 1 − t.
+pub(super) fn bernstein(t: f64, s: f64) -> [f64; 4] {
     [
         s * (s * s),
         3.0 * (t * (s * s)),
         3.0 * (s * (t * t)),
         t * (t * t),
     ]
+}
+
+/// The point of a patch with such weights along its rows and from row to row.
+pub(super) fn patch_point(points: &[DVec3; 16], along: &[f64; 4], across: &[f64; 4]) -> DVec3 {
+    let row = |row: usize| {
+        combine(
+            along,
+            std::array::from_fn(|column| points[4 * row + column]),
+        )
+    };
+    combine(across, std::array::from_fn(row))
 }
 
 /// Summed from both ends, for the same reason.

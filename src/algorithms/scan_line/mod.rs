@@ -36,6 +36,19 @@ pub trait Carried: Linear + Default + PartialEq + Debug + Send + Sync + 'static 
     fn tell(self, name: &'static str, fields: &mut crate::record::Fields);
 }
 
+/// What goes from the corners to the pixels: a carried value alone, or with more that goes along untold.
+pub trait Cargo: Linear {
+    type Told: Carried;
+    fn told(self) -> Self::Told;
+}
+
+impl<A: Carried> Cargo for A {
+    type Told = A;
+    fn told(self) -> A {
+        self
+    }
+}
+
 /// A corner in the camera frame with what it carries.
 #[derive(Clone, Copy, Debug)]
 pub struct Corner<A> {
@@ -64,6 +77,22 @@ pub struct Fragment<A> {
 }
 
 impl<A> Fragment<A> {
+    /// The same pixel with another value.
+    pub fn with<B>(self, value: B) -> Fragment<B> {
+        let Fragment {
+            x,
+            y,
+            inverse_depth,
+            ..
+        } = self;
+        Fragment {
+            x,
+            y,
+            value,
+            inverse_depth,
+        }
+    }
+
     /// The point of the polygon that the pixel's centre shows, in the world. 1/depth is linear on the screen, so it lies on the
     /// polygon however much the depth changes from corner to corner.
     pub fn position(&self, view: &View) -> DVec3 {
@@ -73,7 +102,6 @@ impl<A> Fragment<A> {
 }
 
 /// Scan converter with the memory that it uses from polygon to polygon.
-#[derive(Default)]
 pub struct ScanLine<A> {
     clipped: Vec<Corner<A>>,
     corners: Vec<ScreenCorner<A>>,
@@ -82,11 +110,22 @@ pub struct ScanLine<A> {
     active: Vec<usize>,
 }
 
-impl<A: Carried> ScanLine<A> {
+impl<A> Default for ScanLine<A> {
+    fn default() -> Self {
+        ScanLine {
+            clipped: Vec::new(),
+            corners: Vec::new(),
+            edge_table: Vec::new(),
+            active: Vec::new(),
+        }
+    }
+}
+
+impl<A: Cargo> ScanLine<A> {
     /// Draws a polygon into `frame`, in the pixels of `region` only. `shade` turns a fragment into a colour.
     ///
     /// The values of a pixel do not depend on the region: increments count from the border of the frame.
-    pub fn fill<E: From<Event<A>>, R: Recorder<E>>(
+    pub fn fill<E: From<Event<A::Told>>, R: Recorder<E>>(
         &mut self,
         polygon: &[Corner<A>],
         view: &View,
@@ -143,7 +182,7 @@ impl<A: Carried> ScanLine<A> {
     }
 
     /// Every edge that passes the centre of a row, sorted by the first such row.
-    fn build_edge_table<E: From<Event<A>>>(
+    fn build_edge_table<E: From<Event<A::Told>>>(
         &mut self,
         height: u32,
         recorder: &mut impl Recorder<E>,
@@ -168,7 +207,7 @@ impl<A: Carried> ScanLine<A> {
                     x,
                     y,
                     z: 1.0 / inverse_depth,
-                    value,
+                    value: value.told(),
                 }
                 .into()
             });
@@ -200,7 +239,7 @@ impl<A: Carried> ScanLine<A> {
     }
 
     /// One scan line: where it cuts the active edges, and the spans between each pair of cuts.
-    fn scan<E: From<Event<A>>, R: Recorder<E>>(
+    fn scan<E: From<Event<A::Told>>, R: Recorder<E>>(
         &mut self,
         y: u32,
         region: &Region,
@@ -214,18 +253,18 @@ impl<A: Carried> ScanLine<A> {
             let edge = &mut self.edge_table[active];
             edge.cut(y_4);
             recorder.enter(|| edge.scope().into());
-            if A::NAMES.is_some() {
+            if A::Told::NAMES.is_some() {
                 recorder.step(|| {
                     Event::EdgeEnds {
-                        a_1: edge.upper.value,
-                        a_2: edge.lower.value,
+                        a_1: edge.upper.value.told(),
+                        a_2: edge.lower.value.told(),
                     }
                     .into()
                 });
                 recorder.leave(|| {
                     Event::EdgeInterpolated {
-                        direct: edge.value_at(y_4),
-                        incremental: edge.value.value,
+                        direct: edge.value_at(y_4).told(),
+                        incremental: edge.value.value.told(),
                     }
                     .into()
                 });
@@ -251,7 +290,7 @@ impl<A: Carried> ScanLine<A> {
 }
 
 /// The pixels of row `y` whose centres lie between two edges, the left one included.
-fn fill_span<A: Carried, E: From<Event<A>>, R: Recorder<E>>(
+fn fill_span<A: Cargo, E: From<Event<A::Told>>, R: Recorder<E>>(
     y: u32,
     left: &Edge<A>,
     right: &Edge<A>,
@@ -273,7 +312,8 @@ fn fill_span<A: Carried, E: From<Event<A>>, R: Recorder<E>>(
         }
         .into()
     });
-    if A::NAMES.is_some() {
+    if A::Told::NAMES.is_some() {
+        let [a_4, a_5] = [a_4, a_5].map(Cargo::told);
         recorder.step(|| Event::SpanEnds { a_4, a_5 }.into());
     }
     if first < end {
@@ -301,11 +341,11 @@ fn fill_span<A: Carried, E: From<Event<A>>, R: Recorder<E>>(
                     .into()
                 });
                 if nearer {
-                    if A::NAMES.is_some() {
+                    if A::Told::NAMES.is_some() {
                         recorder.step(|| {
                             Event::SpanInterpolated {
-                                direct: interpolate(a_4, x_4, a_5, x_5, x_p),
-                                incremental: value.value,
+                                direct: interpolate(a_4, x_4, a_5, x_5, x_p).told(),
+                                incremental: value.value.told(),
                             }
                             .into()
                         });

@@ -1,7 +1,7 @@
 //! What each kind of step says, and its formulas. An entry is taken by its kind and condition; the first that fits holds.
 
 mod form_factor;
-mod normals;
+mod pixels;
 mod radiosity;
 mod rays;
 
@@ -108,8 +108,8 @@ const ON_THE_SLIDE: Words = Words::new(
 pub const TABLES: [&[Entry]; 5] = [
     radiosity::TABLE,
     form_factor::TABLE,
+    pixels::TABLE,
     rays::TABLE,
-    normals::TABLE,
     TABLE,
 ];
 

@@ -8,6 +8,7 @@ mod aim;
 mod chart;
 mod closed;
 mod error;
+mod face_chart;
 mod faces;
 mod frame;
 mod hierarchy;
@@ -20,9 +21,12 @@ mod stack;
 #[cfg(test)]
 mod tests;
 mod triangle;
+mod true_surface;
 
+pub use face_chart::FaceChart;
 pub use ray::{Ray, leaving, short_of};
 pub use sphere::meet_ball;
+pub use true_surface::{TruePoint, true_point};
 
 use super::{Scene, Shape, Tessellation};
 use aim::Aim;
