@@ -2,6 +2,7 @@
 
 use super::{Method, render};
 use crate::algorithms::exact::exact;
+use crate::algorithms::fast_phong::fast_phong;
 use crate::algorithms::flat::flat;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
@@ -80,6 +81,7 @@ fn operations(stage: &Stage, method: Method) -> Operations {
         Method::Flat => flat(stage, focus, frame, counter),
         Method::Gouraud => gouraud(stage, focus, frame, counter),
         Method::Phong => phong(stage, focus, frame, counter),
+        Method::FastPhong => fast_phong(stage, focus, frame, counter),
         Method::Exact => exact(stage, focus, frame, counter),
         Method::RayCasting => {
             let caster = RayCaster::new(stage, stage.needs(), Hierarchy);
