@@ -3,21 +3,43 @@
 //! A case is data: what is asked, what must come out and why, the run, and the verdict that is known. f64 is what everything shown is
 //! computed in; f32 runs of the same generic kernels show what goes wrong in it.
 
+mod aimed;
 mod case;
+mod form_factors;
 mod illumination;
+mod measured;
 mod nearest;
+mod radiosity;
 mod ramps;
 mod random;
+mod rays;
+mod refraction;
 mod refusals;
+mod scan;
+mod scenes;
+mod screen;
+mod squares;
+mod systems;
 mod tell;
 
 pub use case::{Case, Judged, Known, Measured, Ran, Recorded, Report, Unit, Verdict};
 pub use nearest::nearest_names;
 pub use tell::{json, statement, table};
 
+const FAMILIES: [&[Case]; 8] = [
+    illumination::CASES,
+    ramps::CASES,
+    scan::CASES,
+    rays::CASES,
+    refraction::CASES,
+    form_factors::CASES,
+    radiosity::CASES,
+    refusals::CASES,
+];
+
 /// All cases, family by family.
 pub fn catalogue() -> Vec<Case> {
-    [illumination::CASES, ramps::CASES, refusals::CASES].concat()
+    FAMILIES.concat()
 }
 
 /// The cases that the names select, each a case or the beginning of some; all where there are no names.

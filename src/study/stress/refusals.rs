@@ -3,7 +3,8 @@
 //! Each case breaks one thing in a scene that is otherwise right. What would be larger than any memory could not be refused afterwards.
 
 use super::case::{Case, Measured, Ran, refused};
-use crate::scene::{Limits, Scene, patches::Patches, read};
+use super::scenes::scene;
+use crate::scene::{Limits, patches::Patches, read};
 
 pub const CASES: &[Case] = &[
     Case {
@@ -148,11 +149,6 @@ fn with_wall(key: &str) -> String {
     with_objects(&format!(
         r#"{{ "name": "wall", "material": "m", "polygon": {{ "vertices": [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }}, {key} }}"#
     ))
-}
-
-fn scene(text: &str) -> Result<Scene, String> {
-    let no_mesh = |_: &str| Err("no such file".into());
-    read(text.as_bytes(), &Limits::default(), &mut { no_mesh }).map_err(|error| error.to_string())
 }
 
 fn taken(text: &str) -> Result<Ran, String> {
