@@ -1,7 +1,9 @@
 //! Radiosity: rooms that lose little light, systems with a closed form, what each solver takes for a stiff one, and what has no solution.
 
 use super::case::{Case, Measured, degrades, holds, refused};
-use super::systems::{answer, by, cavity, furnace, plates, slit, small_residual, stiff, with};
+use super::systems::{
+    answer, by, cavity, furnace, furnace_by, plates, slit, small_residual, stiff, with,
+};
 use crate::algorithms::radiosity::cube::{cube, lamp};
 use crate::algorithms::radiosity::{Solver, Stop, Watch, chebyshev_on};
 use crate::record::Unrecorded;
@@ -41,6 +43,20 @@ pub const CASES: &[Case] = &[
         because: "the system is linear, and norms are taken so that squares do not vanish",
         run: || furnace(0.5, 1e-300, 1e-12),
         recorded: holds(1e-11),
+    },
+    Case {
+        name: "radiosity/beyond-f64",
+        asks: "the furnace of ρ = 1 − 10⁻⁶ to a residual of 10⁻¹² in 200 iterations of conjugate gradients",
+        expects: "refused with the residual that is left: what did not converge is no result",
+        because: "B = 10⁶ is rounded by 10⁻¹⁰, and so is the residual: no iterate of f64 has a smaller one",
+        run: || {
+            let stop = Stop {
+                tolerance: 1e-12,
+                max_iterations: 200,
+            };
+            furnace_by(Solver::ConjugateGradients, 1.0 - 1e-6, 1.0, stop)
+        },
+        recorded: refused("the residual is still"),
     },
     Case {
         name: "radiosity/plates",

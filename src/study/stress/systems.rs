@@ -30,23 +30,24 @@ pub fn answer(found: Result<Solution, String>) -> Result<Ran, String> {
 
 /// All patches of a cube emit the same.
 pub fn furnace(rho: f64, emission: f64, tolerance: f64) -> Result<Ran, String> {
+    let stop = Stop {
+        tolerance,
+        ..Stop::default()
+    };
+    furnace_by(Solver::Auto, rho, emission, stop)
+}
+
+pub fn furnace_by(solver: Solver, rho: f64, emission: f64, stop: Stop) -> Result<Ran, String> {
     let (f, area) = cube(4);
     let n = area.len();
     with(&f, &area, &vec![rho; n], &vec![emission; n], |system| {
-        let stop = Stop {
-            tolerance,
-            ..Stop::default()
-        };
-        let found = by(system, Solver::Auto, stop)?;
+        let found = by(system, solver, stop)?;
         let exact = emission / (1.0 - rho);
         let off = |b: f64| (b / exact - 1.0).abs();
         let farthest = |a: f64, b: f64| if off(a) > off(b) { a } else { b };
         let farthest = found.radiosity.into_iter().reduce(farthest);
-        let condition = (1.0 + rho) / (1.0 - rho);
-        Ok(
-            Ran::from(Measured::relative(farthest.unwrap_or(f64::NAN), exact))
-                .conditioned(condition),
-        )
+        let measured = Measured::relative(farthest.unwrap_or(f64::NAN), exact);
+        Ok(Ran::from(measured).conditioned((1.0 + rho) / (1.0 - rho)))
     })
 }
 
