@@ -148,6 +148,17 @@ pub const CASES: &[Case] = &[
         recorded: degrades(0.0, 96.0),
     },
     Case {
+        name: "scan/wall-1e7",
+        asks: "a wall at distance 1 that reaches 10⁷ to all sides: its pixels of 24×24",
+        expects: "all 576; none is drawn, although rays see it everywhere",
+        because: "the near plane stands at a millionth of the distance to the nearest vertex, here at 14, behind the wall",
+        run: || {
+            let wall = "[[-1e7, -1e7, 1], [-1e7, 1e7, 1], [1e7, 1e7, 1], [1e7, -1e7, 1]]";
+            drawn(wall).map(|count| Measured::absolute(count, 576.0).into())
+        },
+        recorded: degrades(0.0, 576.0),
+    },
+    Case {
         name: "scan/opposite-normals",
         asks: "the length of the normal at a vertex of two faces back to back, whose sum is 0",
         expects: "1: the normal of the first face, as stated",
