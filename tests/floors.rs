@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Floors in one row may use each other.
-const FLOORS: [&[&str]; 11] = [
+const FLOORS: [&[&str]; 12] = [
     &["color", "numeric"],
     &["record"],
     &["scene"],
@@ -14,6 +14,7 @@ const FLOORS: [&[&str]; 11] = [
     &["picture"],
     &["panels"],
     &["lesson"],
+    &["study"],
     &["app"],
     &["commands"],
 ];

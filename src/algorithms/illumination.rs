@@ -9,6 +9,7 @@
 
 use super::intensity::Intensity;
 use crate::color::Rgb;
+use crate::numeric::power_of_cosine;
 use crate::record::{self, Fields, Line, Listing, Recorder};
 use crate::scene::{Highlight, Light, Material};
 use glam::DVec3;
@@ -188,7 +189,7 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
         }
     };
     let specular = if n_dot_l > 0.0 {
-        k_s * color * (attenuation * cosine.max(0.0).powf(shininess))
+        k_s * color * (attenuation * power_of_cosine(cosine, shininess))
     } else {
         Rgb::BLACK
     };

@@ -14,6 +14,7 @@ mod progress;
 mod radiosity;
 mod render;
 mod steps;
+mod stress;
 
 use crate::algorithms::primary::Settings;
 use clap::{Args, Parser, Subcommand};
@@ -50,6 +51,8 @@ enum Command {
     Steps(steps::Arguments),
     /// Draws the panels of a lesson to PNG files, without a display
     Frames(frames::Arguments),
+    /// Runs the stiff and extreme cases, each with what was expected, what came out and a verdict
+    Stress(stress::Arguments),
 }
 
 /// How large a scene may be.
@@ -161,6 +164,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Needs(arguments) => needs::run(arguments),
         Command::Steps(arguments) => steps::run(arguments),
         Command::Frames(arguments) => frames::run(arguments),
+        Command::Stress(arguments) => stress::run(arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
