@@ -20,6 +20,7 @@
 //! | [`picture`] | display lists with tags, text, themes, and their rasteriser; uses [`color`] alone |
 //! | [`panels`] | one file a panel: what it draws of a run at its step |
 //! | [`lesson`] | lesson files, tied to the steps of their run |
+//! | [`study`] | error against run time, and how work grows |
 //! | `app` | the window (feature `gui`) |
 //! | [`commands`] | the command line, one file a command |
 //!
@@ -73,3 +74,4 @@ pub mod record;
 pub mod render;
 pub mod replay;
 pub mod scene;
+pub mod study;

@@ -10,7 +10,7 @@ mod form_factor;
 mod formula;
 mod image;
 mod inspector;
-mod labels;
+pub(crate) mod labels;
 mod matrix;
 mod message;
 mod names;

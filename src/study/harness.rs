@@ -1,0 +1,179 @@
+//! Measures a study: each ladder's settings in turn, their errors, the laws they follow, and the front.
+
+use super::errors::Errors;
+use super::fit::{Fit, Law};
+use super::form::{Axes, Ladder, Operations, Reference, Request, Rung, Study};
+use super::pareto::front;
+use super::timing::{Patience, Timing, time};
+
+/// What a study found.
+pub struct Findings {
+    pub study: &'static Study,
+    pub parts: Vec<Part>,
+}
+
+/// What one ladder came to.
+#[derive(Clone, Debug)]
+pub struct Part {
+    pub title: String,
+    pub axes: Axes,
+    pub size: &'static str,
+    pub quantity: &'static str,
+    pub reference: Reference,
+    pub memory: &'static str,
+    pub lines: Vec<Line>,
+    /// Settings without a result: curve, setting, and why.
+    pub failed: Vec<[String; 3]>,
+}
+
+/// What one curve came to.
+#[derive(Clone, Debug)]
+pub struct Line {
+    pub name: String,
+    pub points: Vec<Point>,
+    /// Of the error, over the size; settings whose error is that of the reference itself are left out.
+    pub convergence: Option<Fit>,
+    /// Of the time, over the size; of the larger half of the sizes.
+    pub growth: Option<Fit>,
+    /// Of the memory, likewise.
+    pub memory_growth: Option<Fit>,
+}
+
+/// What one setting came to.
+#[derive(Clone, Debug)]
+pub struct Point {
+    pub setting: String,
+    pub size: f64,
+    pub errors: Option<Errors>,
+    pub seconds: Timing,
+    pub bytes: u64,
+    pub operations: Vec<Operations>,
+    /// Whether no other setting of the part is as quick and as exact.
+    pub on_front: bool,
+}
+
+impl Study {
+    /// Measures every ladder. Errors: why the study says nothing about the scene that was given.
+    pub fn measure(
+        &'static self,
+        request: &Request,
+        progress: &dyn Fn(usize, usize),
+    ) -> Result<Findings, String> {
+        let ladders = (self.ladders)(request)?;
+        let patience = request.either(Patience::QUICK, Patience::THOROUGH);
+        let count = ladders.len();
+        let parts = ladders.into_iter().enumerate().map(|(index, ladder)| {
+            ladder.measure(patience, &|done, all| {
+                progress(index * all + done, count * all);
+            })
+        });
+        Ok(Findings {
+            study: self,
+            parts: parts.collect(),
+        })
+    }
+}
+
+impl Ladder {
+    pub fn measure(self, patience: Patience, progress: &dyn Fn(usize, usize)) -> Part {
+        let rungs: Vec<&Rung> = self.curves.iter().flat_map(|curve| &curve.rungs).collect();
+        let mut timed = time(&rungs, patience, progress).into_iter();
+        let (mut lines, mut failed) = (Vec::new(), Vec::new());
+        for curve in self.curves {
+            let mut points = Vec::new();
+            for (rung, timed) in curve.rungs.into_iter().zip(&mut timed) {
+                match timed {
+                    Err(why) => failed.push([curve.name.clone(), rung.setting, why]),
+                    Ok((values, seconds)) => {
+                        let truth = curve.truth.as_deref();
+                        let errors = truth.and_then(|truth| Errors::of(&values.numbers(), truth));
+                        points.push(Point {
+                            setting: rung.setting,
+                            size: rung.size,
+                            errors,
+                            seconds,
+                            bytes: rung.bytes,
+                            operations: rung.operations,
+                            on_front: false,
+                        });
+                    }
+                }
+            }
+            lines.push(Line::of(curve.name, points, self.law, self.reference.error));
+        }
+        let mut points: Vec<&mut Point> =
+            lines.iter_mut().flat_map(|line| &mut line.points).collect();
+        let error = |point: &Point| point.errors.map_or(f64::NAN, |errors| errors.rms);
+        let places: Vec<(f64, f64)> = points
+            .iter()
+            .map(|point| (point.seconds.median, error(point)))
+            .collect();
+        for (point, on_front) in points.iter_mut().zip(front(&places)) {
+            point.on_front = on_front;
+        }
+        Part {
+            title: self.title,
+            axes: self.axes,
+            size: self.size,
+            quantity: self.quantity,
+            reference: self.reference,
+            memory: self.memory,
+            lines,
+            failed,
+        }
+    }
+}
+
+/// Errors this many times the reference's own are told from it.
+const ABOVE_REFERENCE: f64 = 3.0;
+
+impl Line {
+    pub fn of(name: String, points: Vec<Point>, law: Law, own_error: f64) -> Line {
+        let errors = points.iter().filter_map(|point| {
+            let rms = point.errors?.rms;
+            (rms > ABOVE_REFERENCE * own_error).then_some((point.size, rms))
+        });
+        let convergence = Fit::through(law, errors);
+        let mut sizes: Vec<f64> = points.iter().map(|point| point.size).collect();
+        sizes.sort_by(f64::total_cmp);
+        // The larger half, and three at least
+        let from = sizes.len().div_euclid(2).min(sizes.len().saturating_sub(3));
+        let least = sizes.get(from).copied().unwrap_or(0.0);
+        let large = || points.iter().filter(|point| point.size >= least);
+        let growth = large().map(|point| (point.size, point.seconds.median));
+        let growth = Fit::through(Law::Power, growth);
+        let memory_growth = large().map(|point| (point.size, point.bytes as f64));
+        let memory_growth = Fit::through(Law::Power, memory_growth);
+        Line {
+            name,
+            points,
+            convergence,
+            growth,
+            memory_growth,
+        }
+    }
+}
+
+impl Part {
+    pub fn points(&self) -> impl Iterator<Item = (&Line, &Point)> {
+        let lines = self.lines.iter();
+        lines.flat_map(|line| std::iter::repeat(line).zip(&line.points))
+    }
+
+    /// The quickest setting whose rms error is at most `bound`, and those that tie with it.
+    pub fn pick(&self, bound: f64) -> Option<(Choice<'_>, Vec<Choice<'_>>)> {
+        let exact = |(_, point): &Choice| point.errors.is_some_and(|errors| errors.rms <= bound);
+        let within: Vec<Choice> = self.points().filter(exact).collect();
+        let quicker =
+            |a: &&Choice, b: &&Choice| f64::total_cmp(&a.1.seconds.median, &b.1.seconds.median);
+        let &best = within.iter().min_by(quicker)?;
+        let tied = |(_, point): &Choice| {
+            !std::ptr::eq(*point, best.1) && point.seconds.ties(&best.1.seconds)
+        };
+        let ties = within.iter().copied().filter(tied).collect();
+        Some((best, ties))
+    }
+}
+
+/// A setting with the curve that it belongs to.
+pub type Choice<'a> = (&'a Line, &'a Point);
