@@ -82,9 +82,21 @@ impl Reference {
 /// The settings of one method, from coarse to fine.
 pub struct Curve {
     pub name: String,
-    /// What is right; a NaN stands where nothing is compared. Without one there is no error.
-    pub truth: Option<Rc<[f64]>>,
     pub rungs: Vec<Rung>,
+}
+
+impl Curve {
+    /// Settings that are all meant to find the same.
+    pub fn against(truth: &Rc<[f64]>, name: impl Into<String>, rungs: Vec<Rung>) -> Self {
+        let mut curve = Curve {
+            name: name.into(),
+            rungs,
+        };
+        for rung in &mut curve.rungs {
+            rung.truth = Some(truth.clone());
+        }
+        curve
+    }
 }
 
 /// One setting.
@@ -94,6 +106,8 @@ pub struct Rung {
     pub size: f64,
     pub bytes: u64,
     pub operations: Vec<Operations>,
+    /// What is right; a NaN stands where nothing is compared. Without one there is no error.
+    pub truth: Option<Rc<[f64]>>,
     /// The work that is timed. Errors: why there is no result.
     pub run: Box<Run>,
 }

@@ -31,9 +31,10 @@ pub struct Part {
 pub struct Line {
     pub name: String,
     pub points: Vec<Point>,
-    /// Of the error, over the size; settings whose error is that of the reference itself are left out.
+    /// Of the error, over the size; settings whose error is that of the reference itself are left out. As all laws here it is
+    /// that of the larger half of the sizes, three at least: what small ones do is not yet the order.
     pub convergence: Option<Fit>,
-    /// Of the time, over the size; of the larger half of the sizes.
+    /// Of the time, over the size.
     pub growth: Option<Fit>,
     /// Of the memory, likewise.
     pub memory_growth: Option<Fit>,
@@ -85,7 +86,7 @@ impl Ladder {
                 match timed {
                     Err(why) => failed.push([curve.name.clone(), rung.setting, why]),
                     Ok((values, seconds)) => {
-                        let truth = curve.truth.as_deref();
+                        let truth = rung.truth.as_deref();
                         let errors = truth.and_then(|truth| Errors::of(&values.numbers(), truth));
                         points.push(Point {
                             setting: rung.setting,
@@ -133,17 +134,13 @@ impl Line {
             let rms = point.errors?.rms;
             (rms > ABOVE_REFERENCE * own_error).then_some((point.size, rms))
         });
-        let convergence = Fit::through(law, errors);
-        let mut sizes: Vec<f64> = points.iter().map(|point| point.size).collect();
-        sizes.sort_by(f64::total_cmp);
-        // The larger half, and three at least
-        let from = sizes.len().div_euclid(2).min(sizes.len().saturating_sub(3));
-        let least = sizes.get(from).copied().unwrap_or(0.0);
-        let large = || points.iter().filter(|point| point.size >= least);
-        let growth = large().map(|point| (point.size, point.seconds.median));
-        let growth = Fit::through(Law::Power, growth);
-        let memory_growth = large().map(|point| (point.size, point.bytes as f64));
-        let memory_growth = Fit::through(Law::Power, memory_growth);
+        let seconds = points
+            .iter()
+            .map(|point| (point.size, point.seconds.median));
+        let bytes = points.iter().map(|point| (point.size, point.bytes as f64));
+        let convergence = Fit::through(law, larger_half(errors.collect()));
+        let growth = Fit::through(Law::Power, larger_half(seconds.collect()));
+        let memory_growth = Fit::through(Law::Power, larger_half(bytes.collect()));
         Line {
             name,
             points,
@@ -152,6 +149,13 @@ impl Line {
             memory_growth,
         }
     }
+}
+
+/// The points of the larger half of the sizes, three at least.
+fn larger_half(mut points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let count = points.len().div_ceil(2).max(3).min(points.len());
+    points.split_off(points.len() - count)
 }
 
 impl Part {

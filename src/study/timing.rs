@@ -167,6 +167,7 @@ mod tests {
                 size: 1.0,
                 bytes: 0,
                 operations: Vec::new(),
+                truth: None,
                 run: Box::new(move || {
                     runs.borrow_mut()[which] += 1;
                     match fails {

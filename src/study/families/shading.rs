@@ -55,13 +55,9 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
         .map(|step| 8 << step)
         .map(|n| (n, Rc::new(tessellated(&scene, &camera, size, n))))
         .collect();
-    let curves = methods().map(|method| Curve {
-        name: method.name().into(),
-        truth: Some(truth.clone()),
-        rungs: divided
-            .iter()
-            .map(|(n, stage)| rung(method, *n, stage))
-            .collect(),
+    let curves = methods().map(|method| {
+        let rungs = divided.iter().map(|(n, stage)| rung(method, *n, stage));
+        Curve::against(&truth, method.name(), rungs.collect())
     });
     Ok(vec![Ladder {
         title: "Spheres as polygons".into(),
@@ -101,6 +97,7 @@ fn rung(method: Method, longitudes: u32, stage: &Rc<Stage>) -> Rung {
         size: longitudes.into(),
         bytes,
         operations: vec![polygons],
+        truth: None,
         run: Box::new(move || Ok(Values::Picture(draw()))),
     }
 }

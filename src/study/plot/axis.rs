@@ -40,13 +40,22 @@ pub struct Axis {
     end: f32,
     /// Whether zero stands at its lower end.
     zero: bool,
+    named: Named,
+}
+
+/// How ticks are written.
+#[derive(Clone, Copy, Debug)]
+pub enum Named {
+    Number,
+    /// With a unit of time.
+    Seconds,
 }
 
 /// Of the axis's length, at both ends.
 const MARGIN: f64 = 0.06;
 
 impl Axis {
-    pub fn new(span: Span, start: f32, end: f32) -> Axis {
+    pub fn new(span: Span, named: Named, [start, end]: [f32; 2]) -> Axis {
         let (mut low, mut high) = (span.least.log10(), span.most.log10());
         if high - low < 0.5 {
             (low, high) = (low - 0.25, high + 0.25);
@@ -61,6 +70,7 @@ impl Axis {
             start,
             end,
             zero: span.zero,
+            named,
         }
     }
 
@@ -79,8 +89,7 @@ impl Axis {
             return self.start + inset;
         }
         let share = (value.log10() - self.low) / (self.high - self.low);
-        let place = self.start + share as f32 * (self.end - self.start);
-        place
+        self.start + share as f32 * (self.end - self.start)
     }
 
     /// Places and names, least first: powers of ten, and 2 and 5 times them where there are few.
@@ -99,10 +108,11 @@ impl Axis {
                 if !self.holds(value) || times > 1.0 && !few || power % every != 0 {
                     continue;
                 }
-                let name = match (times > 1.0, (-3..4).contains(&power)) {
-                    (false, false) => power_of_ten(power),
-                    (_, true) => number(value),
-                    (true, false) => format!("{times}·{}", power_of_ten(power)),
+                let name = match self.named {
+                    Named::Seconds => whole_seconds(times, power),
+                    Named::Number if (-3..4).contains(&power) => number(value),
+                    Named::Number if times > 1.0 => format!("{times}·{}", power_of_ten(power)),
+                    Named::Number => power_of_ten(power),
                 };
                 ticks.push((self.at(value), name));
             }
@@ -137,16 +147,34 @@ impl Axis {
     }
 }
 
+/// `times`·10^`power` seconds: `200 µs`.
+fn whole_seconds(times: f64, power: i32) -> String {
+    let (unit, name) = match power {
+        0.. => (0, "s"),
+        -3..0 => (-3, "ms"),
+        -6..-3 => (-6, "µs"),
+        _ => (-9, "ns"),
+    };
+    format!("{} {name}", number(times * 10_f64.powi(power - unit)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
+    fn times_have_units() {
+        for (times, power, name) in [(1.0, 0, "1 s"), (2.0, -4, "200 µs"), (5.0, -1, "500 ms")] {
+            assert_eq!(whole_seconds(times, power), name);
+        }
+    }
+
+    #[test]
     fn decades_are_equally_long_and_zero_stands_below_all() {
         let span = Span::of([1e-6, 0.0, 1e-2].into_iter()).unwrap();
-        let axis = Axis::new(span, 0.0, 100.0);
+        let axis = Axis::new(span, Named::Number, [0.0, 500.0]);
         let decade = axis.at(1e-2) - axis.at(1e-3);
-        assert!((axis.at(1e-5) - axis.at(1e-6) - decade).abs() < 1e-4);
+        assert!((axis.at(1e-5) - axis.at(1e-6) - decade).abs() < 1e-3);
         assert!(axis.at(0.0) < axis.at(1e-6) - 5.0);
         assert!(Span::of(std::iter::empty()).is_none());
     }

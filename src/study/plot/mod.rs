@@ -9,7 +9,7 @@ use super::harness::{Findings, Part, Point};
 use super::report::words;
 use crate::panels::labels::Labels;
 use crate::picture::{Ink, Picture, Rect, Style};
-use axis::{Axis, Span};
+use axis::{Axis, Named, Span};
 use curve::Look;
 use glam::Vec2;
 
@@ -72,8 +72,11 @@ fn plot_part(title: &str, several: bool, part: &Part) -> Picture {
         picture.text_in(place, "No setting has a result.", sorry);
         return picture;
     };
-    let x = Axis::new(across, place.x, place.right());
-    let y = Axis::new(up, place.bottom(), place.y);
+    let named = |times: bool| if times { Named::Seconds } else { Named::Number };
+    let across_named = named(part.axes == Axes::ErrorOverTime);
+    let up_named = named(part.axes == Axes::TimeOverSize);
+    let x = Axis::new(across, across_named, [place.x, place.right()]);
+    let y = Axis::new(up, up_named, [place.bottom(), place.y]);
     x.draw_across(&mut picture, place, &across_name(part));
     y.draw_up(&mut picture, place, &up_name(part));
 
@@ -93,24 +96,24 @@ fn plot_part(title: &str, several: bool, part: &Part) -> Picture {
         let places: Vec<Vec2> = line.points.iter().filter_map(at).collect();
         look.curve(&mut picture, &mut labels, &places);
     }
-    for (line, look) in part.lines.iter().zip(&looks) {
-        for point in &line.points {
-            if let Some(place) = at(point) {
-                let bar = match part.axes {
-                    Axes::ErrorOverTime => Some([
-                        Vec2::new(x.at(point.seconds.lower), place.y),
-                        Vec2::new(x.at(point.seconds.upper), place.y),
-                    ]),
-                    Axes::TimeOverSize => Some([
-                        Vec2::new(place.x, y.at(point.seconds.lower)),
-                        Vec2::new(place.x, y.at(point.seconds.upper)),
-                    ]),
-                    Axes::ErrorOverSize => None,
-                };
-                look.point(&mut picture, &mut labels, place, bar);
+    let bar = |point: &Point, at: Vec2| {
+        let quartiles = [point.seconds.lower, point.seconds.upper];
+        match part.axes {
+            Axes::ErrorOverTime => Some(quartiles.map(|time| Vec2::new(x.at(time), at.y))),
+            Axes::TimeOverSize => Some(quartiles.map(|time| Vec2::new(at.x, y.at(time)))),
+            Axes::ErrorOverSize => None,
+        }
+    };
+    // A quartile may lie beyond the axes.
+    picture.clipped(place, |picture| {
+        for (line, look) in part.lines.iter().zip(&looks) {
+            for point in &line.points {
+                if let Some(place) = at(point) {
+                    look.point(picture, &mut labels, place, bar(point, place));
+                }
             }
         }
-    }
+    });
     curve::names(&mut picture, &mut labels, part, &at);
     picture.alt = in_words(&title, part);
     picture
@@ -120,7 +123,7 @@ fn heading(picture: &mut Picture, title: &str, part: &Part) {
     picture.text((20.0, 28.0), title, Style::Bold.size(16.0));
     let told = match part.axes {
         Axes::TimeOverSize => {
-            "Bars: quartiles. Exponents are of the larger half of the sizes.".to_string()
+            "Bars: quartiles. Exponents are those of the larger half of the sizes.".to_string()
         }
         Axes::ErrorOverSize => format!("Reference: {}.", part.reference.what),
         Axes::ErrorOverTime => format!(
@@ -137,7 +140,7 @@ fn heading(picture: &mut Picture, title: &str, part: &Part) {
 
 fn across_name(part: &Part) -> String {
     match part.axes {
-        Axes::ErrorOverTime => "time of a run, in seconds (median)".into(),
+        Axes::ErrorOverTime => "time of a run (median)".into(),
         Axes::ErrorOverSize | Axes::TimeOverSize => part.size.into(),
     }
 }
@@ -145,7 +148,7 @@ fn across_name(part: &Part) -> String {
 fn up_name(part: &Part) -> String {
     match part.axes {
         Axes::ErrorOverTime | Axes::ErrorOverSize => format!("rms error of {}", part.quantity),
-        Axes::TimeOverSize => "time of a run, in seconds (median)".into(),
+        Axes::TimeOverSize => "time of a run (median)".into(),
     }
 }
 
