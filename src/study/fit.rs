@@ -73,6 +73,14 @@ impl Fit {
         }
     }
 
+    /// Whether y hardly changes with x.
+    pub fn is_level(&self) -> bool {
+        match self.law {
+            Law::Power => self.rate.abs() < 0.05,
+            Law::Geometric => (self.rate - 1.0).abs() < 0.01,
+        }
+    }
+
     /// Whether the points lie on a line well enough to be called one.
     pub fn is_clean(&self) -> bool {
         self.r_squared >= 0.95

@@ -10,7 +10,7 @@ use web_time::{Duration, Instant};
 pub struct Patience {
     /// What is quicker is run so often that it takes this long, so that the clock's own steps do not count.
     pub shortest: Duration,
-    /// For all rounds of a ladder, which has at least three.
+    /// For all rounds of a ladder, which has at least five.
     pub whole: Duration,
     pub most_rounds: usize,
 }
@@ -18,8 +18,8 @@ pub struct Patience {
 impl Patience {
     pub const QUICK: Patience = Patience {
         shortest: Duration::from_micros(500),
-        whole: Duration::from_millis(1200),
-        most_rounds: 9,
+        whole: Duration::from_millis(1500),
+        most_rounds: 15,
     };
     pub const THOROUGH: Patience = Patience {
         shortest: Duration::from_millis(2),
@@ -27,7 +27,7 @@ impl Patience {
         most_rounds: 31,
     };
 
-    const FEWEST_ROUNDS: usize = 3;
+    const FEWEST_ROUNDS: usize = 5;
 }
 
 /// Seconds of one run.
@@ -180,12 +180,12 @@ mod tests {
         let patience = Patience {
             shortest: Duration::ZERO,
             whole: Duration::ZERO,
-            most_rounds: 5,
+            most_rounds: 9,
         };
         let rungs = [rung(0, false), rung(1, true)];
         let timed = time(&[&rungs[0], &rungs[1]], patience, &|_, _| ());
-        assert!(matches!(&timed[0], Ok((_, timing)) if timing.runs == 3));
+        assert!(matches!(&timed[0], Ok((_, timing)) if timing.runs == 5));
         assert!(matches!(&timed[1], Err(why) if why == "diverges"));
-        assert_eq!(*runs.borrow(), [4, 1]);
+        assert_eq!(*runs.borrow(), [6, 1]);
     }
 }

@@ -1,8 +1,8 @@
 //! Ray tracing by depth: what is lost where rays end at a level.
 //!
 //! The tracer has no adaptive cut: a ray ends at the depth, or where a surface sends none on. What `path_attenuation` does is to
-//! weaken the light of far secondary rays, so that the same depth leaves a smaller error: a curve an attenuation, each against the
-//! deepest picture of its own.
+//! weaken the light of far secondary rays, so that the same depth leaves a smaller error: a ladder an attenuation, each against
+//! the deepest picture of its own.
 
 use super::pictures::{self, MEMORY, Shared, picture, sends_rays_on, settings};
 use super::scenes;
@@ -49,9 +49,7 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     };
     let size = request.either([64, 48], [240, 180]);
     let longest = request.either(0.08, 1.0);
-    let (mut curves, mut own_error) = (Vec::new(), 0.0_f64);
-    let mut deepest = 0;
-    for attenuation in attenuations {
+    let ladder = |attenuation| {
         let scene = Scene {
             path_attenuation: attenuation,
             ..request
@@ -65,48 +63,39 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
             );
         }
         let stage = Rc::new(RefCell::new(scenes::stage(scene, &camera, size)));
-        let (curve, depth, error) = curve(attenuation, &stage, longest);
-        deepest = depth.max(deepest);
-        own_error = own_error.max(error);
-        curves.push(curve);
-    }
-    Ok(vec![Ladder {
-        title: "Levels of rays".into(),
+        Ok(ladder(attenuation, &stage, longest))
+    };
+    attenuations.into_iter().map(ladder).collect()
+}
+
+/// Deeper and deeper pictures, and the deepest to compare them with.
+fn ladder([a0, a1, a2]: [f64; 3], stage: &Shared, longest: f64) -> Ladder {
+    let depths = affordable(stage, longest);
+    let deepest = depths.last().copied().unwrap_or(1);
+    let at = |depth: u32| picture(stage, Method::RayTracing, settings(depth, 1));
+    let truth: Rc<[f64]> = at(deepest).into();
+    let before = depths.len().checked_sub(2).map(|index| at(depths[index]));
+    let change = before.and_then(|before| Errors::of(&before, &truth));
+    let rungs = depths.iter().filter(|&&depth| depth < deepest);
+    let rungs = rungs.map(|&depth| {
+        let setting = format!("depth {depth}");
+        let rays = settings(depth, 1);
+        pictures::rung(setting, depth.into(), stage, Method::RayTracing, rays)
+    });
+    Ladder {
+        title: format!("path attenuation [{a0}, {a1}, {a2}]"),
         axes: Axes::ErrorOverTime,
         size: "levels",
         quantity: "intensity",
         law: Law::Geometric,
         reference: Reference {
             what: format!("the same picture with rays of up to {deepest} levels"),
-            error: own_error,
+            error: change.map_or(0.0, |change| change.rms),
             known_by: "what the last step to it changed: an upper bound where each step changes half as much as the one before, or less".into(),
         },
         memory: MEMORY,
-        curves,
-    }])
-}
-
-/// A curve of settings, the depth of its reference, and what the last step to that changed.
-fn curve(attenuation: [f64; 3], stage: &Shared, longest: f64) -> (Curve, u32, f64) {
-    let depths = affordable(stage, longest);
-    let reference = depths.last().copied().unwrap_or(1);
-    let at = |depth: u32| picture(stage, Method::RayTracing, settings(depth, 1));
-    let truth: Rc<[f64]> = at(reference).into();
-    let before = depths.len().checked_sub(2).map(|index| at(depths[index]));
-    let error = before.and_then(|before| Errors::of(&before, &truth));
-    let rungs = depths.iter().filter(|&&depth| depth < reference);
-    let rungs = rungs.map(|&depth| {
-        let setting = format!("depth {depth}");
-        let rays = settings(depth, 1);
-        pictures::rung(setting, depth.into(), stage, Method::RayTracing, rays)
-    });
-    let [a0, a1, a2] = attenuation;
-    let name = match attenuation {
-        [1.0, 0.0, 0.0] => "no attenuation".into(),
-        _ => format!("attenuation [{a0}, {a1}, {a2}]"),
-    };
-    let curve = Curve::against(&truth, name, rungs.collect());
-    (curve, reference, error.map_or(0.0, |error| error.rms))
+        curves: vec![Curve::against(&truth, "ray-tracing", rungs.collect())],
+    }
 }
 
 /// Depths as far as a picture stays quicker than `longest` seconds: rays may double from level to level. No deeper than changes

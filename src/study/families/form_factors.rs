@@ -18,7 +18,7 @@ use std::rc::Rc;
 pub static STUDY: Study = Study {
     name: "form-factors",
     title: "Form-factor methods by samples",
-    about: "Which way to a form factor is cheapest for a given error, where patches face each other, and where they touch?",
+    about: "Which way to a form factor is cheapest for a given error, where patches face each other, and where they touch? Of adaptive methods 1/tolerance counts as samples.",
     ladders,
 };
 
@@ -127,7 +127,7 @@ fn ladder(title: &str, reference: Reference, curves: Vec<Unfinished>, truth: &Rc
     Ladder {
         title: title.into(),
         axes: Axes::ErrorOverTime,
-        size: "samples (1/tolerance where there is one)",
+        size: "samples",
         quantity: "F",
         law: Law::Power,
         reference,

@@ -135,8 +135,8 @@ fn triangles(request: &Request) -> Result<Ladder, String> {
         }
     });
     Ok(part(
-        "triangles",
         "triangles of a ball, in 160×120 pixels",
+        "triangles",
         MEMORY,
         curves,
     ))
@@ -197,8 +197,8 @@ fn form_factors(request: &Request) -> Result<Ladder, String> {
         })
     });
     Ok(part(
-        "form factors of all patches",
-        "patches of a cube",
+        "form factors of all patches of a cube",
+        "patches",
         "the matrix",
         curves,
     ))
@@ -251,8 +251,8 @@ fn solving(request: &Request) -> Result<Ladder, String> {
         }
     });
     Ok(part(
-        "solving to a residual of 1e-6",
-        "patches of a cube",
+        "solving a cube to a residual of 1e-6",
+        "patches",
         "the matrix and four numbers a patch",
         curves,
     ))
@@ -308,7 +308,7 @@ fn events(request: &Request) -> Result<Ladder, String> {
     });
     Ok(part(
         "events of a Gouraud frame",
-        "events told",
+        "events",
         "colour and depth of every pixel; recorded, the events with their marks and outline",
         curves,
     ))

@@ -47,12 +47,12 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
         title: "Distances".into(),
         axes: Axes::ErrorOverSize,
         size: "distance, in radii",
-        quantity: "t",
+        quantity: "t, a share of the distance",
         law: Law::Power,
         reference: Reference {
             what: "the stable roots in f64, for the same rays".into(),
-            error: 1e-16 * 10_f64.powi(farthest),
-            known_by: "rounding of t at the largest distance".into(),
+            error: f64::EPSILON,
+            known_by: "rounding".into(),
         },
         memory: "the rays",
         curves: curves.into(),
@@ -61,16 +61,21 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
 
 fn rung(power: i32, rays: &Rays, way: Way) -> Rung {
     let shared = rays.clone();
+    let distance = 10_f64.powi(power);
+    let shares = move |mut hits: Vec<f64>| {
+        hits.iter_mut().for_each(|t| *t /= distance);
+        hits
+    };
     Rung {
         setting: format!("distance 1e{power}"),
-        size: 10_f64.powi(power),
+        size: distance,
         bytes: (rays.len() * size_of::<(Vec3, Vec3)>()) as u64,
         operations: vec![Operations {
             of: "rays",
             count: u64::from(RAYS),
         }],
-        truth: Some(in_f64(rays, sphere_roots).into()),
-        run: Box::new(move || Ok(Values::Numbers(way(&shared)))),
+        truth: Some(shares(in_f64(rays, sphere_roots)).into()),
+        run: Box::new(move || Ok(Values::Numbers(shares(way(&shared))))),
     }
 }
 

@@ -25,34 +25,32 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
         .scene
         .map_or_else(|| scenes::own(scenes::BALLS), Scene::clone);
     let camera = scenes::camera(&scene)?;
-    let size = request.either([48, 36], [160, 120]);
+    let size = request.either([32, 24], [120, 90]);
     let (sides, finest): (&[u32], u32) =
-        request.either((&[1, 2, 3, 4, 6, 8], 24), (&[1, 2, 3, 4, 6, 8, 12, 16], 48));
+        request.either((&[1, 2, 3, 4, 6, 8], 32), (&[1, 2, 3, 4, 6, 8, 12, 16], 64));
     let stage = Rc::new(RefCell::new(scenes::stage(scene, &camera, size)));
-    let mut own_error = 0.0_f64;
-    let curves = METHODS.map(|method| {
+    let ladder = |method: Method| {
         let truth: Rc<[f64]> = picture(&stage, method, settings(DEPTH, finest)).into();
         let half = picture(&stage, method, settings(DEPTH, finest / 2));
-        let change = Errors::of(&half, &truth).map_or(0.0, |errors| errors.rms);
-        own_error = own_error.max(change);
+        let change = Errors::of(&half, &truth);
         let rungs = sides.iter().map(|&n| {
             let setting = format!("{n}×{n}");
             pictures::rung(setting, n.into(), &stage, method, settings(DEPTH, n))
         });
-        Curve::against(&truth, method.name(), rungs.collect())
-    });
-    Ok(vec![Ladder {
-        title: "Rays a pixel".into(),
-        axes: Axes::ErrorOverTime,
-        size: "rays along a pixel's side",
-        quantity: "intensity",
-        law: Law::Power,
-        reference: Reference {
-            what: format!("the same picture with {finest}×{finest} rays a pixel, to depth {DEPTH}"),
-            error: own_error,
-            known_by: "how far it is from half as many along each side, an upper bound".into(),
-        },
-        memory: MEMORY,
-        curves: curves.into(),
-    }])
+        Ladder {
+            title: method.name().into(),
+            axes: Axes::ErrorOverTime,
+            size: "rays along a pixel's side",
+            quantity: "intensity",
+            law: Law::Power,
+            reference: Reference {
+                what: format!("the same picture with {finest}×{finest} rays a pixel"),
+                error: change.map_or(0.0, |change| change.rms),
+                known_by: "how far it is from half as many along each side: right where errors halve with that, else too large".into(),
+            },
+            memory: MEMORY,
+            curves: vec![Curve::against(&truth, method.name(), rungs.collect())],
+        }
+    };
+    Ok(METHODS.map(ladder).into())
 }

@@ -35,9 +35,9 @@ pub const MIRRORS: &str = r#"{ "schema": 1, "background": [0.5, 0.6, 0.8],
     { "name": "ball", "material": "red", "sphere": { "center": [0.3, 0.7, 1], "radius": 0.7 } }],
   "lights": [{ "point": { "position": [0, 5, -2] } }] }"#;
 
-/// Balls on a chequered floor, one of them of glass.
+/// Balls on a chequered floor, one of them of glass; seen from above, so that no far squares crowd into a pixel.
 pub const BALLS: &str = r#"{ "schema": 1, "background": [0.5, 0.6, 0.8],
-  "camera": { "eye": [0, 1.6, -6], "target": [0, 0.2, 0], "up": [0, 1, 0], "fov_x_degrees": 45 },
+  "camera": { "eye": [0, 4, -5], "target": [0, -0.2, 0], "up": [0, 1, 0], "fov_x_degrees": 45 },
   "materials": {
     "red": { "ambient": [0.05, 0.02, 0.02], "diffuse": [0.7, 0.2, 0.2], "specular": [0.3, 0.3, 0.3], "shininess": 30, "reflection": [0.2, 0.2, 0.2] },
     "glass": { "diffuse": [0.05, 0.05, 0.05], "specular": [0.4, 0.4, 0.4], "shininess": 60, "reflection": [0.1, 0.1, 0.1], "transmission": [0.8, 0.8, 0.8], "ior": 1.5 },

@@ -16,7 +16,7 @@ use std::rc::Rc;
 pub static STUDY: Study = Study {
     name: "solvers",
     title: "Solvers of the radiosity system",
-    about: "Which solver comes to a given error of B first?",
+    about: "Which solver comes to a given error of B first? A sweep is an iteration, or as many shots as there are patches.",
     ladders,
 };
 
@@ -108,9 +108,9 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     let curves = solvers()
         .map(|solver| Curve::against(&truth, solver.name(), rungs(&problem, solver, finest)));
     Ok(vec![Ladder {
-        title: "A channel of the room".into(),
+        title: "One channel; a sweep is an iteration, or as many shots as patches".into(),
         axes: Axes::ErrorOverTime,
-        size: "sweeps (iterations, or as many shots as patches)",
+        size: "sweeps",
         quantity: "B, in the unit of the emission",
         law: Law::Geometric,
         reference,
@@ -142,7 +142,11 @@ fn rungs(problem: &Rc<Problem>, solver: Solver, finest: i32) -> Vec<Rung> {
         let matrices = if solver == Solver::Direct { 2 } else { 1 };
         let shared = problem.clone();
         rungs.push(Rung {
-            setting: format!("residual 1e-{exponent}"),
+            setting: match (solver.shoots(), solution.iterations) {
+                (true, shots) => format!("{shots} shots"),
+                (false, 1) => "1 iteration".into(),
+                (false, iterations) => format!("{iterations} iterations"),
+            },
             size: sweeps,
             bytes: matrices * problem.bytes(),
             operations: counted.operations(&[

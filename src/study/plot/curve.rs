@@ -68,6 +68,7 @@ impl Look {
     ) {
         if let Some([from, to]) = bar {
             picture.line(from, to, self.ink.stroke(1.0));
+            labels.spare(from, to);
         }
         let r = RADIUS;
         let corner = |x: f32, y: f32| at + r * Vec2::new(x, y);

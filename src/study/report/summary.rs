@@ -81,10 +81,6 @@ fn picks(text: &mut String, part: &Part) {
         rows.push((bound, best, ties));
     }
     for (bound, (line, point), ties) in rows {
-        let ties: Vec<String> = ties
-            .iter()
-            .map(|(line, point)| named(line, point))
-            .collect();
         let _ = writeln!(
             text,
             "| {} | {} | {} | {} | {} | {} |",
@@ -95,11 +91,7 @@ fn picks(text: &mut String, part: &Part) {
                 .map_or(String::new(), |errors| error(errors.rms)),
             time(point),
             bytes(point.bytes),
-            if ties.is_empty() {
-                "–".into()
-            } else {
-                ties.join("; ")
-            }
+            tied(&ties)
         );
     }
     if let Some((line, best)) = most_exact(part) {
@@ -111,6 +103,22 @@ fn picks(text: &mut String, part: &Part) {
             seconds(best.seconds.median)
         );
     }
+}
+
+/// Those that tie, the most exact ones by name.
+fn tied(ties: &[Choice]) -> String {
+    const NAMED: usize = 3;
+    let rms = |(_, point): &Choice| point.errors.map_or(f64::INFINITY, |errors| errors.rms);
+    let mut ties = ties.to_vec();
+    ties.sort_by(|a, b| rms(a).total_cmp(&rms(b)));
+    let names = ties.iter().take(NAMED);
+    let mut told: Vec<String> = names.map(|(line, point)| named(line, point)).collect();
+    match ties.len().saturating_sub(NAMED) {
+        0 if told.is_empty() => return "–".into(),
+        0 => {}
+        more => told.push(format!("{more} more")),
+    }
+    told.join("; ")
 }
 
 fn most_exact(part: &Part) -> Option<(&Line, &Point)> {
@@ -175,7 +183,7 @@ fn growth(text: &mut String, part: &Part) {
 fn exponent(fit: Option<Fit>) -> String {
     match fit {
         None => "too few sizes".into(),
-        Some(fit) if fit.rate.abs() < 0.05 => "stays the same".into(),
+        Some(fit) if fit.is_level() => "stays the same".into(),
         Some(fit) if fit.is_clean() => format!("n^{:.2}", fit.rate),
         Some(fit) => format!(
             "no clean power (n^{:.2}, R² {:.2})",
@@ -188,6 +196,12 @@ fn exponent(fit: Option<Fit>) -> String {
 fn convergence(line: &Line, part: &Part) -> Option<String> {
     let fit = line.convergence?;
     let name = &line.name;
+    if fit.is_level() {
+        let size = part.size;
+        return Some(format!(
+            "{name}: its error does not change with the {size}."
+        ));
+    }
     if !fit.is_clean() {
         return Some(format!(
             "{name}: its error follows no clean law over the {} (R² {:.2}).",
@@ -200,7 +214,7 @@ fn convergence(line: &Line, part: &Part) -> Option<String> {
             fit.rate, part.size, fit.r_squared, fit.points
         ),
         Law::Geometric => format!(
-            "{name}: each of the {} multiplies the error by {:.3} (R² {:.3} of {} settings).",
+            "{name}: one more of the {} multiplies the error by {:.3} (R² {:.3} of {} settings).",
             part.size, fit.rate, fit.r_squared, fit.points
         ),
     })

@@ -36,9 +36,9 @@ fn three_digits(value: f64) -> String {
     }
 }
 
-/// `∝ n^−2.0`, or `×0.52 a step`; where the points lie on no line, nothing.
+/// `∝ n^−2.0`, or `×0.52 a step`; where nothing changes, or the points lie on no line, nothing.
 pub fn law(fit: &Fit) -> Option<String> {
-    fit.is_clean().then(|| match fit.law {
+    (fit.is_clean() && !fit.is_level()).then(|| match fit.law {
         Law::Power => format!("∝ n^{{{}}}", format!("{:.1}", fit.rate).replace('-', "−")),
         Law::Geometric => format!("×{:.2} a step", fit.rate),
     })
