@@ -24,6 +24,9 @@ type Rays = Rc<[(Vec3, Vec3)]>;
 /// A way to the nearer t of every ray; 0 where a hit is lost, which is off by the whole distance.
 type Way = fn(&Rays) -> Vec<f64>;
 
+/// Both t of a ray (from the centre to the origin, direction) and a sphere of a radius, the smaller first.
+type Roots<F> = fn([F; 3], [F; 3], F) -> Option<[F; 2]>;
+
 const WAYS: [(&str, Way); 3] = [
     ("plain roots, f32", |rays| in_f32(rays, plain_roots)),
     ("stable roots, f32", |rays| in_f32(rays, sphere_roots)),
@@ -95,7 +98,7 @@ fn rays(power: i32) -> Rays {
     (0..RAYS).map(ray).collect()
 }
 
-fn in_f32(rays: &Rays, roots: fn([f32; 3], [f32; 3], f32) -> Option<[f32; 2]>) -> Vec<f64> {
+fn in_f32(rays: &Rays, roots: Roots<f32>) -> Vec<f64> {
     let hit = |&(origin, direction): &(Vec3, Vec3)| {
         let found = roots(origin.to_array(), direction.to_array(), 1.0);
         found.map_or(0.0, |[t, _]| f64::from(t))
@@ -103,7 +106,7 @@ fn in_f32(rays: &Rays, roots: fn([f32; 3], [f32; 3], f32) -> Option<[f32; 2]>) -
     rays.iter().map(hit).collect()
 }
 
-fn in_f64(rays: &Rays, roots: fn([f64; 3], [f64; 3], f64) -> Option<[f64; 2]>) -> Vec<f64> {
+fn in_f64(rays: &Rays, roots: Roots<f64>) -> Vec<f64> {
     let hit = |&(origin, direction): &(Vec3, Vec3)| {
         let direction = direction.as_dvec3().normalize();
         let found = roots(origin.as_dvec3().to_array(), direction.to_array(), 1.0);

@@ -17,7 +17,7 @@ impl Span {
     pub fn of(values: impl Iterator<Item = f64>) -> Option<Span> {
         let values: Vec<f64> = values.collect();
         let positive = || values.iter().copied().filter(|&value| value > 0.0);
-        let zero = values.iter().any(|&value| value == 0.0);
+        let zero = values.contains(&0.0);
         match (positive().reduce(f64::min), positive().reduce(f64::max)) {
             (Some(least), Some(most)) => Some(Span { least, most, zero }),
             _ => zero.then_some(Span {
@@ -105,7 +105,9 @@ impl Axis {
         for power in self.low.floor() as i32..=self.high.floor() as i32 {
             for times in [1.0, 2.0, 5.0] {
                 let value = times * 10_f64.powi(power);
-                if !self.holds(value) || times > 1.0 && !few || power % every != 0 {
+                // A name beside that of zero would cover it.
+                let beside_zero = self.zero && (self.at(value) - self.at(0.0)).abs() < 16.0;
+                if !self.holds(value) || beside_zero || times > 1.0 && !few || power % every != 0 {
                     continue;
                 }
                 let name = match self.named {

@@ -126,7 +126,8 @@ pub fn names(
         return;
     }
     for line in &part.lines {
-        let ends = [line.points.first(), line.points.last()];
+        let last = line.points.last().filter(|_| line.points.len() > 1);
+        let ends = [line.points.first(), last];
         for (point, toward) in ends.into_iter().flatten().zip([Vec2::Y, -Vec2::Y]) {
             if let Some(place) = at(point) {
                 let set = Style::Body.size(SMALL).ink(Ink::Muted);
