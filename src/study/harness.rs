@@ -77,8 +77,8 @@ impl Study {
 
 impl Ladder {
     pub fn measure(self, patience: Patience, progress: &dyn Fn(usize, usize)) -> Part {
-        let rungs: Vec<&Rung> = self.curves.iter().flat_map(|curve| &curve.rungs).collect();
-        let mut timed = time(&rungs, patience, progress).into_iter();
+        let curves: Vec<&[Rung]> = self.curves.iter().map(|curve| &*curve.rungs).collect();
+        let mut timed = time(&curves, patience, progress).into_iter();
         let (mut lines, mut failed) = (Vec::new(), Vec::new());
         for curve in self.curves {
             let mut points = Vec::new();

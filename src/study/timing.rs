@@ -10,6 +10,8 @@ use web_time::{Duration, Instant};
 pub struct Patience {
     /// What is quicker is run so often that it takes this long, so that the clock's own steps do not count.
     pub shortest: Duration,
+    /// What takes longer is left out, and so is what is finer.
+    pub longest: Duration,
     /// For all rounds of a ladder, which has at least five.
     pub whole: Duration,
     pub most_rounds: usize,
@@ -18,11 +20,13 @@ pub struct Patience {
 impl Patience {
     pub const QUICK: Patience = Patience {
         shortest: Duration::from_micros(500),
+        longest: Duration::from_millis(500),
         whole: Duration::from_millis(1500),
         most_rounds: 15,
     };
     pub const THOROUGH: Patience = Patience {
         shortest: Duration::from_millis(2),
+        longest: Duration::from_secs(5),
         whole: Duration::from_secs(12),
         most_rounds: 31,
     };
@@ -62,17 +66,13 @@ impl Timing {
 /// What became of a rung: its values and its time, or why there are none.
 pub type Timed = Result<(Values, Timing), String>;
 
-/// Runs all rungs in turn, round by round.
-pub fn time(rungs: &[&Rung], patience: Patience, progress: &dyn Fn(usize, usize)) -> Vec<Timed> {
-    // The warm-up, which also tells how long a run takes
-    let first: Vec<Result<(Values, Duration), String>> = rungs
+/// Runs the rungs of all curves in turn, round by round. Where a rung takes too long, the rest of its curve is not run.
+pub fn time(curves: &[&[Rung]], patience: Patience, progress: &dyn Fn(usize, usize)) -> Vec<Timed> {
+    let first: Vec<WarmedUp> = curves
         .iter()
-        .map(|rung| {
-            let start = Instant::now();
-            let values = (rung.run)()?;
-            Ok((values, start.elapsed()))
-        })
+        .flat_map(|curve| warm_up(curve, patience.longest))
         .collect();
+    let rungs: Vec<&Rung> = curves.iter().copied().flatten().collect();
     let repeats: Vec<u32> = first
         .iter()
         .map(|first| match first {
@@ -83,7 +83,7 @@ pub fn time(rungs: &[&Rung], patience: Patience, progress: &dyn Fn(usize, usize)
             Err(_) => 0,
         })
         .collect();
-    let round = |(first, &repeats): (&Result<(Values, Duration), String>, &u32)| match first {
+    let round = |(first, &repeats): (&WarmedUp, &u32)| match first {
         Ok((_, once)) => *once * repeats,
         Err(_) => Duration::ZERO,
     };
@@ -110,6 +110,30 @@ pub fn time(rungs: &[&Rung], patience: Patience, progress: &dyn Fn(usize, usize)
     timed
         .map(|(first, seconds)| first.map(|(values, _)| (values, Timing::of(seconds))))
         .collect()
+}
+
+/// Values, and how long it took to find them.
+type WarmedUp = Result<(Values, Duration), String>;
+
+/// Every rung once, from coarse to fine, until one takes too long.
+fn warm_up(curve: &[Rung], longest: Duration) -> Vec<WarmedUp> {
+    let mut too_long: Option<String> = None;
+    let mut run = |rung: &Rung| {
+        if let Some(why) = &too_long {
+            return Err(why.clone());
+        }
+        let start = Instant::now();
+        let values = (rung.run)()?;
+        let once = start.elapsed();
+        if once > longest {
+            let limit = longest.as_secs_f64();
+            let why = format!("it takes longer than {limit} s, and so would what is finer");
+            too_long = Some(why.clone());
+            return Err(why);
+        }
+        Ok((values, once))
+    };
+    curve.iter().map(&mut run).collect()
 }
 
 /// Whose turn it is in a round: each begins one later, and every other one runs backwards.
@@ -179,13 +203,24 @@ mod tests {
         };
         let patience = Patience {
             shortest: Duration::ZERO,
+            longest: Duration::from_secs(3600),
             whole: Duration::ZERO,
             most_rounds: 9,
         };
         let rungs = [rung(0, false), rung(1, true)];
-        let timed = time(&[&rungs[0], &rungs[1]], patience, &|_, _| ());
+        let timed = time(&[&rungs], patience, &|_, _| ());
         assert!(matches!(&timed[0], Ok((_, timing)) if timing.runs == 5));
         assert!(matches!(&timed[1], Err(why) if why == "diverges"));
         assert_eq!(*runs.borrow(), [6, 1]);
+
+        // Nothing is that quick: the first is run once, and the second not at all.
+        let hasty = Patience {
+            longest: Duration::ZERO,
+            ..patience
+        };
+        let timed = time(&[&rungs], hasty, &|_, _| ());
+        let left_out = |timed: &Timed| matches!(timed, Err(why) if why.contains("longer than"));
+        assert!(timed.iter().all(left_out));
+        assert_eq!(*runs.borrow(), [7, 1]);
     }
 }

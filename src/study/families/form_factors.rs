@@ -43,9 +43,6 @@ const PAIRS: [(&str, [[f64; 3]; 4], f64); 3] = [
 
 const FIRST: [[f64; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
 
-/// The most patches of a scene whose matrix is made again and again.
-const MOST_PATCHES: usize = 400;
-
 fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     match request.scene {
         Some(scene) => whole_scene(scene, request).map(|ladder| vec![ladder]),
@@ -90,9 +87,10 @@ fn of_pair(
 fn whole_scene(scene: &Scene, request: &Request) -> Result<Ladder, String> {
     let patches = Patches::of(scene, 100_000).map_err(|error| error.to_string())?;
     let n = patches.len();
-    if !(2..=MOST_PATCHES).contains(&n) {
+    let most = request.either(200, 500);
+    if !(2..=most).contains(&n) {
         return Err(format!(
-            "the scene has {n} patches; measured are 2 to {MOST_PATCHES}, whose matrix is made again and again"
+            "the scene has {n} patches; measured are 2 to {most}, whose matrix is made again and again"
         ));
     }
     let patches = Rc::new(patches);

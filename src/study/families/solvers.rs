@@ -12,6 +12,7 @@ use crate::study::count::Counter;
 use crate::study::fit::Law;
 use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Rung, Study, Values};
 use std::rc::Rc;
+use web_time::Instant;
 
 pub static STUDY: Study = Study {
     name: "solvers",
@@ -91,7 +92,7 @@ pub fn solvers() -> impl Iterator<Item = Solver> {
 }
 
 fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
-    let most = request.either(1000, 4000);
+    let most = request.either(600, 4000);
     let problem = match request.scene {
         Some(scene) => Problem::of(scene, most)?,
         None => Problem::of(&scenes::cube(request.either(4, 8)), most)?,
@@ -105,8 +106,14 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     let truth: Rc<[f64]> = right.radiosity.into();
     let problem = Rc::new(problem);
     let finest = request.either(8, 12);
-    let curves = solvers()
-        .map(|solver| Curve::against(&truth, solver.name(), rungs(&problem, solver, finest)));
+    let longest = request.either(0.3, 5.0);
+    let curves = solvers().map(|solver| {
+        Curve::against(
+            &truth,
+            solver.name(),
+            rungs(&problem, solver, finest, longest),
+        )
+    });
     Ok(vec![Ladder {
         title: "One channel; a sweep is an iteration, or as many shots as patches".into(),
         axes: Axes::ErrorOverTime,
@@ -119,14 +126,18 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     }])
 }
 
-/// Smaller and smaller residuals, as far as the solver needs more iterations for them.
-fn rungs(problem: &Rc<Problem>, solver: Solver, finest: i32) -> Vec<Rung> {
+/// Smaller and smaller residuals, as far as the solver needs more iterations for them, and no more than `longest` seconds.
+fn rungs(problem: &Rc<Problem>, solver: Solver, finest: i32, longest: f64) -> Vec<Rung> {
     let mut rungs: Vec<Rung> = Vec::new();
     for exponent in 1..=finest {
         let tolerance = 10_f64.powi(-exponent);
+        let start = Instant::now();
         let Ok(solution) = problem.solve(solver, tolerance, &mut Unrecorded) else {
             break;
         };
+        if start.elapsed().as_secs_f64() > longest {
+            break;
+        }
         let iterations = f64::from(solution.iterations);
         let sweeps = if solver.shoots() {
             iterations / problem.patches() as f64
