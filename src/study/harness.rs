@@ -104,7 +104,12 @@ impl Ladder {
         }
         let mut points: Vec<&mut Point> =
             lines.iter_mut().flat_map(|line| &mut line.points).collect();
-        let error = |point: &Point| point.errors.map_or(f64::NAN, |errors| errors.rms);
+        // Errors below the reference's own cannot be told apart.
+        let own_error = self.reference.error;
+        let error = |point: &Point| {
+            let errors = point.errors;
+            errors.map_or(f64::NAN, |errors| errors.rms.max(own_error))
+        };
         let places: Vec<(f64, f64)> = points
             .iter()
             .map(|point| (point.seconds.median, error(point)))
@@ -181,3 +186,77 @@ impl Part {
 
 /// A setting with the curve that it belongs to.
 pub type Choice<'a> = (&'a Line, &'a Point);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::form::{Curve, Values};
+    use std::rc::Rc;
+    use web_time::Duration;
+
+    /// Of order 2, in a time that is that of busy work.
+    fn ladder(own_error: f64) -> Ladder {
+        let truth: Rc<[f64]> = Rc::new([1.0, 2.0]);
+        let rungs = [1.0, 2.0, 4.0, 8.0, 16.0].map(|n: f64| Rung {
+            setting: format!("n = {n}"),
+            size: n,
+            bytes: 8 * n as u64,
+            operations: Vec::new(),
+            truth: None,
+            run: Box::new(move || {
+                let work: f64 = (0..4000 * n as u32).map(f64::from).map(f64::sqrt).sum();
+                std::hint::black_box(work);
+                Ok(Values::Numbers(vec![1.0 + 0.1 / (n * n), 2.0]))
+            }),
+        });
+        Ladder {
+            title: "made up".into(),
+            axes: Axes::ErrorOverTime,
+            size: "n",
+            quantity: "nothing",
+            law: Law::Power,
+            reference: Reference {
+                what: "what is right".into(),
+                error: own_error,
+                known_by: "it is made up".into(),
+            },
+            memory: "made up",
+            curves: vec![Curve::against(&truth, "curve", rungs.into())],
+        }
+    }
+
+    const PATIENCE: Patience = Patience {
+        shortest: Duration::ZERO,
+        longest: Duration::from_secs(60),
+        whole: Duration::ZERO,
+        most_rounds: 5,
+    };
+
+    #[test]
+    fn a_ladder_of_order_2_is_found_to_be_one() {
+        let part = ladder(1e-12).measure(PATIENCE, &|_, _| ());
+        let line = &part.lines[0];
+        let rms: Vec<f64> = line.points.iter().map(|p| p.errors.unwrap().rms).collect();
+        for (n, rms) in [1.0, 2.0, 4.0, 8.0, 16.0].into_iter().zip(rms) {
+            assert!((rms - 0.1 / (n * n) / 2_f64.sqrt()).abs() < 1e-15, "{rms}");
+        }
+        let order = line.convergence.unwrap();
+        assert!((order.rate + 2.0).abs() < 1e-9, "{order:?}");
+        assert!((line.memory_growth.unwrap().rate - 1.0).abs() < 1e-12);
+        // The most exact one is not beaten.
+        assert!(line.points[4].on_front);
+        let (best, _) = part.pick(1e-3).unwrap();
+        assert!(best.1.size >= 8.0, "{}", best.1.setting);
+        assert!(part.pick(1e-9).is_none());
+    }
+
+    #[test]
+    fn errors_below_that_of_the_reference_are_no_better_than_it_and_follow_no_law() {
+        // Only the first two settings stand clearly above it.
+        let part = ladder(0.01).measure(PATIENCE, &|_, _| ());
+        let line = &part.lines[0];
+        assert_eq!(line.convergence, None);
+        let below = line.points.iter().filter(|point| point.size >= 4.0);
+        assert_eq!(below.filter(|point| point.on_front).count(), 1);
+    }
+}

@@ -62,25 +62,35 @@ fn describe(text: &mut String, part: &Part) {
             *text += &format!("- {sentence}\n");
         }
     }
-    for [curve, setting, why] in &part.failed {
-        *text += &format!("- {curve}, {setting}: no result: {why}.\n");
+    // A curve's failures, where they have one reason, are one.
+    let alike = |a: &[String; 3], b: &[String; 3]| (&a[0], &a[2]) == (&b[0], &b[2]);
+    for failed in part.failed.chunk_by(alike) {
+        let [curve, setting, why] = &failed[0];
+        let on = if failed.len() > 1 { " and finer" } else { "" };
+        *text += &format!("- {curve}, {setting}{on}: no result: {why}.\n");
     }
 }
+
+/// A bound on the error, the pick for it, and what ties with that.
+type Row<'a> = (f64, Choice<'a>, Vec<Choice<'a>>);
 
 /// Which setting to pick for which error.
 fn picks(text: &mut String, part: &Part) {
     *text += "| for an error of at most | pick | its error | time | memory | ties |\n|---|---|---|---|---|---|\n";
     // Of the bounds that one setting is the pick for, the tightest.
-    let mut rows: Vec<(f64, Choice, Vec<Choice>)> = Vec::new();
+    let mut rows: Vec<Row> = Vec::new();
     for exponent in 0..=15 {
         let bound = 10_f64.powi(-exponent);
+        if bound < part.reference.error {
+            break;
+        }
         let Some((best, ties)) = part.pick(bound) else {
             break;
         };
         rows.pop_if(|(_, told, _)| std::ptr::eq(told.1, best.1));
         rows.push((bound, best, ties));
     }
-    let short = in_short(&rows);
+    let short = in_short(&rows, part.lines.len() > 1);
     for (bound, (line, point), ties) in rows {
         let _ = writeln!(
             text,
@@ -107,14 +117,17 @@ fn picks(text: &mut String, part: &Part) {
     }
 }
 
-/// Which method to take down to which error.
-fn in_short(rows: &[(f64, Choice, Vec<Choice>)]) -> String {
-    let same =
-        |a: &(f64, Choice, Vec<Choice>), b: &(f64, Choice, Vec<Choice>)| std::ptr::eq(a.1.0, b.1.0);
+/// Which method to take down to which error; which setting, where there is one method.
+fn in_short(rows: &[Row], several: bool) -> String {
+    let name = |&(line, point): &Choice| match several {
+        true => line.name.clone(),
+        false => point.setting.clone(),
+    };
+    let same = |a: &Row, b: &Row| name(&a.1) == name(&b.1);
     let told = rows.chunk_by(same).filter_map(|rows| {
-        let (_, (line, point), _) = rows.last()?;
-        let reached = error(point.errors?.rms);
-        Some(format!("{} down to an error of {reached}", line.name))
+        let (_, choice, _) = rows.last()?;
+        let reached = error(choice.1.errors?.rms);
+        Some(format!("{} down to an error of {reached}", name(choice)))
     });
     let told: Vec<String> = told.collect();
     match told.is_empty() {
