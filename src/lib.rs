@@ -20,7 +20,7 @@
 //! | [`picture`] | display lists with tags, text, themes, and their rasteriser; uses [`color`] alone |
 //! | [`panels`] | one file a panel: what it draws of a run at its step |
 //! | [`lesson`] | lesson files, tied to the steps of their run |
-//! | [`study`] | stress cases: what the algorithms make of what is stiff, extreme or wrong |
+//! | [`study`] | error against run time, how work grows, and what the algorithms make of what is stiff, extreme or wrong |
 //! | `app` | the window (feature `gui`) |
 //! | [`commands`] | the command line, one file a command |
 //!

@@ -15,6 +15,7 @@ mod radiosity;
 mod render;
 mod steps;
 mod stress;
+mod study;
 
 use crate::algorithms::primary::Settings;
 use clap::{Args, Parser, Subcommand};
@@ -53,6 +54,8 @@ enum Command {
     Frames(frames::Arguments),
     /// Runs the stiff and extreme cases, each with what was expected, what came out and a verdict
     Stress(stress::Arguments),
+    /// Measures error against run time, and how work grows
+    Study(study::Arguments),
 }
 
 /// How large a scene may be.
@@ -165,6 +168,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Steps(arguments) => steps::run(arguments),
         Command::Frames(arguments) => frames::run(arguments),
         Command::Stress(arguments) => stress::run(arguments),
+        Command::Study(arguments) => study::run(arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -12,7 +12,7 @@ mod form_factor;
 mod formula;
 mod image;
 mod inspector;
-mod labels;
+pub(crate) mod labels;
 mod log_axes;
 mod matrix;
 mod message;

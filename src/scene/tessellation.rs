@@ -102,7 +102,7 @@ pub(super) fn mesh_of(shape: &Shape) -> Mesh {
 }
 
 /// The poles on the y axis; longitudes from z toward x, latitudes from the north pole (+y) down. Faces latitude by latitude.
-pub(super) fn sphere(center: DVec3, radius: f64, [longitudes, latitudes]: [u32; 2]) -> Mesh {
+pub fn sphere(center: DVec3, radius: f64, [longitudes, latitudes]: [u32; 2]) -> Mesh {
     let mut positions = Vec::new();
     for i in 0..=latitudes {
         let (sin_theta, cos_theta) = match i {

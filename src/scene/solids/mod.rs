@@ -152,6 +152,16 @@ impl Solids {
         }
     }
 
+    /// The memory of the objects and their hierarchies, by the sizes of what they are made of.
+    pub fn bytes(&self) -> u64 {
+        let of = |solid: &Solid| match solid {
+            Solid::Faces { faces, .. } => faces.bytes(),
+            Solid::Sphere { .. } | Solid::Plane(_) => 0,
+        };
+        let own = self.solids.len() * size_of::<Solid>();
+        own as u64 + self.hierarchy.bytes() + self.solids.iter().map(of).sum::<u64>()
+    }
+
     /// The nearest hit of one object.
     pub fn meet(&self, object: usize, ray: &Ray) -> Option<Hit> {
         match &self.solids[object] {
