@@ -5,6 +5,7 @@ use super::fit::{Fit, Law};
 use super::form::{Axes, Ladder, Operations, Reference, Request, Rung, Study};
 use super::pareto::front;
 use super::timing::{Patience, Timing, time};
+use crate::scene::Tessellation;
 
 /// What a study found.
 pub struct Findings {
@@ -53,6 +54,9 @@ pub struct Point {
     pub on_front: bool,
 }
 
+/// Of a scene that is measured, so that a study takes no more than some GB.
+const MOST_POLYGONS: u64 = 1_000_000;
+
 impl Study {
     /// Measures every ladder. Errors: why the study says nothing about the scene that was given.
     pub fn measure(
@@ -60,6 +64,12 @@ impl Study {
         request: &Request,
         progress: &dyn Fn(usize, usize),
     ) -> Result<Findings, String> {
+        let polygons = request.scene.map_or(0, Tessellation::count);
+        if polygons > MOST_POLYGONS {
+            return Err(format!(
+                "the scene divides into {polygons} polygons; at most {MOST_POLYGONS} are measured, since a study holds it several times"
+            ));
+        }
         let ladders = (self.ladders)(request)?;
         let patience = request.either(Patience::QUICK, Patience::THOROUGH);
         let count = ladders.len();
