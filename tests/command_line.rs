@@ -269,7 +269,14 @@ fn a_mesh_outside_the_folder_is_refused_also_behind_a_link() {
 #[test]
 fn pictures_come_in_both_formats() {
     let folder = folder();
-    for method in ["wireframe", "flat", "gouraud", "phong", "exact"] {
+    for method in [
+        "wireframe",
+        "flat",
+        "gouraud",
+        "phong",
+        "fast-phong",
+        "exact",
+    ] {
         for name in ["x.png", "x.pfm"] {
             let arguments = [
                 "render",

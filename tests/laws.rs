@@ -4,6 +4,7 @@ mod common;
 
 use common::{TEAPOT, stage};
 use lightwalk::algorithms::exact::exact;
+use lightwalk::algorithms::fast_phong::fast_phong;
 use lightwalk::algorithms::flat::flat;
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
@@ -27,11 +28,12 @@ fn unrecorded(stage: &Stage, method: Method) -> Frame {
 }
 
 /// The methods whose runs tell of pixels.
-const PIXEL_BY_PIXEL: [Method; 7] = [
+const PIXEL_BY_PIXEL: [Method; 8] = [
     Method::Wireframe,
     Method::Flat,
     Method::Gouraud,
     Method::Phong,
+    Method::FastPhong,
     Method::Exact,
     Method::RayCasting,
     Method::RayTracing,
@@ -73,6 +75,11 @@ fn recorded(
         Method::Phong => {
             let mut recording = Recording::new(limit);
             phong(stage, focus, &mut frame, &mut recording);
+            (frame, recording.len(), recording.truncated())
+        }
+        Method::FastPhong => {
+            let mut recording = Recording::new(limit);
+            fast_phong(stage, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
         Method::RayCasting => {
@@ -209,7 +216,7 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
 #[test]
 fn the_polygons_drawn_one_by_one_make_the_frame() {
     let stage = stage(TEAPOT, 64, 48);
-    for method in [Method::Flat, Method::Gouraud, Method::Phong, Method::Exact] {
+    for method in PIXEL_BY_PIXEL[1..6].iter().copied() {
         let mut frame = Frame::new(64, 0..48, stage.scene.background);
         for number in 0..stage.tessellation.polygon_count() {
             let focus = Focus::Polygon(number);
@@ -217,7 +224,8 @@ fn the_polygons_drawn_one_by_one_make_the_frame() {
                 Method::Flat => flat(&stage, focus, &mut frame, &mut Unrecorded),
                 Method::Gouraud => gouraud(&stage, focus, &mut frame, &mut Unrecorded),
                 Method::Exact => exact(&stage, focus, &mut frame, &mut Unrecorded),
-                _ => phong(&stage, focus, &mut frame, &mut Unrecorded),
+                Method::Phong => phong(&stage, focus, &mut frame, &mut Unrecorded),
+                _ => fast_phong(&stage, focus, &mut frame, &mut Unrecorded),
             }
         }
         assert!(frame == unrecorded(&stage, method), "{}", method.name());
@@ -233,6 +241,7 @@ fn canvas_of(run: &Run) -> Vec<lightwalk::color::Rgb> {
         Run::Flat(replay) => colors(&replay.state().canvas),
         Run::Gouraud(replay) => colors(&replay.state().canvas),
         Run::Phong(replay) => colors(&replay.state().canvas),
+        Run::FastPhong(replay) => colors(&replay.state().canvas),
         Run::Exact(replay) => colors(&replay.state().canvas),
         Run::RayCasting(replay) => colors(&replay.state().canvas),
         Run::RayTracing(replay) => colors(&replay.state().canvas),

@@ -118,24 +118,16 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
     arrives: &mut impl FnMut(&ToLight, &mut R) -> bool,
 ) -> Intensity {
     let to_eye = point.to_eye;
+    let incidence = incidence(&lighting.lights[number], point.position);
+    let n_dot_l = normal.dot(incidence.to_light);
+    recorder.enter(|| incidence.entered(number, n_dot_l).into());
+    recorder.step(|| incidence.direction(n_dot_l).into());
     let Incidence {
         to_light,
         distance,
         attenuation,
         color,
-    } = incidence(&lighting.lights[number], point.position);
-    let n_dot_l = normal.dot(to_light);
-    recorder.enter(|| {
-        Event::Light {
-            light: number as u32,
-            color,
-            distance,
-            attenuation,
-            slide_factor: slide_factor(distance, n_dot_l),
-        }
-        .into()
-    });
-    recorder.step(|| Event::ToLight { to_light, n_dot_l }.into());
+    } = incidence;
     let source = ToLight {
         light: number,
         direction: to_light,
@@ -216,16 +208,39 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
     }
 }
 
-struct Incidence {
-    to_light: DVec3,
+/// Where a light stands as seen from a point, and how much of it arrives.
+#[derive(Clone, Copy, Debug)]
+pub struct Incidence {
+    /// L, unit.
+    pub to_light: DVec3,
     /// Infinite for a directional light.
-    distance: f64,
-    attenuation: f64,
-    color: Rgb,
+    pub distance: f64,
+    pub attenuation: f64,
+    pub color: Rgb,
+}
+
+impl Incidence {
+    /// Opens the part of light `number`.
+    pub fn entered(&self, number: usize, n_dot_l: f64) -> Event {
+        Event::Light {
+            light: number as u32,
+            color: self.color,
+            distance: self.distance,
+            attenuation: self.attenuation,
+            slide_factor: slide_factor(self.distance, n_dot_l),
+        }
+    }
+
+    pub fn direction(&self, n_dot_l: f64) -> Event {
+        Event::ToLight {
+            to_light: self.to_light,
+            n_dot_l,
+        }
+    }
 }
 
 /// Where a light stands as seen from `position`. A light in the very point shines from nowhere: `to_light` is zero.
-fn incidence(light: &Light, position: DVec3) -> Incidence {
+pub fn incidence(light: &Light, position: DVec3) -> Incidence {
     match *light {
         Light::Point {
             position: source,

@@ -9,6 +9,7 @@
 //! | [`flat`] | one intensity a polygon | Bouknight 1970 |
 //! | [`gouraud`] | intensity interpolated from the vertices | Gouraud 1971 |
 //! | [`phong`] | normal interpolated from the vertices, lit at every pixel | Phong 1975 |
+//! | [`fast_phong`] | cosines as Taylor series over a triangle | Bishop & Weimer 1986 |
 //! | [`exact`] | lit with the normal of the true surface: what the three are compared with | |
 //! | [`shading`], [`fill`] | what these have in common | |
 //! | [`texture`] | textures on polygons, right and as plain interpolation has them | Heckbert & Moreton 1991 |
@@ -22,6 +23,7 @@
 //! [`stage`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
 
 pub mod exact;
+pub mod fast_phong;
 pub mod fill;
 pub mod flat;
 pub mod focus;

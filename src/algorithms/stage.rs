@@ -8,7 +8,7 @@ use super::texture::Mapping;
 use crate::color::Rgb;
 use crate::record::Fields;
 use crate::scene::patches::PatchError;
-use crate::scene::solids::Solids;
+use crate::scene::solids::{self, Solids};
 use crate::scene::{Light, Material, Mesh, Needs, Scene, Tessellation, View};
 use glam::{DVec2, DVec3};
 use std::sync::OnceLock;
@@ -305,6 +305,11 @@ impl<'a> Polygon<'a> {
             .face(self.face)
             .iter()
             .map(|&vertex| (vertex, vertices[vertex as usize]))
+    }
+
+    /// Its division into triangles, by corner.
+    pub fn triangles(&self) -> Vec<[u32; 3]> {
+        solids::triangles(self.mesh, self.face)
     }
 
     /// Whether its box on the screen meets the region; true where a part lies before the near plane.

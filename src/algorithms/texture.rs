@@ -148,6 +148,13 @@ pub struct WithUv<T> {
     pub uv: DVec2,
 }
 
+impl<T> WithUv<T> {
+    /// Another value with the same (u, v).
+    pub fn with<U>(&self, value: U) -> WithUv<U> {
+        WithUv { value, uv: self.uv }
+    }
+}
+
 impl<T: Cargo> Cargo for WithUv<T> {
     type Told = T::Told;
     fn told(self) -> T::Told {

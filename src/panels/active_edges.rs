@@ -40,6 +40,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     let mut picture = match show.run {
         Run::Gouraud(replay) => table(show, replay.state(), size),
         Run::Phong(replay) => table(show, replay.state(), size),
+        Run::FastPhong(replay) => table(show, replay.state(), size),
         Run::Exact(replay) => table(show, replay.state(), size),
         Run::Flat(replay) => table(show, replay.state(), size),
         Run::Wireframe(_) => message(NO_TABLE, show.language, size),

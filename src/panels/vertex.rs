@@ -29,6 +29,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     let mut picture = match show.run {
         Run::Gouraud(replay) => of_state(show, replay.state(), size),
         Run::Phong(replay) => of_state(show, replay.state(), size),
+        Run::FastPhong(replay) => of_state(show, replay.state(), size),
         Run::Exact(replay) => of_state(show, replay.state(), size),
         Run::Flat(replay) => of_state(show, replay.state(), size),
         Run::Wireframe(_) => message(WIREFRAME, show.language, size),

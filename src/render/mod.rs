@@ -8,6 +8,7 @@ mod pixels;
 mod tally;
 
 use crate::algorithms::exact::exact;
+use crate::algorithms::fast_phong::fast_phong;
 use crate::algorithms::flat::flat;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
@@ -37,6 +38,7 @@ pub enum Method {
     Flat,
     Gouraud,
     Phong,
+    FastPhong,
     /// With the normals of the true surfaces.
     Exact,
     RayCasting,
@@ -45,11 +47,12 @@ pub enum Method {
 }
 
 impl Method {
-    pub const ALL: [Method; 8] = [
+    pub const ALL: [Method; 9] = [
         Method::Wireframe,
         Method::Flat,
         Method::Gouraud,
         Method::Phong,
+        Method::FastPhong,
         Method::Exact,
         Method::RayCasting,
         Method::RayTracing,
@@ -63,6 +66,7 @@ impl Method {
             Method::Flat => "flat",
             Method::Gouraud => "gouraud",
             Method::Phong => "phong",
+            Method::FastPhong => "fast-phong",
             Method::Exact => "exact",
             Method::RayCasting => "ray-casting",
             Method::RayTracing => "ray-tracing",
@@ -98,7 +102,7 @@ impl Method {
             Method::RayCasting => part.concerns_primary_rays(),
             Method::RayTracing => true,
             Method::Wireframe | Method::Radiosity => false,
-            Method::Flat | Method::Gouraud | Method::Phong | Method::Exact => {
+            Method::Flat | Method::Gouraud | Method::Phong | Method::FastPhong | Method::Exact => {
                 part == Part::TextureCoordinates
             }
         }
@@ -188,6 +192,9 @@ fn draw<E: Send>(
         }
         Method::Exact => painter.bands(|band| exact(stage, Focus::Frame, band, &mut Unrecorded)),
         Method::Phong => painter.bands(|band| phong(stage, Focus::Frame, band, &mut Unrecorded)),
+        Method::FastPhong => {
+            painter.bands(|band| fast_phong(stage, Focus::Frame, band, &mut Unrecorded))
+        }
         Method::RayCasting => {
             let caster = RayCaster::new(stage, needs, Hierarchy);
             match totals {

@@ -2,6 +2,7 @@
 
 use super::{Fold, Replay, Timeline, Walk, form_factor, radiosity, rays, shading, wireframe};
 use crate::algorithms::exact;
+use crate::algorithms::fast_phong;
 use crate::algorithms::flat::{self, Nothing};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::form_factor::{FormFactors, Method as Integration};
@@ -28,6 +29,7 @@ pub enum Run {
     Flat(Box<Replay<flat::Event, shading::State<Nothing>>>),
     Gouraud(Box<Replay<gouraud::Event, shading::State<Rgb>>>),
     Phong(Box<Replay<phong::Event, shading::State<DVec3>>>),
+    FastPhong(Box<Replay<fast_phong::Event, shading::State<Nothing>>>),
     Exact(Box<Replay<exact::Event, shading::State<DVec3>>>),
     RayCasting(Box<Replay<ray_casting::Event, rays::State>>),
     RayTracing(Box<Replay<ray_tracing::Event, rays::State>>),
@@ -88,6 +90,14 @@ impl Run {
                     phong::phong(&stage, focus, frame, recording);
                 },
             )),
+            Method::FastPhong => Run::FastPhong(replay(
+                Recording::new(limit),
+                &stage,
+                shading::State::new,
+                |frame, recording| {
+                    fast_phong::fast_phong(&stage, focus, frame, recording);
+                },
+            )),
             Method::RayCasting => Run::RayCasting(replay(
                 Recording::new(limit),
                 &stage,
@@ -134,6 +144,7 @@ impl Run {
             Run::Flat(replay) => &**replay,
             Run::Gouraud(replay) => &**replay,
             Run::Phong(replay) => &**replay,
+            Run::FastPhong(replay) => &**replay,
             Run::Exact(replay) => &**replay,
             Run::RayCasting(replay) => &**replay,
             Run::RayTracing(replay) => &**replay,
@@ -148,6 +159,7 @@ impl Run {
             Run::Flat(replay) => &mut **replay,
             Run::Gouraud(replay) => &mut **replay,
             Run::Phong(replay) => &mut **replay,
+            Run::FastPhong(replay) => &mut **replay,
             Run::Exact(replay) => &mut **replay,
             Run::RayCasting(replay) => &mut **replay,
             Run::RayTracing(replay) => &mut **replay,

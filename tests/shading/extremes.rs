@@ -2,7 +2,10 @@
 //! that cancel out, lights in the surface, and a million triangles.
 
 use super::common::stage;
-use super::{CHALK, CLAY, FAMILY, LAMP, SIZE, SUN, apart, assert_as_rays, difference, picture, polygon, scene};
+use super::{
+    CHALK, CLAY, FAMILY, LAMP, SIZE, SUN, apart, assert_as_rays, difference, picture, polygon,
+    scene,
+};
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::stage::Stage;
 use lightwalk::color::Rgb;

@@ -23,6 +23,7 @@ use edge::Edge;
 use glam::{DVec2, DVec3};
 use std::fmt::Debug;
 
+pub use clip::clip_near;
 pub use event::{Event, Names, Part};
 
 #[cfg(test)]
@@ -56,6 +57,16 @@ pub struct Corner<A> {
     pub value: A,
 }
 
+impl<A> Corner<A> {
+    /// The same corner with another value.
+    pub fn with<B>(&self, value: B) -> Corner<B> {
+        Corner {
+            position: self.position,
+            value,
+        }
+    }
+}
+
 /// A corner on the screen.
 #[derive(Clone, Copy, Debug)]
 struct ScreenCorner<A> {
@@ -70,6 +81,8 @@ struct ScreenCorner<A> {
 pub struct Fragment<A> {
     pub x: u32,
     pub y: u32,
+    /// The first pixel of its span.
+    pub first: u32,
     /// As interpolated by increments.
     pub value: A,
     /// 1/depth, likewise.
@@ -82,12 +95,14 @@ impl<A> Fragment<A> {
         let Fragment {
             x,
             y,
+            first,
             inverse_depth,
             ..
         } = self;
         Fragment {
             x,
             y,
+            first,
             value,
             inverse_depth,
         }
@@ -134,7 +149,7 @@ impl<A: Cargo> ScanLine<A> {
         recorder: &mut R,
         mut shade: impl FnMut(&mut R, Fragment<A>) -> Rgb,
     ) {
-        clip::clip_near(polygon, view.near, &mut self.clipped);
+        clip_near(polygon, view.near, &mut self.clipped);
         self.project(view);
         self.build_edge_table(view.height, recorder);
 
@@ -355,6 +370,7 @@ fn fill_span<A: Cargo, E: From<Event<A::Told>>, R: Recorder<E>>(
                         Fragment {
                             x,
                             y,
+                            first,
                             value: value.value,
                             inverse_depth: inverse_depth.value,
                         },

@@ -24,6 +24,7 @@ mod triangle;
 mod true_surface;
 
 pub use face_chart::FaceChart;
+pub use polygon::triangles;
 pub use ray::{Ray, leaving, short_of};
 pub use sphere::meet_ball;
 pub use true_surface::{TruePoint, true_point};
