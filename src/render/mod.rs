@@ -2,6 +2,7 @@
 
 mod bands;
 mod crew;
+pub mod lanes;
 mod light;
 mod painter;
 mod pixels;

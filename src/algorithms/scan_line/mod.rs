@@ -391,7 +391,7 @@ fn fill_span<A: Cargo, E: From<Event<A::Told>>, R: Recorder<E>>(
 
 /// The first row or column, within 0..=size, whose centre is not before `edge`.
 #[inline]
-fn first_centre(edge: f64, size: u32) -> u32 {
+pub fn first_centre(edge: f64, size: u32) -> u32 {
     // A cast from float saturates, and takes NaN to 0.
     ((edge - 0.5).ceil() as u32).min(size)
 }
