@@ -19,18 +19,19 @@ const TEXT: f32 = 11.0;
 const ILLUMINATED: Words = Words::new("lit", "dihitung");
 const INTERPOLATED: Words = Words::new("interpolated", "interpolasi");
 const ROOTS: Words = Words::new("roots", "akar");
+const SERIES: Words = Words::new("from a series", "dari deret");
 const RAYS: Words = Words::new("rays", "sinar");
 const A_PIXEL: Words = Words::new("a pixel", "per piksel");
 
 pub fn draw(show: &Show, size: Vec2) -> Picture {
-    if show.compared.is_empty() {
+    let Some(first) = show.compared.first() else {
         return message(NOT_COMPARED, show.language, size);
-    }
+    };
     let cursor = Cursor::of(show);
     let mut picture = Picture::new(size.x, size.y);
     let mut words = told_in_words(show);
     let all = show.compared;
-    for (compared, cell) in all.iter().zip(cells(all, all.len(), 3, size)) {
+    for (compared, cell) in all.iter().zip(cells(&first.frame, all.len(), 3, size)) {
         let figures = figures(show, compared);
         cell.title(
             &mut picture,
@@ -50,7 +51,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
                 false => format!("I = {}, {}, {}", fixed(r, 3), fixed(g, 3), fixed(b, 3)),
             }
         });
-        let lines = [here, figures.0, figures.1];
+        let lines = [figures.1, figures.0, here];
         cell.lines(&mut picture, &lines);
         words = format!("{words} {}: {}.", compared.method.name(), lines.join("; "));
     }
@@ -68,6 +69,7 @@ fn figures(show: &Show, compared: &Compared) -> (String, String) {
         (done.illuminations, ILLUMINATED),
         (done.interpolations, INTERPOLATED),
         (done.unit_normals, ROOTS),
+        (done.series, SERIES),
         (done.rays, RAYS),
     ] {
         if count > 0 {
@@ -97,7 +99,7 @@ impl Cell {
                 height: cells::ROW,
                 ..self.below
             };
-            let ink = if row == 0 { Ink::Text } else { Ink::Muted };
+            let ink = if row == 2 { Ink::Text } else { Ink::Muted };
             let text = elide(line, style.style, style.size, place.width);
             picture.text_in(place, text, style.ink(ink));
         }

@@ -9,6 +9,7 @@ use super::values::told_in_words;
 use super::words::Words;
 use crate::color::Rgb;
 use crate::picture::{Image, Ink, Picture, Rect, Style, elide};
+use crate::render::Method;
 use crate::render::compare::{Compared, Difference, difference};
 use glam::Vec2;
 
@@ -21,10 +22,13 @@ const LARGEST: Words = Words::new("largest", "terbesar");
 const HERE: Words = Words::new("here", "di sini");
 
 pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let Some((reference, others)) = show
+    // Wires shade nothing: how far they are says nothing.
+    let shaded: Vec<&Compared> = show
         .compared
-        .split_last()
-        .filter(|(_, rest)| !rest.is_empty())
+        .iter()
+        .filter(|compared| compared.method != Method::Wireframe)
+        .collect();
+    let Some((&reference, others)) = shaded.split_last().filter(|(_, rest)| !rest.is_empty())
     else {
         return message(NOT_COMPARED, show.language, size);
     };
@@ -49,7 +53,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         others
             .iter()
             .zip(&differences)
-            .zip(cells(others, others.len(), 2, room))
+            .zip(cells(&reference.frame, others.len(), 2, room))
     {
         cell.title(
             &mut picture,

@@ -18,8 +18,8 @@ const TEXT: f32 = 11.0;
 const ROW: f32 = 16.0;
 /// Pixels to the left and right of what is drawn.
 const AROUND: u32 = 4;
-/// With more points some are passed over.
-const MOST_POINTS: usize = 160;
+/// With more points the least and the most of several stand for all.
+const MOST_POINTS: usize = 220;
 
 const INTENSITY: Words = Words::new("intensity", "intensitas");
 const SLOPE: Words = Words::new("its slope, a pixel", "kemiringannya, per piksel");
@@ -67,20 +67,29 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         (SEEN, |profile| &profile.seen),
     ];
     let height = (whole.height - 2.0 * ROW) / fields.len() as f32;
-    for (number, (words, values)) in fields.into_iter().enumerate() {
-        let place = Rect::new(
-            whole.x,
-            whole.y + ROW + height * number as f32,
-            whole.width,
-            height,
-        );
-        let curves = profiles.iter().map(|profile| (profile, values(profile)));
-        let field = Field::new(curves.clone().map(|(_, values)| values), &columns, place);
+    let ranges = fields.map(|(_, values)| range(profiles.iter().map(values), &columns));
+    // One margin for all, so that the same column stands above itself.
+    let numbers = ranges.iter().flat_map(|&(low, high)| [low, high]);
+    let style = Style::Body.size(TEXT);
+    let widths = numbers.map(|end| style.width(&number(three(end))));
+    let left = widths.fold(0.0, f32::max) + 8.0;
+    for (strip, ((words, values), (low, high))) in fields.into_iter().zip(ranges).enumerate() {
+        let field = Field {
+            place: Rect::new(
+                whole.x + left,
+                whole.y + 2.0 * ROW + height * strip as f32,
+                (whole.width - left - 4.0).max(1.0),
+                (height - ROW - 4.0).max(1.0),
+            ),
+            columns: columns.clone(),
+            low,
+            high,
+        };
         field.frame(&mut picture, say(words), cursor.x);
-        for (profile, values) in curves {
-            field.curve(&mut picture, profile, values);
+        for profile in &profiles {
+            field.curve(&mut picture, profile, values(profile));
         }
-        if number + 1 == 3 {
+        if strip + 1 == 3 {
             field.pixels(&mut picture);
         }
     }
@@ -99,6 +108,12 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         jumps.collect::<Vec<_>>().join("; ")
     );
     picture
+}
+
+/// Whether two neighbours, by their inverse depths, are both drawn, and so near behind one another as one surface is.
+fn one_surface(a: f64, b: f64) -> bool {
+    const NEAR: f64 = 0.02;
+    a > 0.0 && b > 0.0 && (a - b).abs() < NEAR * a.max(b)
 }
 
 /// What is shown of a profile.
@@ -132,7 +147,7 @@ struct Profile {
     number: usize,
     method: Method,
     intensity: Vec<f64>,
-    /// Between a pixel and the next.
+    /// Between a pixel and the next on one surface; not a number across an outline.
     slope: Vec<f64>,
     seen: Vec<f64>,
     /// The largest jump of the slope between neighbours on one surface.
@@ -145,13 +160,17 @@ impl Profile {
         let intensity: Vec<f64> = (0..frame.width)
             .map(|x| frame.pixel(x, row).luminance())
             .collect();
-        let slope: Vec<f64> = intensity.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let drawn = |x: usize| frame.inverse_depth[frame.index(x as u32, row)] > 0.0;
-        let jumps = slope.windows(2).enumerate();
-        let within = jumps.filter(|&(x, _)| drawn(x) && drawn(x + 1) && drawn(x + 2));
-        let jump = within.fold(0.0, |most: f64, (_, pair)| {
-            most.max((pair[1] - pair[0]).abs())
-        });
+        let depth = |x: usize| frame.inverse_depth[frame.index(x as u32, row)];
+        let pairs = intensity.windows(2).enumerate();
+        let slope: Vec<f64> = pairs
+            .map(|(x, pair)| match one_surface(depth(x), depth(x + 1)) {
+                true => pair[1] - pair[0],
+                false => f64::NAN,
+            })
+            .collect();
+        // The largest number leaves out what is none.
+        let jumps = slope.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+        let jump = jumps.fold(0.0, f64::max);
         Profile {
             number,
             method: compared.method,
@@ -188,6 +207,19 @@ fn legend(picture: &mut Picture, profiles: &[Profile], row: Rect) {
     }
 }
 
+/// The least and the most of all values in some columns, and 0.
+fn range<'a>(curves: impl Iterator<Item = &'a [f64]>, columns: &Range<u32>) -> (f64, f64) {
+    let part = |values: &'a [f64]| {
+        let end = (columns.end as usize).min(values.len());
+        &values[(columns.start as usize).min(end)..end]
+    };
+    let values = curves.flat_map(part).filter(|value| value.is_finite());
+    let (low, high) = values.fold((0.0_f64, 0.0_f64), |(low, high), &value| {
+        (low.min(value), high.max(value))
+    });
+    (low, if high > low { high } else { low + 1.0 })
+}
+
 /// A strip of its own scale.
 struct Field {
     place: Rect,
@@ -197,35 +229,6 @@ struct Field {
 }
 
 impl Field {
-    fn new<'a>(
-        curves: impl Iterator<Item = &'a [f64]>,
-        columns: &Range<u32>,
-        whole: Rect,
-    ) -> Field {
-        let part = |values: &'a [f64]| {
-            let end = (columns.end as usize).min(values.len());
-            &values[(columns.start as usize).min(end)..end]
-        };
-        let values = curves.flat_map(part).filter(|value| value.is_finite());
-        let (low, high) = values.fold((0.0_f64, 0.0_f64), |(low, high), &value| {
-            (low.min(value), high.max(value))
-        });
-        let style = Style::Body.size(TEXT);
-        let ends = [low, high].map(|end| style.width(&number(three(end))));
-        let left = ends[0].max(ends[1]) + 8.0;
-        Field {
-            place: Rect::new(
-                whole.x + left,
-                whole.y + ROW,
-                (whole.width - left - 4.0).max(1.0),
-                (whole.height - ROW - 4.0).max(1.0),
-            ),
-            columns: columns.clone(),
-            low,
-            high: if high > low { high } else { low + 1.0 },
-        }
-    }
-
     fn x(&self, column: f64) -> f32 {
         let share = (column - f64::from(self.columns.start)) / self.columns.len().max(1) as f64;
         self.place.x + self.place.width * share as f32
@@ -286,14 +289,32 @@ impl Field {
             0.5
         };
         let columns = self.columns.start as usize..(self.columns.end as usize).min(values.len());
-        let stride = columns.len().div_ceil(MOST_POINTS).max(1);
-        let points: Vec<Vec2> = columns
-            .step_by(stride)
-            .map(|x| Vec2::new(self.x(x as f64 + shift), self.y(values[x])))
-            .collect();
-        if points.len() > 1 {
-            picture.polyline(points, profile.stroke());
+        let stride = (2 * columns.len()).div_ceil(MOST_POINTS).max(1);
+        let at = |x: usize| Vec2::new(self.x(x as f64 + shift), self.y(values[x]));
+        let mut points = Vec::new();
+        for first in columns.clone().step_by(stride) {
+            let part = first..(first + stride).min(columns.end);
+            let told = || part.clone().filter(|&x| !values[x].is_nan());
+            let by_value = |a: &usize, b: &usize| values[*a].total_cmp(&values[*b]);
+            match (told().min_by(by_value), told().max_by(by_value)) {
+                (Some(least), Some(most)) if told().count() == part.len() => {
+                    points.push(at(least.min(most)));
+                    if least != most {
+                        points.push(at(least.max(most)));
+                    }
+                }
+                // The line is broken at an outline.
+                _ => self.line(picture, profile, &mut points),
+            }
         }
+        self.line(picture, profile, &mut points);
+    }
+
+    fn line(&self, picture: &mut Picture, profile: &Profile, points: &mut Vec<Vec2>) {
+        if points.len() > 1 {
+            picture.polyline(points.iter().copied(), profile.stroke());
+        }
+        points.clear();
     }
 
     /// Numbers of pixels under the last strip.

@@ -1,5 +1,7 @@
 //! Whole pixels moved fast: solid rectangles, images and glyph masks, straight into a pixmap's rows.
 
+use std::ops::Range;
+
 use tiny_skia::{Pixmap, PremultipliedColorU8};
 
 use super::font::Coverage;
@@ -92,39 +94,27 @@ pub(super) fn fill(pixmap: &mut Pixmap, area: PixelRect, color: Rgba) {
     }
 }
 
-/// Draws `image` into `frame`, each of whose pixels takes the image's pixel under its centre; `clip` lies within the pixmap.
+/// Draws `image` into `frame`. Each pixel takes the image's pixel under its centre, or where the image is drawn smaller than it is
+/// the mean of those that it covers, so that no thin line is lost; `clip` lies within the pixmap.
 pub(super) fn image(pixmap: &mut Pixmap, clip: PixelRect, frame: PixelRect, image: &Image) {
     let area = clip.intersection(frame);
     if area.is_empty() || image.width() == 0 || image.height() == 0 {
         return;
     }
-    // Twice the centre and twice the frame's size keep the arithmetic whole.
-    let source = |at: i32, start: i32, length: i32, count: u32| {
-        let centre = 2 * i64::from(at - start) + 1;
-        (centre * i64::from(count) / (2 * i64::from(length))) as usize
-    };
-    let columns: Vec<usize> = (area.left..area.right)
-        .map(|x| source(x, frame.left, frame.width(), image.width()))
+    let columns: Vec<Range<usize>> = (area.left..area.right)
+        .map(|x| covered(x - frame.left, frame.width(), image.width()))
         .collect();
 
     let mut line = vec![[0; 4]; columns.len()];
-    let mut line_of = None;
+    let mut line_of = 0..0;
     for y in area.top..area.bottom {
-        let source_y = source(y, frame.top, frame.height(), image.height());
-        if line_of != Some(source_y) {
-            let bytes = image.row(source_y);
-            if image.channels() == 3 {
-                for (pixel, &x) in line.iter_mut().zip(&columns) {
-                    let [r, g, b] = [bytes[3 * x], bytes[3 * x + 1], bytes[3 * x + 2]];
-                    *pixel = [r, g, b, 255];
-                }
-            } else {
-                let (pixels, _) = bytes.as_chunks();
-                for (pixel, &x) in line.iter_mut().zip(&columns) {
-                    *pixel = pixels[x];
-                }
+        let rows = covered(y - frame.top, frame.height(), image.height());
+        if line_of != rows {
+            match image.channels() {
+                3 => means::<3>(image, rows.clone(), &columns, &mut line),
+                _ => means::<4>(image, rows.clone(), &columns, &mut line),
             }
-            line_of = Some(source_y);
+            line_of = rows;
         }
         let row = row(pixmap, area, y);
         if image.channels() == 3 {
@@ -134,6 +124,57 @@ pub(super) fn image(pixmap: &mut Pixmap, clip: PixelRect, frame: PixelRect, imag
                 over(pixel, color, 255);
             }
         }
+    }
+}
+
+/// Which of the image's `count` columns or rows lie under pixel `at` of `length`; always one at least.
+fn covered(at: i32, length: i32, count: u32) -> Range<usize> {
+    let (at, length, count) = (i64::from(at), i64::from(length), i64::from(count));
+    if count <= length {
+        // Twice the centre and twice the frame's size keep the arithmetic whole.
+        let under = ((2 * at + 1) * count / (2 * length)) as usize;
+        return under..under + 1;
+    }
+    (at * count / length) as usize..((at + 1) * count / length) as usize
+}
+
+/// The mean colours of some rows of an image of `N` channels, by columns: of encoded values, as [`over`] mixes them, each as much as
+/// it covers.
+fn means<const N: usize>(
+    image: &Image,
+    rows: Range<usize>,
+    columns: &[Range<usize>],
+    line: &mut [[u8; 4]],
+) {
+    let alpha = |pixel: &[u8; N]| pixel.get(3).map_or(255, |&alpha| u32::from(alpha));
+    let full = |[r, g, b, a]: [u32; 4], pixels: u32| {
+        // The sums of channels are weighted by the sum of alphas.
+        let mean = |sum: u32| ((sum + a / 2) / a.max(1)) as u8;
+        [mean(r), mean(g), mean(b), ((a + pixels / 2) / pixels) as u8]
+    };
+    if rows.len() == 1 && columns.iter().all(|columns| columns.len() == 1) {
+        let (pixels, _) = image.row(rows.start).as_chunks::<N>();
+        for (color, columns) in line.iter_mut().zip(columns) {
+            let pixel = &pixels[columns.start];
+            *color = [pixel[0], pixel[1], pixel[2], alpha(pixel) as u8];
+        }
+        return;
+    }
+    let mut sums = vec![[0; 4]; columns.len()];
+    for row in rows.clone() {
+        let (pixels, _) = image.row(row).as_chunks::<N>();
+        for (sum, columns) in sums.iter_mut().zip(columns) {
+            for pixel in &pixels[columns.clone()] {
+                let alpha = alpha(pixel);
+                for (sum, &channel) in sum.iter_mut().zip(&pixel[..3]) {
+                    *sum += u32::from(channel) * alpha;
+                }
+                sum[3] += alpha;
+            }
+        }
+    }
+    for ((color, sum), columns) in line.iter_mut().zip(sums).zip(columns) {
+        *color = full(sum, (rows.len() * columns.len()) as u32);
     }
 }
 
@@ -231,6 +272,23 @@ mod tests {
         let top: Vec<u8> = (0..8).map(|x| red(x, 2)).collect();
         assert_eq!(top, [10, 10, 10, 20, 20, 20, 20, 0]);
         assert_eq!((red(0, 3), red(3, 6), red(3, 7)), (30, 40, 0));
+    }
+
+    #[test]
+    fn an_image_drawn_smaller_shows_the_mean_of_what_it_covers() {
+        let mut pixmap = Pixmap::new(2, 1).unwrap();
+        let all = PixelRect::whole(&pixmap);
+        let lines = Image::new(4, 2, [0, 90, 30, 30, 0, 0, 60, 60].map(|v| [v; 3]).concat());
+        image(&mut pixmap, all, all, &lines);
+        let red = |x| pixmap.pixel(x, 0).unwrap().red();
+        assert_eq!((red(0), red(1)), (23, 45));
+        // What is not to be seen has no colour.
+        let clear = [[200, 200, 200, 255], [0, 0, 0, 0]].concat();
+        let mut pixmap = Pixmap::new(1, 1).unwrap();
+        let all = PixelRect::whole(&pixmap);
+        fill(&mut pixmap, all, [200, 200, 200, 255]);
+        image(&mut pixmap, all, all, &Image::new(2, 1, clear));
+        assert_eq!(pixmap.pixel(0, 0).unwrap().red(), 200);
     }
 
     #[test]

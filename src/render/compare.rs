@@ -42,6 +42,8 @@ pub struct Operations {
     pub interpolations: u64,
     /// Normals brought to unit length at pixels: a square root and a division each.
     pub unit_normals: u64,
+    /// Cosines taken from the series of a triangle: two additions each.
+    pub series: u64,
     /// Rays of all kinds.
     pub rays: u64,
 }
@@ -99,6 +101,7 @@ fn operations(stage: &Stage, method: Method) -> Operations {
         illuminations: sum(&["Illuminated"]),
         interpolations: sum(&["EdgeInterpolated", "SpanInterpolated"]),
         unit_normals: sum(&["PixelNormal"]),
+        series: sum(&["CosineEvaluated"]),
         rays: sum(&["Ray", "ShadowRay"]),
     }
 }

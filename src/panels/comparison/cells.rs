@@ -1,9 +1,9 @@
 //! A panel divided into cells: a title, an image, and lines of text under it.
 
 use super::cursor::Cursor;
+use crate::algorithms::frame::Frame;
 use crate::picture::{Ink, Picture, Rect, Style, elide};
 use crate::render::Method;
-use crate::render::compare::Compared;
 use glam::Vec2;
 
 /// Height of a line of text.
@@ -23,12 +23,9 @@ pub struct Cell {
     pub below: Rect,
 }
 
-/// `count` cells for pictures like those, each with `lines` lines of text, in as many columns as make the images largest.
-pub fn cells(of: &[Compared], count: usize, lines: usize, size: Vec2) -> Vec<Cell> {
-    let Some(first) = of.first() else {
-        return Vec::new();
-    };
-    let picture = Vec2::new(first.frame.width as f32, first.frame.rows.len() as f32);
+/// `count` cells for pictures like that, each with `lines` lines of text, in as many columns as make the images largest.
+pub fn cells(like: &Frame, count: usize, lines: usize, size: Vec2) -> Vec<Cell> {
+    let picture = Vec2::new(like.width as f32, like.rows.len() as f32);
     let text = ROW * lines as f32;
     let arranged = (1..=count).map(|columns| {
         let rows = count.div_ceil(columns);
