@@ -2,7 +2,7 @@
 
 use super::panel_view::{self, PanelView};
 use super::session::{Command, Session};
-use super::{light_controls, style, tree_controls, words};
+use super::{drag, style, tree_controls, words};
 use crate::panels::{Panel, step_at};
 use crate::picture::{Ink, Tag};
 use egui::{Rect, Ui, WidgetText};
@@ -229,7 +229,7 @@ pub fn panel_on(
         command = (step != session.step()).then_some(Command::Seek(step));
     }
     if panel == Panel::Rays {
-        command = light_controls::dragged(session, &response, ui).or(command);
+        command = drag::dragged(session, &response, ui).or(command);
     }
     if panel == Panel::RayTree {
         command = tree_controls::pointed(session, &response, ui).or(command);

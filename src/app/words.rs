@@ -50,8 +50,8 @@ words! {
     TRUNCATED: "Only the beginning of this run fits in memory; the picture is whole all the same.", "Hanya awal dari proses ini yang muat di memori; gambarnya tetap utuh.";
 
     MAKING_THE_PICTURE: "whole picture:", "seluruh gambar:";
-    UNSAID: "With the light there, some of what this lesson explains does not happen.", "Dengan lampu di sana, sebagian dari yang dijelaskan pelajaran ini tidak terjadi.";
-    PUT_BACK: "Start again with the light in its place", "Mulai lagi dengan lampu di tempatnya";
+    UNSAID: "With these values, some of what this lesson explains does not happen.", "Dengan nilai-nilai ini, sebagian dari yang dijelaskan pelajaran ini tidak terjadi.";
+    PUT_BACK: "Start again with the lesson's own values", "Mulai lagi dengan nilai-nilai pelajaran";
 
     SLIDE: "As on the slide", "Seperti pada salindia";
     LAST_SAID: "Said before, at step", "Sebelumnya, pada langkah";
@@ -98,6 +98,13 @@ words! {
     CLICK_A_ROW: "click a row to light it up", "klik baris untuk menyorotnya";
 
     DRAG_THE_LIGHT: "drag to move the light", "seret untuk memindahkan cahaya";
+    PARAMETERS: "Parameters", "Parameter";
+    PUT_BACK_ALL: "lesson's values", "nilai pelajaran";
+    LIGHT: "light", "cahaya";
+    EYE: "eye", "mata";
+    AS_A_NUMBER: "as a number", "sebagai angka";
+    DISTANCE: "distance", "jarak";
+    DIVISIONS: "divisions", "pembagian";
 
     LINE: "line", "garis";
     POLYGON: "polygon", "poligon";
@@ -126,9 +133,11 @@ words! {
     LARGEST: "The text is as large as it gets.", "Teks sudah terbesar.";
     SMALLEST: "The text is as small as it gets.", "Teks sudah terkecil.";
     NO_SUCH_LESSON: "There is no such lesson.", "Tidak ada pelajaran itu.";
-    LIGHT_STAYS: "The lesson keeps this light where it is.", "Pelajaran ini membiarkan lampu itu di tempatnya.";
+    STAYS: "The lesson keeps this as it is.", "Pelajaran ini membiarkannya seperti adanya.";
     TOO_FAR: "That is too far away.", "Itu terlalu jauh.";
-    SHARE_AS_LIT_ONLY: "A light was moved: r puts it back, and then this step can be shared.", "Sebuah lampu dipindahkan: r mengembalikannya, lalu langkah ini dapat dibagikan.";
+    NO_VIEW: "From there, what is up in the picture would not be known.", "Dari sana tidak diketahui mana yang atas pada gambar.";
+    OUT_OF_RANGE: "That value cannot be had.", "Nilai itu tidak diperbolehkan.";
+    SHARE_UNCHANGED_ONLY: "A parameter was changed: r puts it back, and then this step can be shared.", "Sebuah parameter diubah: r mengembalikannya, lalu langkah ini dapat dibagikan.";
     SHARE_LESSON_ONLY: "Only steps of the lesson itself can be shared; r leads back to it.", "Hanya langkah pelajaran yang dapat dibagikan; r kembali ke pelajaran.";
 }
 

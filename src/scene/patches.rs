@@ -246,8 +246,8 @@ impl Division<'_> {
                 corners: std::array::from_fn(|i| vertices[i]),
                 grid,
             },
-            shape => Division::Triangles {
-                triangles: triangles(&tessellation::mesh_of(shape)),
+            _ => Division::Triangles {
+                triangles: triangles(&tessellation::mesh_of(object)),
                 steps: grid[0],
             },
         })

@@ -2,6 +2,7 @@
 
 use super::session::{Command, Session};
 use super::words;
+use crate::lesson::Change;
 use crate::panels::{Grip, grip};
 use egui::{CursorIcon, Pos2, Response, Ui};
 use glam::Vec2;
@@ -16,10 +17,10 @@ pub fn dragged(session: &Session, response: &Response, ui: &Ui) -> Option<Comman
     };
     let movable = |at: Pos2| {
         let grip = grip(&session.show(), size, place(at))?;
-        let moved = Command::MoveLight {
+        let moved = Command::Change(Change::Light {
             light: grip.light,
             position: grip.position(place(at)),
-        };
+        });
         session.allows(&moved).is_ok().then_some(grip)
     };
     if response.drag_started() {
@@ -33,9 +34,11 @@ pub fn dragged(session: &Session, response: &Response, ui: &Ui) -> Option<Comman
     }
     if let (Some(grip), Some(at)) = (held, response.interact_pointer_pos()) {
         ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
-        return (response.drag_delta() != egui::Vec2::ZERO).then(|| Command::MoveLight {
-            light: grip.light,
-            position: grip.position(place(at)),
+        return (response.drag_delta() != egui::Vec2::ZERO).then(|| {
+            Command::Change(Change::Light {
+                light: grip.light,
+                position: grip.position(place(at)),
+            })
         });
     }
     if response.hover_pos().and_then(movable).is_some() {

@@ -1,4 +1,4 @@
-//! Lights that the pointer drags.
+//! Lights that the pointer drags, and the card of parameters.
 
 use super::*;
 use crate::panels::{Panel, draw};
@@ -15,7 +15,7 @@ fn ball() -> Screen {
             "camera": { "eye": [0, 1, 4], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 40 },
             "objects": [{ "name": "ball", "material": "chalk", "sphere": { "center": [0, 0, 0], "radius": 1 } }],
             "lights": [{ "point": { "position": [1, 2, 1] } }, { "point": { "position": [-2, 2, -2] } }] },
-        "method": "ray-tracing", "size": [24, 18], "focus": { "pixel": [12, 9] }, "panels": ["rays"], "movable_lights": [0],
+        "method": "ray-tracing", "size": [24, 18], "focus": { "pixel": [12, 9] }, "panels": ["rays"], "parameters": [{ "light": 0 }],
         "steps": [{ "at": { "kind": "Diffuse" }, "say": { "en": "Lit", "id": "Terang" } }] }"#;
     let lesson = Lesson::read(
         json.as_bytes(),
@@ -81,4 +81,36 @@ fn a_light_is_dragged_where_the_lesson_allows_it() {
 
     drag(&mut screen, fixed, egui::vec2(24.0, -12.0));
     assert_eq!(lights(&screen)[1], before[1]);
+}
+
+#[test]
+fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
+    let mut screen = ball();
+    let step = screen.session().step();
+    let before = lights(&screen);
+    let name = format!("{} 0, {}", words::LIGHT.en, words::DISTANCE.en);
+    screen.harness.get_by_label(&name).focus();
+    screen.harness.run();
+    for _ in 0..3 {
+        screen.press(Modifiers::NONE, Key::ArrowRight);
+    }
+    let after = lights(&screen)[0];
+    assert!(after.length() > before[0].length(), "{after}");
+    let turned = after.normalize().angle_between(before[0].normalize());
+    assert!(turned < 1e-6, "it moves straight away from the target");
+    assert_eq!(screen.session().step(), step);
+    assert!(screen.session().is_changed());
+    screen.keep("parameters");
+
+    screen.click(words::PUT_BACK.en);
+    assert_eq!(lights(&screen), before);
+    screen.press(Modifiers::NONE, Key::ArrowRight);
+    assert_eq!(screen.session().step(), step + 1);
+}
+
+#[test]
+fn what_cannot_be_changed_has_no_card() {
+    let screen = triangle([]);
+    let title = screen.harness.query_by_label(words::PARAMETERS.en);
+    assert!(title.is_none());
 }
