@@ -224,6 +224,7 @@ pub fn title(panel: Panel) -> Words {
         Panel::RayTree => words::RAY_TREE,
         Panel::Vectors => words::VECTORS,
         Panel::Rays => words::RAYS,
+        Panel::Illumination => words::ILLUMINATION,
         Panel::Radiosity => words::RADIOSITY,
         Panel::FormFactor => words::FORM_FACTOR,
         Panel::Matrix => words::MATRIX,

@@ -15,9 +15,10 @@ const ROW: f32 = 30.0;
 const MARGIN: f32 = 12.0;
 /// The least width of a parameter.
 const CELL: f32 = 272.0;
-/// Of the name in it, and of its slider.
-const NAME: f32 = 96.0;
-const RAIL: f32 = 90.0;
+/// Of the name in it, of its number, and at least of its slider.
+const NAME: f32 = 90.0;
+const NUMBER: f32 = 72.0;
+const RAIL: f32 = 60.0;
 const SHININESS: RangeInclusive<f64> = 1.0..=1000.0;
 
 /// One place on the card.
@@ -56,14 +57,13 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
     style::card(session.look.theme, rect, ui);
     let title = Rect::from_min_size(rect.min, egui::vec2(rect.width(), TITLE))
         .shrink2(egui::vec2(MARGIN, 4.0));
-    ui.scope_builder(inside(title), |ui| {
-        ui.label(style::strong(session.say(words::PARAMETERS), 15.0));
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let put_back = Button::new(RichText::new(session.say(words::PUT_BACK_ALL)).size(13.0));
-            let name = session.say(words::PUT_BACK);
-            ui.add_enabled_ui(session.is_changed(), |ui| {
-                button(session, put_back, name, Command::Reset, commands, ui);
-            });
+    let mut top = ui.new_child(inside(title));
+    top.label(style::strong(session.say(words::PARAMETERS), 15.0));
+    top.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        let put_back = Button::new(RichText::new(session.say(words::PUT_BACK_ALL)).size(13.0));
+        let name = session.say(words::PUT_BACK);
+        ui.add_enabled_ui(session.is_changed(), |ui| {
+            button(session, put_back, name, Command::Reset, commands, ui);
         });
     });
     let cells = cells(session);
@@ -75,13 +75,12 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
         let corner = egui::vec2(MARGIN + column as f32 * width, TITLE + row as f32 * ROW);
         let size = egui::vec2(width - MARGIN, ROW);
         let place = Rect::from_min_size(rect.min + corner, size);
-        ui.scope_builder(inside(place).id_salt(index), |ui| {
-            let change = match cell {
-                Cell::Value(parameter) => value(session, parameter, &mut on_slider, ui),
-                Cell::Place(parameter) => coordinates(session, parameter, ui),
-            };
-            commands.extend(change.map(Command::Change));
-        });
+        let mut ui = ui.new_child(inside(place).id_salt(index));
+        let change = match cell {
+            Cell::Value(parameter) => value(session, parameter, &mut on_slider, &mut ui),
+            Cell::Place(parameter) => coordinates(session, parameter, &mut ui),
+        };
+        commands.extend(change.map(Command::Change));
     }
     ui.data_mut(|data| data.insert_temp(slider_id(), on_slider));
 }
@@ -112,8 +111,9 @@ fn value(
     let (name, spoken) = name(session, parameter);
     let (_, place) = ui.allocate_space(egui::vec2(NAME, ROW));
     let text = narration::set(session, &name, FontId::proportional(13.0), Ink::Text);
-    ui.put(place, egui::Label::new(text).truncate().selectable(false));
-    ui.spacing_mut().slider_width = RAIL;
+    let label = egui::Label::new(text).truncate().selectable(false);
+    ui.new_child(inside(place)).add(label);
+    ui.spacing_mut().slider_width = (ui.available_width() - NUMBER).max(RAIL);
     let mut value = rail.value;
     let mut slider = Slider::new(&mut value, rail.range.clone())
         .logarithmic(rail.logarithmic)

@@ -85,6 +85,7 @@ words! {
     RACE: "Solvers side by side", "Para penyelesai berdampingan";
     SMOOTH: "smooth", "halus";
     SMOOTH_ROOM: "interpolate the light between the corners of patches", "interpolasikan cahaya antara sudut-sudut patch";
+    ILLUMINATION: "Terms, and the slide's factor", "Suku, dan faktor salindia";
     RAYS: "Rays in the scene", "Sinar di dalam adegan";
     TREE_FIT: "fit", "pas";
     WHOLE_TREE: "show the whole tree", "tampilkan seluruh pohon";

@@ -8,6 +8,7 @@ mod crowd;
 mod fit;
 mod form_factor;
 mod formula;
+mod illumination;
 mod image;
 mod inspector;
 mod labels;
@@ -57,6 +58,8 @@ pub enum Panel {
     Vectors,
     /// The rays of the pixel among the objects, from the side and from above.
     Rays,
+    /// The terms of the point that is lit, and the slide's factor against the standard one.
+    Illumination,
     /// The patches of the room, each in its light, with the exchange in hand.
     Radiosity,
     /// Two patches, and the form factor between them as it is found.
@@ -78,7 +81,7 @@ pub enum Panel {
 }
 
 impl Panel {
-    pub const ALL: [Panel; 16] = [
+    pub const ALL: [Panel; 17] = [
         Panel::Image,
         Panel::ScanLine,
         Panel::ActiveEdges,
@@ -86,6 +89,7 @@ impl Panel {
         Panel::RayTree,
         Panel::Vectors,
         Panel::Rays,
+        Panel::Illumination,
         Panel::Radiosity,
         Panel::FormFactor,
         Panel::Matrix,
@@ -107,6 +111,7 @@ impl Panel {
             Panel::RayTree => "ray-tree",
             Panel::Vectors => "vectors",
             Panel::Rays => "rays",
+            Panel::Illumination => "illumination",
             Panel::Radiosity => "radiosity",
             Panel::FormFactor => "form-factor",
             Panel::Matrix => "matrix",
@@ -154,6 +159,7 @@ pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
         Panel::RayTree => ray_tree::draw(show, size),
         Panel::Vectors => vectors::draw(show, size),
         Panel::Rays => rays::draw(show, size),
+        Panel::Illumination => illumination::draw(show, size),
         Panel::Radiosity => radiosity::draw(show, size),
         Panel::FormFactor => form_factor::draw(show, size),
         Panel::Matrix => matrix::draw(show, size),
