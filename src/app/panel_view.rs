@@ -103,7 +103,10 @@ impl PanelView {
             self.upload(highlighted, panel, session.look.theme, scale, ui);
         }
 
-        let sense = if matches!(panel, Panel::TimeLine | Panel::RayTree | Panel::Rays) {
+        let sense = if matches!(
+            panel,
+            Panel::TimeLine | Panel::RayTree | Panel::Rays | Panel::Vectors
+        ) {
             Sense::click_and_drag()
         } else {
             Sense::click()

@@ -10,8 +10,8 @@ use egui::{Button, DragValue, FontId, Id, Rect, Response, RichText, Slider, Ui, 
 use glam::DVec3;
 use std::ops::RangeInclusive;
 
-const TITLE: f32 = 34.0;
-const ROW: f32 = 30.0;
+const TITLE: f32 = 32.0;
+const ROW: f32 = 28.0;
 const MARGIN: f32 = 12.0;
 /// The least width of a parameter.
 const CELL: f32 = 272.0;

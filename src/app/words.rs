@@ -77,7 +77,7 @@ words! {
     LEFT_OUT: "Left out: not needed here", "Ditinggalkan: tidak diperlukan di sini";
     NOTHING_LEFT_OUT: "Nothing", "Tidak ada";
     RAY_TREE: "Ray tree", "Pohon sinar";
-    VECTORS: "Vectors at the hit", "Vektor di titik temu";
+    VECTORS: "Vectors at the point", "Vektor di titik ini";
     RADIOSITY: "Radiosity, patch by patch", "Radiositas, patch demi patch";
     FORM_FACTOR: "Form factor", "Faktor bentuk";
     MATRIX: "Matrix of form factors", "Matriks faktor bentuk";
@@ -99,6 +99,7 @@ words! {
     CLICK_A_ROW: "click a row to light it up", "klik baris untuk menyorotnya";
 
     DRAG_THE_LIGHT: "drag to move the light", "seret untuk memindahkan cahaya";
+    DRAG_THE_EYE: "drag to move the eye", "seret untuk memindahkan mata";
     PARAMETERS: "Parameters", "Parameter";
     PUT_BACK_ALL: "lesson's values", "nilai pelajaran";
     LIGHT: "light", "cahaya";

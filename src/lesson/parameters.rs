@@ -15,7 +15,7 @@ pub const DIVISIONS: std::ops::RangeInclusive<u32> = 2..=64;
 pub enum ParameterFile {
     /// The place of a point light, by its index.
     Light(usize),
-    /// The place of the eye, which goes on looking at its target.
+    /// The place of the eye, which goes on looking at its target; that stays as large in the picture as it was.
     Eye,
     /// A coefficient of the material of this name.
     Ambient(String),
@@ -150,6 +150,12 @@ impl Change {
                     let aside = forward.map_or(0.0, |forward| forward.cross(up).length());
                     if aside < 1e-6 {
                         return Err(NotAllowed::NoView);
+                    }
+                    // What the eye looks at stays as large in the picture as it was.
+                    if let Some(opened) = &opened.camera {
+                        let width = opened.eye.distance(opened.target) * (0.5 * opened.fov_x).tan();
+                        let distance = position.distance(camera.target);
+                        camera.fov_x = 2.0 * (width / distance).atan();
                     }
                     camera.eye = position;
                 }

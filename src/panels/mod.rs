@@ -33,6 +33,7 @@ pub use ray_tree::TreeView;
 pub use ray_tree::{area as tree_area, middle as tree_middle};
 pub use rays::{Grip, grip};
 pub use time_line::step_at;
+pub use vectors::{Held, PlaneGrip, grip as vector_grip};
 
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;

@@ -3,6 +3,7 @@
 use super::super::labels::Labels;
 use super::super::words::{Language, Words};
 use super::met::SurfaceInSight;
+use super::plane::Plane;
 use crate::algorithms::ray_tree::RayKind;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::replay::rays::{BranchInHand, Outcome};
@@ -45,6 +46,13 @@ pub(super) fn unit(area: Rect, text: f32, clear: bool) -> f32 {
     room.min_element().max(12.0)
 }
 
+/// The plane of incidence as it lies in `area`.
+pub(super) fn plane(surface: &SurfaceInSight, text: f32, area: Rect) -> Plane {
+    let clear = surface.is_transparent();
+    let middle = Vec2::new(area.center().x, area.y + share(clear) * area.height);
+    surface.plane(middle, unit(area, text, clear))
+}
+
 pub(super) fn draw(
     picture: &mut Picture,
     surface: &SurfaceInSight,
@@ -53,9 +61,7 @@ pub(super) fn draw(
     language: Language,
     area: Rect,
 ) {
-    let clear = surface.is_transparent();
-    let middle = Vec2::new(area.center().x, area.y + share(clear) * area.height);
-    let unit = unit(area, text, clear);
+    let Plane { middle, unit, .. } = plane(surface, text, area);
     let below = Rect::new(area.x, middle.y, area.width, area.bottom() - middle.y);
     picture.rect(below, Ink::Faint.fill().opacity(0.6));
     picture.line(
