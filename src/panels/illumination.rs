@@ -150,8 +150,8 @@ fn rows(point: &PointInHand, language: Language) -> Vec<Row> {
             bar: None,
         });
     };
-    let name = format!("{}: f_att · N·L", words(STANDARD));
-    factor(symbol(&name), standard, "f_att", OF_STANDARD);
+    let name = format!("{}: {} · N·L", words(STANDARD), symbol("f_att"));
+    factor(name, standard, "f_att", OF_STANDARD);
     let name = format!("{}: d · cos φ / √d", words(SLIDE));
     factor(name, light.slide_factor, "slide_factor", OF_SLIDE);
     if standard > 0.0 && light.distance.is_finite() {

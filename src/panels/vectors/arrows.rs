@@ -11,6 +11,8 @@ use glam::{DVec3, Vec2};
 
 const NO_T: Words = Words::new("no T", "tanpa T");
 const POINT: f32 = 4.0;
+/// Of V, which lies beside u, as a share of it.
+pub(super) const V_LENGTH: f32 = 0.62;
 /// Length and width of the head of an arrow, about.
 const HEAD: f32 = 10.0;
 
@@ -203,21 +205,15 @@ impl Drawing<'_> {
                 self.cross(half);
             }
         }
-        let Some(light) = in_hand else { return };
+        if lit.intensity.is_some() {
+            return;
+        }
+        let halfway = in_hand.and_then(|light| light.halfway);
+        let mirrored = in_hand.and_then(|light| light.mirrored);
         let vectors: [(&str, Option<DVec3>, &str, Ink); 3] = [
             ("V", lit.to_eye, "Viewer", Ink::Series(4)),
-            (
-                "H",
-                light.halfway.map(|(v, _)| v),
-                "Halfway",
-                Ink::Series(2),
-            ),
-            (
-                "R_L",
-                light.mirrored.map(|(v, _)| v),
-                "Mirrored",
-                Ink::Series(3),
-            ),
+            ("H", halfway.map(|(v, _)| v), "Halfway", Ink::Series(2)),
+            ("R_L", mirrored.map(|(v, _)| v), "Mirrored", Ink::Series(3)),
         ];
         for (name, vector, told_by, ink) in vectors {
             let Some(vector) = vector else { continue };
@@ -230,7 +226,7 @@ impl Drawing<'_> {
             let along = surface.project(vector);
             // V lies on the line of u: it is drawn beside it, and shorter.
             let (aside, length) = if name == "V" {
-                (5.0 * along.perp(), 0.62)
+                (5.0 * along.perp(), V_LENGTH)
             } else {
                 (Vec2::ZERO, 0.9)
             };

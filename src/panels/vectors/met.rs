@@ -2,6 +2,7 @@
 
 use super::super::names;
 use super::super::words::{Language, Words};
+use super::arrows::V_LENGTH;
 use super::plane::{Held, Plane, Tip};
 use crate::algorithms::ray_tree::RayKind;
 use crate::color::Rgb;
@@ -57,11 +58,14 @@ impl<'a> SurfaceInSight<'a> {
     /// What can be moved: the lights told so far, and the eye where the ray comes from it.
     pub fn tips(&self) -> Vec<Tip> {
         let eye = self.state.stage.view.eye;
-        let primary = self.ray.parent.is_none().then(|| Tip {
+        // At the start of u, and at the tip of V.
+        let lengths = [1.0, V_LENGTH].into_iter();
+        let primary = lengths.filter(|_| self.ray.parent.is_none());
+        let primary = primary.map(|length| Tip {
             held: Held::Eye,
             distance: eye.distance(self.surface.position),
             direction: -self.ray.ray.direction,
-            length: 1.0,
+            length,
         });
         let lights = self.lit().map_or(&[][..], |lit| &lit.lights);
         let lights = lights

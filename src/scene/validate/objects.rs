@@ -234,7 +234,15 @@ impl<'a, 'f> Objects<'a, 'f> {
         let found = u32::try_from(written).ok();
         let divisions = found.filter(|divisions| (2..=most).contains(divisions));
         let message = match (division, divisions) {
-            (Division::Sphere, Some(divisions)) => return divisions,
+            (Division::Sphere, Some(divisions)) => {
+                let triangles = 4 * u128::from(divisions).pow(2);
+                let has_room = self.has_room_for(place, triangles);
+                return if has_room {
+                    divisions
+                } else {
+                    Object::DIVISIONS
+                };
+            }
             (Division::Sphere, None) => {
                 format!("found {written}; allowed are whole numbers from 2 to {most}")
             }
