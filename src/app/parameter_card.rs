@@ -229,9 +229,13 @@ fn coordinates(session: &Session, parameter: Parameter, ui: &mut Ui) -> Option<C
         return None;
     };
     let speed = 0.01 * distance(&session.lesson().scene, position).max(0.1);
-    let who = name(session, parameter).1;
+    let who = match parameter {
+        Parameter::Light(light) => light_name(session, light),
+        _ => session.say(words::EYE).to_owned(),
+    };
     let mut place = position;
     ui.spacing_mut().item_spacing.x = 4.0;
+    ui.label(RichText::new(who.as_str()).size(13.0));
     for (axis, x) in ["x", "y", "z"].into_iter().zip(place.as_mut()) {
         let before = *x;
         ui.label(RichText::new(axis).size(13.0));
@@ -253,11 +257,7 @@ fn name(session: &Session, parameter: Parameter) -> (String, String) {
     let distance = session.say(words::DISTANCE);
     match parameter {
         Parameter::Light(light) => {
-            let which = session.say(words::LIGHT);
-            let name = match scene.lights.len() {
-                1 => which.to_owned(),
-                _ => format!("{which} {light}"),
-            };
+            let name = light_name(session, light);
             (format!("{name}, d"), format!("{name}, {distance}"))
         }
         Parameter::Eye => {
@@ -277,5 +277,13 @@ fn name(session: &Session, parameter: Parameter) -> (String, String) {
             let name = format!("{} {object}", session.say(words::DIVISIONS));
             (format!("n {object}"), name)
         }
+    }
+}
+
+fn light_name(session: &Session, light: usize) -> String {
+    let name = session.say(words::LIGHT);
+    match session.stage().scene.lights.len() {
+        1 => name.to_owned(),
+        _ => format!("{name} {light}"),
     }
 }

@@ -117,8 +117,8 @@ pub(super) fn draw(
     let text = text(size);
     let plane = plane(point, eye, size);
     let (drawing, list) = areas(size);
-    let (middle, below) = (plane.middle, drawing.bottom() - plane.middle.y);
-    let ground = Rect::new(drawing.x, middle.y, drawing.width, below);
+    let middle = plane.middle;
+    let ground = Rect::between((drawing.x, middle.y), (drawing.right(), drawing.bottom()));
     picture.rect(ground, Ink::Faint.fill().opacity(0.6));
     let surface = [
         Vec2::new(drawing.x, middle.y),
@@ -129,10 +129,11 @@ pub(super) fn draw(
     labels.spare(surface[0], surface[1]);
     labels.keep_free(Rect::between(middle, middle).grown(POINT));
     let vectors = vectors(point, eye);
+    let below = (ground.height - 1.4 * text).max(1.0);
     for named in &vectors {
         let along = plane.project(named.vector);
         // Below the surface there is room for a part of the length only.
-        let part = ((below - 1.4 * text) / (plane.unit * along.y).max(below)).min(1.0);
+        let part = (below / (plane.unit * along.y).max(below)).min(1.0);
         let tip = middle + plane.unit * part * along;
         let here = named.told_by == kind;
         let ink = if here { Ink::This } else { named.ink };
