@@ -83,6 +83,7 @@ const BROKEN_LESSONS: &[(&str, &str, &[&str])] = &[
     ("scene.json", "../scene.json", &["scene_file", ".."]),
     ("scene.json", "/etc/passwd", &["scene_file"]),
     ("scene.json", "none.json", &["scene_file", "none.json"]),
+    ("\"method\": \"gouraud\"", "\"method\": \"gouraud\", \"texture_mapping\": \"bent\"", &["texture_mapping: found \"bent\"; allowed are perspective, linear"]),
     ("\"method\": \"gouraud\"", "\"method\": \"goraud\"", &["method: found \"goraud\"; allowed are wireframe, flat, gouraud"]),
     ("[64, 48]", "[0, 48]", &["size: found 0×48"]),
     ("[64, 48]", "[64000000, 48]", &["size: found 64000000×48"]),
@@ -272,7 +273,14 @@ fn a_mesh_outside_the_folder_is_refused_also_behind_a_link() {
 #[test]
 fn pictures_come_in_both_formats() {
     let folder = folder();
-    for method in ["wireframe", "flat", "gouraud"] {
+    for method in [
+        "wireframe",
+        "flat",
+        "gouraud",
+        "phong",
+        "fast-phong",
+        "exact",
+    ] {
         for name in ["x.png", "x.pfm"] {
             let arguments = [
                 "render",

@@ -6,6 +6,7 @@ use lightwalk::lesson::builtins;
 use lightwalk::panels::words::Language;
 use lightwalk::panels::{Panel, Show, TreeView, draw};
 use lightwalk::picture::{Theme, rasterize, to_png};
+use lightwalk::render::compare::compare_on;
 use lightwalk::render::render;
 use std::fs;
 use std::num::NonZeroUsize;
@@ -108,15 +109,19 @@ fn every_panel_of_every_narrated_step_looks_as_before() {
             &|_, _| {},
         );
         // Who is faster is told by a clock that ticks each time it is looked at: the same everywhere.
+        let mut ticks = 0.0;
+        let mut clock = || {
+            ticks += 1e-5;
+            ticks
+        };
         if open.lesson.panels.contains(&Panel::Race) {
             let room = open.stage.room().unwrap();
-            let mut ticks = 0.0;
-            let clock = || {
-                ticks += 1e-5;
-                ticks
-            };
-            room.race_or(room.matrix().unwrap(), clock).unwrap();
+            room.race_or(room.matrix().unwrap(), &mut clock).unwrap();
         }
+        let methods = open.lesson.compare.iter();
+        let compared: Vec<_> = methods
+            .map(|&method| compare_on(&open.stage, method, &mut clock))
+            .collect();
         let narrated: Vec<usize> = open.narrated.iter().map(|narrated| narrated.step).collect();
         let mut panels = open.lesson.panels.clone();
         panels.extend([Panel::Code, Panel::Formula, Panel::TimeLine]);
@@ -125,6 +130,7 @@ fn every_panel_of_every_narrated_step_looks_as_before() {
             let show = Show {
                 run: &open.run,
                 finished: &finished,
+                compared: &compared,
                 focus: open.lesson.focus,
                 // Both languages have their turn.
                 language: Language::ALL[index % 2],

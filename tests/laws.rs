@@ -3,6 +3,8 @@
 mod common;
 
 use common::{TEAPOT, stage};
+use lightwalk::algorithms::exact::exact;
+use lightwalk::algorithms::fast_phong::fast_phong;
 use lightwalk::algorithms::flat::flat;
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
@@ -26,11 +28,13 @@ fn unrecorded(stage: &Stage, method: Method) -> Frame {
 }
 
 /// The methods whose runs tell of pixels.
-const PIXEL_BY_PIXEL: [Method; 6] = [
+const PIXEL_BY_PIXEL: [Method; 8] = [
     Method::Wireframe,
     Method::Flat,
     Method::Gouraud,
     Method::Phong,
+    Method::FastPhong,
+    Method::Exact,
     Method::RayCasting,
     Method::RayTracing,
 ];
@@ -63,9 +67,19 @@ fn recorded(
             gouraud(stage, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
+        Method::Exact => {
+            let mut recording = Recording::new(limit);
+            exact(stage, focus, &mut frame, &mut recording);
+            (frame, recording.len(), recording.truncated())
+        }
         Method::Phong => {
             let mut recording = Recording::new(limit);
             phong(stage, focus, &mut frame, &mut recording);
+            (frame, recording.len(), recording.truncated())
+        }
+        Method::FastPhong => {
+            let mut recording = Recording::new(limit);
+            fast_phong(stage, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
         Method::RayCasting => {
@@ -84,14 +98,29 @@ fn recorded(
     }
 }
 
+/// A textured floor, and a textured ball, can and patch on it.
+const TILES: &str = r#"{ "schema": 1, "background": [0.1, 0.2, 0.3],
+  "camera": { "eye": [0.3, 2, 7], "target": [0, 0.4, 0], "up": [0, 1, 0], "fov_x_degrees": 45 },
+  "materials": { "tiles": { "ambient": [0.05, 0.04, 0.03], "diffuse": [0.5, 0.4, 0.3], "specular": 0.5, "shininess": 25,
+    "texture": { "checker": { "colors": [[1, 1, 1], [0.2, 0.3, 0.4]], "scale": 0.11 } } } },
+  "objects": [
+    { "name": "floor", "material": "tiles", "polygon": { "vertices": [[-4, -1, 6], [4, -1, 6], [4, -1, -9], [-4, -1, -9]] } },
+    { "name": "ball", "material": "tiles", "sphere": { "center": [-1.5, 0, 0], "radius": 1 } },
+    { "name": "can", "material": "tiles", "cylinder": { "base": [0.5, -1, 0], "axis": [0, 1, 0], "radius": 0.6, "height": 1.5, "capped": true } },
+    { "name": "patch", "material": "tiles", "bezier": { "divisions": 5, "patches": [[
+      [1.4, -1, 1], [1.8, -1, 0], [2.2, -1, 0], [2.6, -1, 1], [1.4, 0, 0], [1.8, 0, 1], [2.2, 0, 1], [2.6, 0, 0],
+      [1.4, 1, 0], [1.8, 1, 1], [2.2, 1, 1], [2.6, 1, 0], [1.4, 2, 1], [1.8, 2, 0], [2.2, 2, 0], [2.6, 2, 1]]] } } ],
+  "lights": [ { "point": { "position": [-3, 6, 5] } } ] }"#;
+
 #[test]
 fn a_recorded_frame_is_the_unrecorded_one_bit_for_bit() {
-    let stage = stage(TEAPOT, 160, 120);
-    for method in PIXEL_BY_PIXEL {
-        let (frame, steps, truncated) =
-            recorded(&stage, method, Focus::Frame, RecordingLimit::default());
-        assert!(frame == unrecorded(&stage, method), "{}", method.name());
-        assert!(steps > 10_000 && !truncated);
+    for stage in [stage(TEAPOT, 160, 120), stage(TILES, 160, 120)] {
+        for method in PIXEL_BY_PIXEL {
+            let (frame, steps, truncated) =
+                recorded(&stage, method, Focus::Frame, RecordingLimit::default());
+            assert!(frame == unrecorded(&stage, method), "{}", method.name());
+            assert!(steps > 2_000 && !truncated);
+        }
     }
 }
 
@@ -187,14 +216,16 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
 #[test]
 fn the_polygons_drawn_one_by_one_make_the_frame() {
     let stage = stage(TEAPOT, 64, 48);
-    for method in [Method::Flat, Method::Gouraud, Method::Phong] {
+    for method in PIXEL_BY_PIXEL[1..6].iter().copied() {
         let mut frame = Frame::new(64, 0..48, stage.scene.background);
         for number in 0..stage.tessellation.polygon_count() {
             let focus = Focus::Polygon(number);
             match method {
                 Method::Flat => flat(&stage, focus, &mut frame, &mut Unrecorded),
                 Method::Gouraud => gouraud(&stage, focus, &mut frame, &mut Unrecorded),
-                _ => phong(&stage, focus, &mut frame, &mut Unrecorded),
+                Method::Exact => exact(&stage, focus, &mut frame, &mut Unrecorded),
+                Method::Phong => phong(&stage, focus, &mut frame, &mut Unrecorded),
+                _ => fast_phong(&stage, focus, &mut frame, &mut Unrecorded),
             }
         }
         assert!(frame == unrecorded(&stage, method), "{}", method.name());
@@ -210,6 +241,8 @@ fn canvas_of(run: &Run) -> Vec<lightwalk::color::Rgb> {
         Run::Flat(replay) => colors(&replay.state().canvas),
         Run::Gouraud(replay) => colors(&replay.state().canvas),
         Run::Phong(replay) => colors(&replay.state().canvas),
+        Run::FastPhong(replay) => colors(&replay.state().canvas),
+        Run::Exact(replay) => colors(&replay.state().canvas),
         Run::RayCasting(replay) => colors(&replay.state().canvas),
         Run::RayTracing(replay) => colors(&replay.state().canvas),
         Run::Radiosity(..) | Run::FormFactor(..) => unreachable!("they draw no pixels"),

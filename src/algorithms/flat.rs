@@ -2,12 +2,14 @@
 //!
 //! Exact where the object really is a polyhedron, the light is far (N·L constant) and the viewer is far (V·R constant).
 
+use super::fill::Fill;
 use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
-use super::scan_line::{Carried, Corner, Names, ScanLine};
-use super::shading::{self, Lines, Shading};
+use super::scan_line::{Carried, Names};
+use super::shading::{self, Lines, Shading, pixel_point};
 use super::stage::{self, Stage};
+use super::texture;
 use crate::numeric::Linear;
 use crate::record::{Fields, Listing, Recorder};
 use glam::DVec3;
@@ -34,8 +36,7 @@ pub static PSEUDOCODE: Listing = Listing {
 pub fn flat<R: Recorder<Event>>(stage: &Stage, focus: Focus, frame: &mut Frame, recorder: &mut R) {
     let region = focus.region(frame);
     let lighting = stage.lighting();
-    let mut scan_line = ScanLine::default();
-    let mut corners = Vec::new();
+    let mut fill: Fill<Nothing, Nothing> = Fill::new(stage, &region);
 
     recorder.enter(|| stage.entered().into());
     for polygon in stage.polygons(focus, &region) {
@@ -57,14 +58,17 @@ pub fn flat<R: Recorder<Event>>(stage: &Stage, focus: Focus, frame: &mut Frame, 
         };
         let intensity = illuminate(&point, &lighting, recorder, |_, _| true);
 
-        corners.clear();
-        corners.extend(polygon.corners().map(|(_, place)| Corner {
-            position: place.camera,
-            value: Nothing,
-        }));
-        scan_line.fill(&corners, &stage.view, &region, frame, recorder, |_, _| {
-            intensity
-        });
+        fill.polygon(
+            &polygon,
+            &vec![Nothing; vertices.len()],
+            frame,
+            recorder,
+            |_, _| intensity.whole,
+            |recorder, fragment, texture| {
+                let position = pixel_point(stage, &fragment, recorder);
+                texture.applied(intensity, position, recorder)
+            },
+        );
         recorder.leave(|| stage::Event::PolygonDone.into());
     }
     recorder.leave(|| stage::Event::FrameDone.into());
@@ -112,6 +116,7 @@ impl Shading for Flat {
         vertex_normal: 1,
         vertex_done: 1,
         edge_table: 3,
+        pixel_point: texture::POINT,
         pixel_normal: 1,
     };
 }

@@ -6,12 +6,15 @@
 //! I_P = (x_5−x_P)/(x_5−x_4)·I_4 + (x_P−x_4)/(x_5−x_4)·I_5 on a span. The slide counts y upward, the rows here count down;
 //! the formulas are the same. What is drawn is the incremental value, I' = I + ΔI; the direct one is told beside it.
 
+use super::fill::Fill;
 use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
-use super::scan_line::{Carried, Corner, Names, ScanLine};
-use super::shading::{self, Lines, OnceAVertex, Shading};
+use super::intensity::Intensity;
+use super::scan_line::{Carried, Names};
+use super::shading::{self, Lines, OnceAVertex, Shading, pixel_point};
 use super::stage::{self, Stage};
+use super::texture;
 use super::vertex_normal::vertex_normal;
 use crate::color::Rgb;
 use crate::record::{Fields, Listing, Recorder};
@@ -44,17 +47,17 @@ pub fn gouraud<R: Recorder<Event>>(
 ) {
     let region = focus.region(frame);
     let lighting = stage.lighting();
-    let mut scan_line = ScanLine::default();
-    let mut corners = Vec::new();
+    let mut fill: Fill<Rgb, Intensity> = Fill::new(stage, &region);
+    let mut intensities = Vec::new();
     let mut lit = OnceAVertex::default();
 
     recorder.enter(|| stage.entered().into());
     for polygon in stage.polygons(focus, &region) {
         recorder.enter(|| polygon.entered().into());
         // Intensity at each vertex, once for all the polygons that share it
-        corners.clear();
-        for (vertex, place) in polygon.corners() {
-            let value = lit.at(&polygon, vertex, || {
+        intensities.clear();
+        for (vertex, _) in polygon.corners() {
+            let intensity = lit.at(&polygon, vertex, || {
                 let position = polygon.mesh.position(vertex);
                 recorder.enter(|| Event::Vertex { vertex, position });
                 let normal = vertex_normal(polygon.mesh, vertex, recorder);
@@ -66,23 +69,26 @@ pub fn gouraud<R: Recorder<Event>>(
                     diffuse: polygon.material.diffuse,
                 };
                 let intensity = illuminate(&point, &lighting, recorder, |_, _| true);
-                recorder.leave(|| Event::VertexLit { vertex, intensity });
+                recorder.leave(|| Event::VertexLit {
+                    vertex,
+                    intensity: intensity.whole,
+                });
                 intensity
             });
-            corners.push(Corner {
-                position: place.camera,
-                value,
-            });
+            intensities.push(intensity);
         }
 
         // Interpolation along edges and spans
-        scan_line.fill(
-            &corners,
-            &stage.view,
-            &region,
+        fill.polygon(
+            &polygon,
+            &intensities,
             frame,
             recorder,
             |_, fragment| fragment.value,
+            |recorder, fragment, texture| {
+                let position = pixel_point(stage, &fragment, recorder);
+                texture.applied(fragment.value, position, recorder)
+            },
         );
         recorder.leave(|| stage::Event::PolygonDone.into());
     }
@@ -118,6 +124,7 @@ impl Shading for Gouraud {
         vertex_normal: 2,
         vertex_done: 3,
         edge_table: 4,
+        pixel_point: texture::POINT,
         pixel_normal: 11,
     };
 }

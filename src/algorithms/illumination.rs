@@ -7,7 +7,9 @@
 //! The lecture's slide multiplies by (dist·cos φ)/√dist instead of f_att(d)·N·L. Read literally, that grows with the
 //! distance; every light tells it as `slide_factor`, for comparison only.
 
+use super::intensity::Intensity;
 use crate::color::Rgb;
+use crate::numeric::power_of_cosine;
 use crate::record::{self, Fields, Line, Listing, Recorder};
 use crate::scene::{Highlight, Light, Material};
 use glam::DVec3;
@@ -68,7 +70,7 @@ pub fn illuminate<E: From<Event>, R: Recorder<E>>(
     lighting: &Lighting,
     recorder: &mut R,
     mut arrives: impl FnMut(&ToLight, &mut R) -> bool,
-) -> Rgb {
+) -> Intensity {
     let to_eye = point.to_eye;
     let turned = point.normal.dot(to_eye) < 0.0;
     let normal = if turned { -point.normal } else { point.normal };
@@ -90,11 +92,20 @@ pub fn illuminate<E: From<Event>, R: Recorder<E>>(
         .into()
     });
 
-    let mut intensity = ambient;
+    let mut intensity = Intensity {
+        whole: ambient,
+        diffuse: Rgb::BLACK,
+    };
     for light in 0..lighting.lights.len() {
-        intensity += illuminate_by(light, lighting, point, normal, recorder, &mut arrives);
+        let added = illuminate_by(light, lighting, point, normal, recorder, &mut arrives);
+        intensity = intensity + added;
     }
-    recorder.leave(|| Event::Illuminated { intensity }.into());
+    recorder.leave(|| {
+        Event::Illuminated {
+            intensity: intensity.whole,
+        }
+        .into()
+    });
     intensity
 }
 
@@ -106,26 +117,18 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
     normal: DVec3,
     recorder: &mut R,
     arrives: &mut impl FnMut(&ToLight, &mut R) -> bool,
-) -> Rgb {
+) -> Intensity {
     let to_eye = point.to_eye;
+    let incidence = incidence(&lighting.lights[number], point.position);
+    let n_dot_l = normal.dot(incidence.to_light);
+    recorder.enter(|| incidence.entered(number, n_dot_l).into());
+    recorder.step(|| incidence.direction(n_dot_l).into());
     let Incidence {
         to_light,
         distance,
         attenuation,
         color,
-    } = incidence(&lighting.lights[number], point.position);
-    let n_dot_l = normal.dot(to_light);
-    recorder.enter(|| {
-        Event::Light {
-            light: number as u32,
-            color,
-            distance,
-            attenuation,
-            slide_factor: slide_factor(distance, n_dot_l),
-        }
-        .into()
-    });
-    recorder.step(|| Event::ToLight { to_light, n_dot_l }.into());
+    } = incidence;
     let source = ToLight {
         light: number,
         direction: to_light,
@@ -133,7 +136,7 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
     };
     if n_dot_l > 0.0 && !arrives(&source, recorder) {
         recorder.leave(|| Event::LightAdded { term: Rgb::BLACK }.into());
-        return Rgb::BLACK;
+        return Intensity::default();
     }
 
     let k_d = point.diffuse;
@@ -146,7 +149,10 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
 
     if !lighting.specular {
         recorder.leave(|| Event::LightAdded { term: diffuse }.into());
-        return diffuse;
+        return Intensity {
+            whole: diffuse,
+            diffuse,
+        };
     }
     let Material {
         specular: k_s,
@@ -183,7 +189,7 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
         }
     };
     let specular = if n_dot_l > 0.0 {
-        k_s * color * (attenuation * cosine.max(0.0).powf(shininess))
+        k_s * color * (attenuation * power_of_cosine(cosine, shininess))
     } else {
         Rgb::BLACK
     };
@@ -197,19 +203,45 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
 
     let term = diffuse + specular;
     recorder.leave(|| Event::LightAdded { term }.into());
-    term
+    Intensity {
+        whole: term,
+        diffuse,
+    }
 }
 
-struct Incidence {
-    to_light: DVec3,
+/// Where a light stands as seen from a point, and how much of it arrives.
+#[derive(Clone, Copy, Debug)]
+pub struct Incidence {
+    /// L, unit.
+    pub to_light: DVec3,
     /// Infinite for a directional light.
-    distance: f64,
-    attenuation: f64,
-    color: Rgb,
+    pub distance: f64,
+    pub attenuation: f64,
+    pub color: Rgb,
+}
+
+impl Incidence {
+    /// Opens the part of light `number`.
+    pub fn entered(&self, number: usize, n_dot_l: f64) -> Event {
+        Event::Light {
+            light: number as u32,
+            color: self.color,
+            distance: self.distance,
+            attenuation: self.attenuation,
+            slide_factor: slide_factor(self.distance, n_dot_l),
+        }
+    }
+
+    pub fn direction(&self, n_dot_l: f64) -> Event {
+        Event::ToLight {
+            to_light: self.to_light,
+            n_dot_l,
+        }
+    }
 }
 
 /// Where a light stands as seen from `position`. A light in the very point shines from nowhere: `to_light` is zero.
-fn incidence(light: &Light, position: DVec3) -> Incidence {
+pub fn incidence(light: &Light, position: DVec3) -> Incidence {
     match *light {
         Light::Point {
             position: source,

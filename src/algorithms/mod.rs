@@ -3,13 +3,16 @@
 //!
 //! | file | what | source |
 //! | --- | --- | --- |
-//! | [`illumination`] | intensity at one point | Phong 1975, Blinn 1977 |
+//! | [`illumination`], [`intensity`] | intensity at one point | Phong 1975, Blinn 1977 |
 //! | [`scan_line`] | polygons to pixels: edge table, active edges, spans, depth buffer | Wylie et al. 1967, Catmull 1974 |
 //! | [`wireframe`] | the edges alone | DDA, Foley et al. 1990 §3.2.1 |
 //! | [`flat`] | one intensity a polygon | Bouknight 1970 |
 //! | [`gouraud`] | intensity interpolated from the vertices | Gouraud 1971 |
 //! | [`phong`] | normal interpolated from the vertices, lit at every pixel | Phong 1975 |
-//! | [`shading`] | what flat, Gouraud and Phong have in common | |
+//! | [`fast_phong`] | cosines as Taylor series over a triangle | Bishop & Weimer 1986 |
+//! | [`exact`] | lit with the normal of the true surface: what the three are compared with | |
+//! | [`shading`], [`fill`] | what these have in common | |
+//! | [`texture`] | textures on polygons, right and as plain interpolation has them | Heckbert & Moreton 1991 |
 //! | [`primary`], [`visible`], [`surface`] | a ray a pixel, the nearest object that it meets, the point that is lit | Appel 1968 |
 //! | [`ray_casting`] | the visible surface, lit | Appel 1968, Roth 1982 |
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays that tells them | Whitted 1980 |
@@ -19,12 +22,16 @@
 //!
 //! [`stage`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
 
+pub mod exact;
+pub mod fast_phong;
+pub mod fill;
 pub mod flat;
 pub mod focus;
 pub mod form_factor;
 pub mod frame;
 pub mod gouraud;
 pub mod illumination;
+pub mod intensity;
 pub mod patch_view;
 pub mod phong;
 pub mod primary;
@@ -37,6 +44,7 @@ pub mod scan_line;
 pub mod shading;
 pub mod stage;
 pub mod surface;
+pub mod texture;
 pub mod vertex_normal;
 pub mod visible;
 pub mod wireframe;

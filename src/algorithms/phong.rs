@@ -5,14 +5,16 @@
 //! incremental value, brought to unit length at the pixel. Where it vanishes (opposite vertex normals, half-way between) the
 //! normal of the face stands for it. P is the point of the polygon that the pixel shows: L and V start there.
 
+use super::fill::Fill;
 use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
-use super::scan_line::{Carried, Corner, Fragment, Names, ScanLine};
-use super::shading::{self, Lines, OnceAVertex, Shading};
-use super::stage::{self, Stage};
+use super::scan_line::{Carried, Fragment, Names};
+use super::shading::{self, Lines, OnceAVertex, Shading, pixel_point};
+use super::stage::{self, Polygon, Stage};
+use super::texture::AtPixel;
 use super::vertex_normal::{VANISHED, vertex_normal};
-use crate::record::{Fields, Listing, Recorder};
+use crate::record::{Fields, Line, Listing, Recorder};
 use glam::DVec3;
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -29,6 +31,7 @@ pub static PSEUDOCODE: Listing = Listing {
         "      for each pixel x_P",
         "        if nearer than the depth buffer",
         "          N_P ← interpolate N_4, N_5",
+        "          P ← the point of the polygon that the pixel shows",
         "          N ← N_P / |N_P|",
         "          I ← illumination(P, N)",
         "          pixel ← I",
@@ -37,65 +40,93 @@ pub static PSEUDOCODE: Listing = Listing {
 
 /// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
 pub fn phong<R: Recorder<Event>>(stage: &Stage, focus: Focus, frame: &mut Frame, recorder: &mut R) {
+    shade_pixels(stage, focus, frame, recorder, |polygon, seen, recorder| {
+        (seen.position, unit_normal(seen.normal, polygon, recorder))
+    });
+}
+
+/// What a pixel shows of a polygon: the point, and the normal interpolated there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen {
+    pub position: DVec3,
+    pub normal: DVec3,
+}
+
+/// Carries vertex normals to the pixels and lights each pixel; `surface` tells the point that is lit and its unit normal.
+pub(super) fn shade_pixels<M: Shading<Told = DVec3>, R: Recorder<shading::Event<M>>>(
+    stage: &Stage,
+    focus: Focus,
+    frame: &mut Frame,
+    recorder: &mut R,
+    surface: impl Fn(&Polygon, Seen, &mut R) -> (DVec3, DVec3),
+) {
     let region = focus.region(frame);
     let lighting = stage.lighting();
-    let mut scan_line = ScanLine::default();
-    let mut corners = Vec::new();
-    let mut normals = OnceAVertex::default();
+    let mut fill: Fill<DVec3, DVec3> = Fill::new(stage, &region);
+    let mut normals = Vec::new();
+    let mut found = OnceAVertex::default();
 
     recorder.enter(|| stage.entered().into());
     for polygon in stage.polygons(focus, &region) {
         recorder.enter(|| polygon.entered().into());
 
         // The normal at each vertex, once for all the polygons that share it
-        corners.clear();
-        for (vertex, place) in polygon.corners() {
-            let value = normals.at(&polygon, vertex, || {
+        normals.clear();
+        for (vertex, _) in polygon.corners() {
+            normals.push(found.at(&polygon, vertex, || {
                 let position = polygon.mesh.position(vertex);
-                recorder.enter(|| Event::Vertex { vertex, position });
+                recorder.enter(|| shading::Event::Vertex { vertex, position });
                 let normal = vertex_normal(polygon.mesh, vertex, recorder);
-                recorder.leave(|| Event::VertexReady { vertex });
+                recorder.leave(|| shading::Event::VertexReady { vertex });
                 normal
-            });
-            corners.push(Corner {
-                position: place.camera,
-                value,
-            });
+            }));
         }
 
         // Interpolation along edges and spans, illumination at every pixel
-        let face_normal = polygon.mesh.normal(polygon.face);
-        let shade = |recorder: &mut R, fragment: Fragment<DVec3>| {
-            let position = fragment.position(&stage.view);
+        let shade = |recorder: &mut R, fragment: Fragment<DVec3>, texture: Option<AtPixel>| {
+            let seen = Seen {
+                position: pixel_point(stage, &fragment, recorder),
+                normal: fragment.value,
+            };
+            let (position, normal) = surface(&polygon, seen, recorder);
+            let k_d = polygon.material.diffuse;
+            let diffuse = texture.map_or(k_d, |texture| texture.color_at(position, recorder) * k_d);
             let point = SurfacePoint {
                 position,
-                normal: unit_normal(fragment.value, face_normal, recorder),
+                normal,
                 to_eye: (stage.view.eye - position).normalize_or_zero(),
                 material: polygon.material,
-                diffuse: polygon.material.diffuse,
+                diffuse,
             };
-            illuminate(&point, &lighting, recorder, |_, _| true)
+            illuminate(&point, &lighting, recorder, |_, _| true).whole
         };
-        scan_line.fill(&corners, &stage.view, &region, frame, recorder, shade);
+        fill.polygon(
+            &polygon,
+            &normals,
+            frame,
+            recorder,
+            |recorder, fragment| shade(recorder, fragment, None),
+            |recorder, fragment, texture| shade(recorder, fragment, Some(texture)),
+        );
         recorder.leave(|| stage::Event::PolygonDone.into());
     }
     recorder.leave(|| stage::Event::FrameDone.into());
 }
 
-/// The interpolated normal brought to unit length; where it vanishes, the normal of the face.
-fn unit_normal<R: Recorder<Event>>(
+/// An interpolated normal brought to unit length; where it vanishes, the normal of the face.
+pub(super) fn unit_normal<M: Shading, R: Recorder<shading::Event<M>>>(
     interpolated: DVec3,
-    face_normal: DVec3,
+    polygon: &Polygon,
     recorder: &mut R,
 ) -> DVec3 {
     let length = interpolated.length();
     if length > VANISHED {
         let normal = interpolated / length;
-        recorder.step(|| Event::PixelNormal { length, normal });
+        recorder.step(|| shading::Event::PixelNormal { length, normal });
         normal
     } else {
-        let normal = face_normal;
-        recorder.step(|| Event::PixelNormalLost { length, normal });
+        let normal = polygon.mesh.normal(polygon.face);
+        recorder.step(|| shading::Event::PixelNormalLost { length, normal });
         normal
     }
 }
@@ -129,7 +160,11 @@ impl Shading for Phong {
         vertex_normal: 2,
         vertex_done: 2,
         edge_table: 3,
-        pixel_normal: 11,
+        pixel_point: Line {
+            listing: &PSEUDOCODE,
+            number: 11,
+        },
+        pixel_normal: 12,
     };
 }
 

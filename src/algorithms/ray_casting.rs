@@ -85,7 +85,7 @@ impl<'a, S: Search> RayCaster<'a, S> {
                     specular: self.needs.specular,
                     ..self.stage.lighting()
                 };
-                let lit = illuminate(&facing.point, &lighting, recorder, |_, _| true);
+                let lit = illuminate(&facing.point, &lighting, recorder, |_, _| true).whole;
                 let emission = facing.point.material.emission;
                 let local = (lit + emission).finite();
                 recorder.step(|| Event::Local { emission, local });

@@ -17,9 +17,11 @@ use super::stage::{self, Stage};
 use super::surface::{self, Facing, face, without_object};
 use super::visible::{self, Met, Search, visible};
 use crate::color::Rgb;
+use crate::numeric::{refracted, refraction_radicand};
 use crate::record::{self, Fields, Line, Listing, Recorder};
 use crate::scene::solids::{Hit, Ray, leaving, short_of};
 use crate::scene::{Material, Needs};
+use glam::DVec3;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "ray tracing",
@@ -148,8 +150,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
             let eta_r = self.ior(&beyond);
             let eta = eta_i / eta_r;
             let cos_i = facing.cos_theta_i;
-            // 1 − η²(1 − cos²θ_i), so written that η = 1 passes straight through, however flat the angle.
-            let radicand = (1.0 - eta) * (1.0 + eta) + (eta * cos_i) * (eta * cos_i);
+            let radicand = refraction_radicand(eta, cos_i);
             recorder.step(|| {
                 ray_tree::Event::Refraction {
                     eta_i,
@@ -164,9 +165,9 @@ impl<'a, S: Search> RayTracer<'a, S> {
                 (mirrored, media)
             } else {
                 // Near the critical angle the radicand is known to rounding only: its sign is tested first, then the root taken.
-                let t = eta * u - (radicand.sqrt() - eta * cos_i) * n;
-                let refracted = branch(RayKind::Transmitted, k_t, t.normalize());
-                (refracted, &beyond)
+                let t = refracted(u.to_array(), n.to_array(), eta, cos_i, radicand);
+                let t = DVec3::from_array(t).normalize();
+                (branch(RayKind::Transmitted, k_t, t), &beyond)
             };
             sum = self.follow(&transmitted, &facing, level, inside, sum, recorder);
         } else {
@@ -186,7 +187,8 @@ impl<'a, S: Search> RayTracer<'a, S> {
         let lit = illuminate(&facing.point, &lighting, recorder, |to_light, recorder| {
             let shadows = self.needs.shadow(to_light.light, hit.object as usize);
             !(shadows && self.in_shadow(facing, to_light, recorder))
-        });
+        })
+        .whole;
         let emission = facing.point.material.emission;
         let local = (lit + emission).finite();
         recorder.step(|| ray_tree::Event::Local { emission, local }.into());

@@ -3,11 +3,12 @@
 //! and where its listing has the lines.
 
 use super::illumination;
-use super::scan_line::{self, Carried};
-use super::stage::{self, Polygon};
+use super::scan_line::{self, Carried, Fragment};
+use super::stage::{self, Polygon, Stage};
+use super::texture;
 use super::vertex_normal;
 use crate::color::Rgb;
-use crate::record::{self, Fields, Line, Listing};
+use crate::record::{self, Fields, Line, Listing, Recorder};
 use glam::DVec3;
 use std::fmt::Debug;
 
@@ -29,6 +30,8 @@ pub struct Lines {
     pub vertex_done: usize,
     /// From here on the lines of [`scan_line::Part`], in their order.
     pub edge_table: usize,
+    /// That of the point that a pixel shows.
+    pub pixel_point: Line,
     /// That of the normal at a pixel.
     pub pixel_normal: usize,
 }
@@ -60,6 +63,17 @@ impl<V: Copy> OnceAVertex<V> {
     }
 }
 
+/// P, the point of its polygon that a pixel shows.
+pub fn pixel_point<M: Shading, A, R: Recorder<Event<M>>>(
+    stage: &Stage,
+    fragment: &Fragment<A>,
+    recorder: &mut R,
+) -> DVec3 {
+    let position = fragment.position(&stage.view);
+    recorder.step(|| Event::PixelPoint { position });
+    position
+}
+
 /// What a method of the family tells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event<M: Shading> {
@@ -85,6 +99,11 @@ pub enum Event<M: Shading> {
         vertex: u32,
     },
     ScanLine(scan_line::Event<M::Told>),
+    /// The point of the polygon that a pixel shows, in the world.
+    PixelPoint {
+        position: DVec3,
+    },
+    Texture(texture::Event),
     /// The interpolated normal at a pixel, of length `length`, brought to unit length.
     PixelNormal {
         length: f64,
@@ -93,6 +112,11 @@ pub enum Event<M: Shading> {
     /// The interpolated normal at a pixel vanishes: the normal of the face stands for it.
     PixelNormalLost {
         length: f64,
+        normal: DVec3,
+    },
+    /// The point of the true surface that the ray through a pixel meets.
+    TruePoint {
+        position: DVec3,
         normal: DVec3,
     },
 }
@@ -121,6 +145,12 @@ impl<M: Shading> From<scan_line::Event<M::Told>> for Event<M> {
     }
 }
 
+impl<M: Shading> From<texture::Event> for Event<M> {
+    fn from(event: texture::Event) -> Self {
+        Event::Texture(event)
+    }
+}
+
 impl<M: Shading> record::Event for Event<M> {
     fn kind(&self) -> &'static str {
         match self {
@@ -132,8 +162,11 @@ impl<M: Shading> record::Event for Event<M> {
             Event::VertexLit { .. } => "VertexLit",
             Event::VertexReady { .. } => "VertexReady",
             Event::ScanLine(event) => event.kind(),
+            Event::PixelPoint { .. } => "PixelPoint",
+            Event::Texture(event) => event.kind(),
             Event::PixelNormal { .. } => "PixelNormal",
             Event::PixelNormalLost { .. } => "PixelNormalLost",
+            Event::TruePoint { .. } => "TruePoint",
         }
     }
 
@@ -149,7 +182,11 @@ impl<M: Shading> record::Event for Event<M> {
                 scan_line::Part::Color => lines.listing.lines.len() - 1,
                 part => lines.edge_table + part as usize,
             },
-            Event::PixelNormal { .. } | Event::PixelNormalLost { .. } => lines.pixel_normal,
+            Event::PixelPoint { .. } => return lines.pixel_point,
+            Event::Texture(event) => return event.line(),
+            Event::PixelNormal { .. } | Event::PixelNormalLost { .. } | Event::TruePoint { .. } => {
+                lines.pixel_normal
+            }
         };
         Line {
             listing: lines.listing,
@@ -175,6 +212,13 @@ impl<M: Shading> record::Event for Event<M> {
                 fields.push("vertex", vertex);
             }
             Event::ScanLine(event) => event.fields(fields),
+            Event::PixelPoint { position } => {
+                fields.push("P", position);
+            }
+            Event::Texture(event) => event.fields(fields),
+            Event::TruePoint { position, normal } => {
+                fields.push("P", position).push("N", normal);
+            }
             Event::PixelNormal { length, normal } | Event::PixelNormalLost { length, normal } => {
                 fields.push("length", length).push("N", normal);
             }

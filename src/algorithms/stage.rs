@@ -4,10 +4,11 @@ use super::focus::{Focus, Region};
 use super::illumination::Lighting;
 use super::primary::Settings;
 use super::room::{self, Room};
+use super::texture::Mapping;
 use crate::color::Rgb;
 use crate::record::Fields;
 use crate::scene::patches::PatchError;
-use crate::scene::solids::Solids;
+use crate::scene::solids::{self, Solids};
 use crate::scene::{Light, Material, Mesh, Needs, Scene, Tessellation, View};
 use glam::{DVec2, DVec3};
 use std::sync::OnceLock;
@@ -22,6 +23,8 @@ pub struct Stage {
     pub settings: Settings,
     /// How the light of the room is found.
     pub radiosity: room::Settings,
+    /// Where the textures of converted polygons are looked up.
+    pub mapping: Mapping,
     /// By object, then by vertex of its mesh.
     vertices: Vec<Vec<StageVertex>>,
     /// Made when the first ray asks for them.
@@ -72,8 +75,9 @@ pub struct Polygon<'a> {
 }
 
 impl Stage {
-    /// `view` must be of the scene's own camera. Its near plane is set to a millionth of the distance to the nearest vertex:
-    /// so what is seen depends on no unit of length, nor on how far away the camera's target was put.
+    /// `view` must be of the scene's own camera. Its near plane is set to a millionth of the distance to the nearest vertex, and nearer
+    /// where a polygon larger than that passes by: so what is seen depends on no unit of length, nor on how far away the
+    /// camera's target was put.
     pub fn new(scene: Scene, mut view: View) -> Self {
         let tessellation = Tessellation::of(&scene);
         let vertices: Vec<Vec<StageVertex>> = tessellation
@@ -94,7 +98,8 @@ impl Stage {
             .filter(|&distance| distance > 0.0)
             .fold(f64::INFINITY, f64::min);
         if nearest.is_finite() {
-            view.near = 1e-6 * nearest;
+            view.near =
+                (1e-6 * nearest).min(0.5 * least_depth(&tessellation, &view, 1e-12 * nearest));
         }
         Stage {
             scene,
@@ -102,6 +107,7 @@ impl Stage {
             view,
             settings: Settings::default(),
             radiosity: room::Settings::default(),
+            mapping: Mapping::default(),
             vertices,
             solids: OnceLock::new(),
             needs: OnceLock::new(),
@@ -121,6 +127,11 @@ impl Stage {
             room: OnceLock::new(),
             ..self
         }
+    }
+
+    /// The same stage, whose polygons take their textures so.
+    pub fn with_mapping(self, mapping: Mapping) -> Self {
+        Stage { mapping, ..self }
     }
 
     /// The same stage under other lights.
@@ -217,6 +228,21 @@ impl Stage {
     }
 }
 
+/// No polygon of whose plane the eye is off by more than `edge_on` is seen at a smaller depth: what the view shows at depth z is no further
+/// away than z/cos θ, θ the angle of its corners, and no nearer than the plane.
+fn least_depth(tessellation: &Tessellation, view: &View, edge_on: f64) -> f64 {
+    let half = 0.5 * DVec2::new(view.width.into(), view.height.into()) / view.focal;
+    let cos_theta = (1.0 + half.length_squared()).sqrt().recip();
+    let distances = tessellation.meshes.iter().flat_map(|mesh| {
+        (0..mesh.face_count()).map(|face| {
+            let from_eye = mesh.position(mesh.face(face)[0]) - view.eye;
+            from_eye.dot(mesh.normal(face)).abs()
+        })
+    });
+    let nearest = distances.filter(|&distance| distance > edge_on);
+    cos_theta * nearest.fold(f64::INFINITY, f64::min)
+}
+
 /// How every scan-line method walks the stage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
@@ -279,6 +305,11 @@ impl<'a> Polygon<'a> {
             .face(self.face)
             .iter()
             .map(|&vertex| (vertex, vertices[vertex as usize]))
+    }
+
+    /// Its division into triangles, by corner.
+    pub fn triangles(&self) -> Vec<[u32; 3]> {
+        solids::triangles(self.mesh, self.face)
     }
 
     /// Whether its box on the screen meets the region; true where a part lies before the near plane.

@@ -70,6 +70,7 @@ impl PanelView {
             recording: session.recording(),
             pictures: match panel {
                 Panel::Image | Panel::Race => session.pictures(),
+                _ if panel.compares() => session.pictures(),
                 _ => 0,
             },
             step: session.step(),
@@ -233,6 +234,9 @@ pub fn title(panel: Panel) -> Words {
         Panel::Matrix => words::MATRIX,
         Panel::Convergence => words::CONVERGENCE,
         Panel::Race => words::RACE,
+        Panel::Comparison => words::COMPARISON,
+        Panel::Difference => words::DIFFERENCE,
+        Panel::Profile => words::PROFILE,
         Panel::Inspector => words::INSPECTOR,
         Panel::Code => words::CODE,
         Panel::Formula => words::FORMULA,

@@ -83,6 +83,9 @@ words! {
     MATRIX: "Matrix of form factors", "Matriks faktor bentuk";
     CONVERGENCE: "Convergence", "Konvergensi";
     RACE: "Solvers side by side", "Para penyelesai berdampingan";
+    COMPARISON: "Methods side by side", "Metode berdampingan";
+    DIFFERENCE: "Differences", "Perbedaan";
+    PROFILE: "Along the scan line", "Sepanjang garis scan";
     SMOOTH: "smooth", "halus";
     SMOOTH_ROOM: "interpolate the light between the corners of patches", "interpolasikan cahaya antara sudut-sudut patch";
     ILLUMINATION: "Terms, and the slide's factor", "Suku, dan faktor salindia";

@@ -190,6 +190,32 @@ pub fn check_output(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Finds fault with a folder for output, made or not made yet, before any work is done. Nothing is left in it.
+pub fn check_output_folder(path: &Path) -> Result<(), Failure> {
+    let wrong =
+        |why: &dyn std::fmt::Display| Failure::Wrong(format!("--out {}: {why}", path.display()));
+    let nearest = path.ancestors().find(|folder| folder.exists());
+    let nearest = match nearest {
+        Some(folder) if !folder.is_dir() => {
+            return Err(wrong(&format!("{} is no folder", folder.display())));
+        }
+        Some(folder) => folder,
+        None => Path::new("."),
+    };
+    let probe = tempfile::Builder::new()
+        .prefix(".lightwalk-")
+        .tempfile_in(nearest);
+    probe.map(drop).map_err(|error| wrong(&reason(&error)))
+}
+
+/// What the processor is called, where the system tells it in the place where Linux does.
+pub fn processor_name() -> Option<String> {
+    let told = fs::read_to_string("/proc/cpuinfo").ok()?;
+    let line = told.lines().find(|line| line.starts_with("model name"))?;
+    let (_, name) = line.split_once(':')?;
+    Some(name.trim().to_string())
+}
+
 /// Writes a file beside its place, then puts it there under its name.
 pub fn write_whole(
     path: &Path,

@@ -6,6 +6,7 @@ use super::{Failure, LimitArguments, parse_range, parse_size};
 use crate::panels::words::Language;
 use crate::panels::{Panel, Show, TreeView, draw};
 use crate::picture::{Theme, rasterize, to_png};
+use crate::render::compare::compare;
 use crate::render::{race, render};
 use glam::Vec2;
 use std::num::NonZeroUsize;
@@ -79,6 +80,15 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         race(&open.stage);
     }
 
+    let methods = open
+        .lesson
+        .compare
+        .iter()
+        .filter(|_| panels.iter().any(|panel| panel.compares()));
+    let compared: Vec<_> = methods
+        .map(|&method| compare(&open.stage, method))
+        .collect();
+
     std::fs::create_dir_all(&arguments.out)
         .map_err(|error| Failure::Wrong(format!("--out {}: {error}", arguments.out.display())))?;
     let progress = Progress::new("drawing");
@@ -87,6 +97,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         let show = Show {
             run: &open.run,
             finished: &finished,
+            compared: &compared,
             focus: open.lesson.focus,
             language: Language::English,
             narrated: &narrated,

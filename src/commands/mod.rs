@@ -14,6 +14,8 @@ mod progress;
 mod radiosity;
 mod render;
 mod steps;
+mod stress;
+mod study;
 
 use crate::algorithms::primary::Settings;
 use clap::{Args, Parser, Subcommand};
@@ -50,6 +52,10 @@ enum Command {
     Steps(steps::Arguments),
     /// Draws the panels of a lesson to PNG files, without a display
     Frames(frames::Arguments),
+    /// Runs the stiff and extreme cases, each with what was expected, what came out and a verdict
+    Stress(stress::Arguments),
+    /// Measures error against run time, and how work grows
+    Study(study::Arguments),
 }
 
 /// How large a scene may be.
@@ -161,6 +167,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Needs(arguments) => needs::run(arguments),
         Command::Steps(arguments) => steps::run(arguments),
         Command::Frames(arguments) => frames::run(arguments),
+        Command::Stress(arguments) => stress::run(arguments),
+        Command::Study(arguments) => study::run(arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -8,10 +8,10 @@ use super::{Failure, LimitArguments, RayArguments, parse_range, parse_size, tell
 use crate::algorithms::focus::Focus;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::room;
+use crate::algorithms::stage::Stage;
 use crate::record::{RecordingLimit, Value};
 use crate::render::Method;
 use crate::replay::{Run, Walk};
-use crate::scene::Scene;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value as Json, json};
 use std::io::{BufWriter, Write};
@@ -155,27 +155,33 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
                 .map_err(|error| files::wrong(&arguments.name, &error))?
                 .run)
         }
-        Document::Lesson(lesson) => record_scene(
-            lesson.scene,
-            method.unwrap_or(lesson.method),
-            arguments.size.unwrap_or(lesson.size),
-            arguments.rays.or(lesson.settings),
-            arguments.solution.or(lesson.radiosity, arguments.limits)?,
-            focus.unwrap_or(lesson.focus),
-            &arguments.name,
-        ),
+        Document::Lesson(lesson) => {
+            let method = method.unwrap_or(lesson.method);
+            let size = arguments.size.unwrap_or(lesson.size);
+            let radiosity = arguments.solution.or(lesson.radiosity, arguments.limits)?;
+            let stage = files::stage(lesson.scene, size, method, &arguments.name)?
+                .with_settings(arguments.rays.or(lesson.settings))
+                .with_radiosity(radiosity)
+                .with_mapping(lesson.mapping);
+            record_on(
+                stage,
+                method,
+                focus.unwrap_or(lesson.focus),
+                &arguments.name,
+            )
+        }
         Document::Scene(scene) => {
             let method = method.ok_or_else(|| {
                 wrong("--method is missing: a scene can be drawn in several ways")
             })?;
-            record_scene(
-                *scene,
+            let size = arguments.size.unwrap_or([640, 480]);
+            let unless = room::Settings::default();
+            let stage = files::stage(*scene, size, method, &arguments.name)?
+                .with_settings(arguments.rays.or(Settings::default()))
+                .with_radiosity(arguments.solution.or(unless, arguments.limits)?);
+            record_on(
+                stage,
                 method,
-                arguments.size.unwrap_or([640, 480]),
-                arguments.rays.or(Settings::default()),
-                arguments
-                    .solution
-                    .or(room::Settings::default(), arguments.limits)?,
                 focus.unwrap_or(Focus::Frame),
                 &arguments.name,
             )
@@ -183,18 +189,7 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
     }
 }
 
-fn record_scene(
-    scene: Scene,
-    method: Method,
-    [width, height]: [u32; 2],
-    settings: Settings,
-    radiosity: room::Settings,
-    focus: Focus,
-    name: &str,
-) -> Result<Run, Failure> {
-    let stage = files::stage(scene, [width, height], method, &name)?
-        .with_settings(settings)
-        .with_radiosity(radiosity);
+fn record_on(stage: Stage, method: Method, focus: Focus, name: &str) -> Result<Run, Failure> {
     if method == Method::Radiosity {
         let wrong = |error: &_| files::wrong(&name, error);
         stage.room().map_err(|error| wrong(&error))?;

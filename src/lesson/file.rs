@@ -39,6 +39,12 @@ pub struct LessonFile {
     /// Of radiosity: how the light of the room is found.
     #[serde(default, deserialize_with = "present")]
     pub radiosity: Option<Keyed<RadiosityFile>>,
+    /// Two to six methods whose pictures are compared, the last one the reference.
+    #[serde(default, deserialize_with = "present")]
+    pub compare: Option<Vec<String>>,
+    /// Of textured polygons: `perspective` unless given, or `linear`, which is wrong.
+    #[serde(default, deserialize_with = "present")]
+    pub texture_mapping: Option<String>,
     pub focus: FocusFile,
     /// What may be changed.
     #[serde(default, deserialize_with = "present")]

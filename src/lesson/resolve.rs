@@ -3,11 +3,12 @@
 use super::file::{FocusFile, LessonFile, StepFile, Text};
 use super::narrate::narrate;
 use super::parameters::{Parameter, parameters};
-use super::settings::{radiosity, rays};
+use super::settings::{compare, mapping, radiosity, rays};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::room;
 use crate::algorithms::stage::Stage;
+use crate::algorithms::texture::Mapping;
 use crate::panels::Panel;
 use crate::panels::words::Language;
 use crate::record::RecordingLimit;
@@ -55,6 +56,10 @@ pub struct Lesson {
     pub settings: Settings,
     /// How the light of a room is found.
     pub radiosity: room::Settings,
+    /// Methods whose pictures are compared, the last one the reference.
+    pub compare: Vec<Method>,
+    /// Where the textures of polygons are looked up.
+    pub mapping: Mapping,
     pub focus: Focus,
     /// What may be changed while one looks.
     pub parameters: Vec<Parameter>,
@@ -207,6 +212,8 @@ impl Lesson {
         }
         let settings = rays(&file, &mut problems);
         let radiosity = radiosity(&file, &mut problems);
+        let compare = compare(&file, &mut problems);
+        let mapping = mapping(&file, &mut problems);
 
         match (scene, method) {
             (Some(scene), Some(method)) if problems.is_empty() => Ok(Lesson {
@@ -220,6 +227,8 @@ impl Lesson {
                 size: file.size,
                 settings,
                 radiosity,
+                compare,
+                mapping,
                 focus,
                 parameters,
                 panels,
@@ -264,7 +273,8 @@ impl Lesson {
         Some(
             stage
                 .with_settings(self.settings)
-                .with_radiosity(self.radiosity),
+                .with_radiosity(self.radiosity)
+                .with_mapping(self.mapping),
         )
     }
 

@@ -1,4 +1,5 @@
-//! How far ray methods go in a lesson, and how the light of its room is found.
+//! How far ray methods go in a lesson, where textures are looked up, how the light of its room is found, and which methods are
+//! compared.
 
 use super::file::LessonFile;
 use super::resolve::problem;
@@ -6,6 +7,8 @@ use crate::algorithms::form_factor::Method;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
 use crate::algorithms::room;
+use crate::algorithms::texture::Mapping;
+use crate::render::Method as Picture;
 use crate::scene::document::{Keyed, Problem};
 use std::num::NonZeroU32;
 
@@ -31,6 +34,56 @@ pub fn rays(file: &LessonFile, problems: &mut Vec<Problem>) -> Settings {
             unless.samples,
         ),
     }
+}
+
+/// How many methods are compared at a time.
+const COMPARED: std::ops::RangeInclusive<usize> = 2..=6;
+
+/// The methods that are compared; none where the lesson compares none.
+pub fn compare(file: &LessonFile, problems: &mut Vec<Problem>) -> Vec<Picture> {
+    let Some(names) = &file.compare else {
+        return Vec::new();
+    };
+    let mut methods = Vec::new();
+    let allowed = || {
+        Picture::ALL
+            .into_iter()
+            .filter(|&method| method != Picture::Radiosity)
+    };
+    for (index, name) in names.iter().enumerate() {
+        let place = format!("compare[{index}]");
+        match allowed().find(|method| method.name() == name) {
+            Some(method) if methods.contains(&method) => {
+                let message =
+                    format!("found \"{name}\" a second time; each stands for itself once");
+                problems.push(problem(place, message));
+            }
+            Some(method) => methods.push(method),
+            None => {
+                let known: Vec<_> = allowed().map(Picture::name).collect();
+                let message = format!("found \"{name}\"; allowed are {}", known.join(", "));
+                problems.push(problem(place, message));
+            }
+        }
+    }
+    if !COMPARED.contains(&names.len()) {
+        let message = format!("found {} methods; allowed are 2 to 6", names.len());
+        problems.push(problem("compare", message));
+    }
+    methods
+}
+
+/// Where the textures of polygons are to be looked up.
+pub fn mapping(file: &LessonFile, problems: &mut Vec<Problem>) -> Mapping {
+    let Some(name) = &file.texture_mapping else {
+        return Mapping::default();
+    };
+    Mapping::from_name(name).unwrap_or_else(|| {
+        let known = Mapping::ALL.map(Mapping::name).join(", ");
+        let message = format!("found \"{name}\"; allowed are {known}");
+        problems.push(problem("texture_mapping", message));
+        Mapping::default()
+    })
 }
 
 /// How the light of a room is to be found.

@@ -36,7 +36,9 @@ impl<A: Linear> Ramp<A> {
             step: (a_2 - a_1) * (1.0 / (s_2 - s_1)),
         }
     }
+}
 
+impl<A: Copy + Add<Output = A>> Ramp<A> {
     /// One unit further.
     #[inline]
     pub fn advance(&mut self) {

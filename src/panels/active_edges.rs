@@ -40,6 +40,8 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     let mut picture = match show.run {
         Run::Gouraud(replay) => table(show, replay.state(), size),
         Run::Phong(replay) => table(show, replay.state(), size),
+        Run::FastPhong(replay) => table(show, replay.state(), size),
+        Run::Exact(replay) => table(show, replay.state(), size),
         Run::Flat(replay) => table(show, replay.state(), size),
         Run::Wireframe(_) => message(NO_TABLE, show.language, size),
         Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
@@ -322,6 +324,7 @@ mod tests {
         for mut sample in [
             Sample::triangle(Method::Gouraud),
             crowd(Method::Gouraud),
+            crowd(Method::Phong),
             crowd(Method::Flat),
             crowd(Method::Wireframe),
             nothing(),

@@ -9,15 +9,18 @@ use super::sample::Sample;
 use super::words::Language;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::primary::Settings;
+use crate::algorithms::stage::Stage;
+use crate::algorithms::texture::Mapping;
 use crate::color::Rgb;
 use crate::picture::{Picture, Rect, Shape as Drawn};
 use crate::record::RecordingLimit;
-use crate::render::Method;
+use crate::render::{Method, render};
 use crate::replay::{Run, Walk};
-use crate::scene::{Camera, Highlight, Light, Material, Mesh, Object, Scene, Shape, Texture};
+use crate::scene::{Camera, Highlight, Light, Material, Mesh, Object, Scene, Shape, Texture, View};
 use glam::{DVec3, Vec2};
 use std::collections::HashMap;
-use std::num::NonZeroU32;
+use std::num::{NonZeroU32, NonZeroUsize};
+use std::sync::Arc;
 
 /// Sizes at which panels are checked: the smallest, as in the window, low and wide, tall, large.
 pub const SIZES: [Vec2; 6] = [
@@ -175,6 +178,53 @@ pub fn crowd(method: Method) -> Sample {
         ],
     );
     Sample::of(scene, method, Focus::Frame, (28, 21))
+}
+
+/// A checkered floor that runs away from the eye, and a red ball on it. 16×12, the whole frame.
+pub fn textured(method: Method, mapping: Mapping) -> Sample {
+    let mut tiles = material("tiles", Rgb::new(0.6, 0.5, 0.4), Highlight::Blinn);
+    tiles.texture = Some(Texture::Checker {
+        colors: [Rgb::WHITE, Rgb::splat(0.3)],
+        scale: 0.25,
+    });
+    let floor = [
+        [-2.0, -1.0, 4.0],
+        [2.0, -1.0, 4.0],
+        [2.0, -1.0, -6.0],
+        [-2.0, -1.0, -6.0],
+    ];
+    let scene = scene(
+        vec![
+            material("red", Rgb::new(0.7, 0.2, 0.1), Highlight::Phong),
+            tiles,
+        ],
+        vec![
+            object(
+                "floor",
+                1,
+                Shape::Polygon {
+                    vertices: floor.map(DVec3::from).to_vec(),
+                },
+            ),
+            object(
+                "ball",
+                0,
+                Shape::Sphere {
+                    center: DVec3::ZERO,
+                    radius: 0.8,
+                },
+            ),
+        ],
+        vec![lamp(Rgb::WHITE)],
+    );
+    let camera = scene.camera.expect("it has one");
+    let stage = Stage::new(scene, View::new(&camera, 16, 12)).with_mapping(mapping);
+    let stage = Arc::new(stage);
+    Sample {
+        finished: render(&stage, method, NonZeroUsize::MIN, &|_, _| {}),
+        run: Run::record(stage, method, Focus::Frame, RecordingLimit::default()),
+        focus: Focus::Frame,
+    }
 }
 
 /// Every kind of step of the ray methods: objects met, missed and hidden, a light ball, blocked lights, glass with total

@@ -35,6 +35,8 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         Run::Flat(replay) => Marks::of_shading(replay.state()),
         Run::Gouraud(replay) => Marks::of_shading(replay.state()),
         Run::Phong(replay) => Marks::of_shading(replay.state()),
+        Run::FastPhong(replay) => Marks::of_shading(replay.state()),
+        Run::Exact(replay) => Marks::of_shading(replay.state()),
         Run::RayCasting(replay) => Marks::of_rays(replay.state()),
         Run::RayTracing(replay) => Marks::of_rays(replay.state()),
         Run::Radiosity(..) | Run::FormFactor(..) => return finished(show, size),

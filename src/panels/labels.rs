@@ -12,7 +12,7 @@ const OUTLINE: f32 = 1.5;
 /// Between the boxes of two labels.
 const APART: f32 = 1.0;
 
-pub(super) struct Labels {
+pub(crate) struct Labels {
     area: Rect,
     taken: Vec<Rect>,
     lines: Vec<Spared>,

@@ -28,6 +28,12 @@ pub const NO_PATCHES: Words = Words::new(
     "Proses ini tidak mempertukarkan cahaya antar-patch. Buka pelajaran tentang radiositas.",
 );
 
+/// Where no other method is beside the run's, or not yet.
+pub const NOT_COMPARED: Words = Words::new(
+    "The pictures to be compared are being made, or this lesson compares none.",
+    "Gambar-gambar yang dibandingkan sedang dibuat, atau pelajaran ini tidak membandingkan apa pun.",
+);
+
 /// A picture of one friendly sentence, centred.
 pub fn message(words: Words, language: Language, size: Vec2) -> Picture {
     const LINE: f32 = 18.0;

@@ -2,20 +2,23 @@
 
 mod active_edges;
 mod code;
+mod comparison;
 mod convergence;
 #[cfg(test)]
 mod crowd;
+mod difference;
 mod fit;
 mod form_factor;
 mod formula;
 mod illumination;
 mod image;
 mod inspector;
-mod labels;
+pub(crate) mod labels;
 mod log_axes;
 mod matrix;
 mod message;
 mod names;
+mod profile;
 mod race;
 mod radiosity;
 mod ray_tree;
@@ -38,6 +41,7 @@ pub use vectors::{Held, PlaneGrip, grip as vector_grip};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::picture::Picture;
+use crate::render::compare::Compared;
 use crate::replay::Run;
 use glam::Vec2;
 use words::Language;
@@ -71,6 +75,12 @@ pub enum Panel {
     Convergence,
     /// All solvers on the same room, by iteration and by time.
     Race,
+    /// The picture by several methods side by side.
+    Comparison,
+    /// How far each is from the reference.
+    Difference,
+    /// Intensity along a scan line, its slope, and how it looks.
+    Profile,
     /// All values of the step, and where each came from.
     Inspector,
     /// The pseudocode, with the current line.
@@ -82,7 +92,7 @@ pub enum Panel {
 }
 
 impl Panel {
-    pub const ALL: [Panel; 17] = [
+    pub const ALL: [Panel; 20] = [
         Panel::Image,
         Panel::ScanLine,
         Panel::ActiveEdges,
@@ -96,6 +106,9 @@ impl Panel {
         Panel::Matrix,
         Panel::Convergence,
         Panel::Race,
+        Panel::Comparison,
+        Panel::Difference,
+        Panel::Profile,
         Panel::Inspector,
         Panel::Code,
         Panel::Formula,
@@ -118,11 +131,19 @@ impl Panel {
             Panel::Matrix => "matrix",
             Panel::Convergence => "convergence",
             Panel::Race => "race",
+            Panel::Comparison => "comparison",
+            Panel::Difference => "difference",
+            Panel::Profile => "profile",
             Panel::Inspector => "inspector",
             Panel::Code => "code",
             Panel::Formula => "formula",
             Panel::TimeLine => "time-line",
         }
+    }
+
+    /// Whether it shows the pictures of several methods.
+    pub fn compares(self) -> bool {
+        matches!(self, Panel::Comparison | Panel::Difference | Panel::Profile)
     }
 
     pub fn from_name(name: &str) -> Option<Self> {
@@ -137,6 +158,8 @@ pub struct Show<'a> {
     pub run: &'a Run,
     /// The whole picture, rendered unrecorded.
     pub finished: &'a Frame,
+    /// The same picture by several methods, the last one the reference; as many as are made.
+    pub compared: &'a [Compared],
     /// What the run recorded.
     pub focus: Focus,
     pub language: Language,
@@ -166,6 +189,9 @@ pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
         Panel::Matrix => matrix::draw(show, size),
         Panel::Convergence => convergence::draw(show, size),
         Panel::Race => race::draw(show, size),
+        Panel::Comparison => comparison::draw(show, size),
+        Panel::Difference => difference::draw(show, size),
+        Panel::Profile => profile::draw(show, size),
         Panel::Inspector => inspector::draw(show, size),
         Panel::Code => code::draw(show, size),
         Panel::Formula => formula::draw(show, size),

@@ -70,6 +70,8 @@ pub(super) fn stage(run: &Run) -> &Stage {
         Run::Flat(replay) => &replay.state().stage,
         Run::Gouraud(replay) => &replay.state().stage,
         Run::Phong(replay) => &replay.state().stage,
+        Run::FastPhong(replay) => &replay.state().stage,
+        Run::Exact(replay) => &replay.state().stage,
         Run::RayCasting(replay) => &replay.state().stage,
         Run::RayTracing(replay) => &replay.state().stage,
         Run::Radiosity(stage, _) | Run::FormFactor(stage, _) => stage,

@@ -123,6 +123,7 @@ impl Sample {
         Show {
             run: &self.run,
             finished: &self.finished,
+            compared: &[],
             focus: self.focus,
             language: Language::English,
             narrated: &[],

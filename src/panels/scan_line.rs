@@ -33,6 +33,8 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     match show.run {
         Run::Gouraud(replay) => of_state(show, replay.state(), size),
         Run::Phong(replay) => of_state(show, replay.state(), size),
+        Run::FastPhong(replay) => of_state(show, replay.state(), size),
+        Run::Exact(replay) => of_state(show, replay.state(), size),
         Run::Flat(replay) => of_state(show, replay.state(), size),
         Run::Wireframe(replay) => match replay.state().line {
             Some(ends) => {
@@ -115,6 +117,8 @@ mod tests {
             (crowd(Method::Gouraud), 37),
             (Sample::triangle(Method::Phong), 3),
             (crowd(Method::Phong), 97),
+            (Sample::triangle(Method::FastPhong), 3),
+            (crowd(Method::FastPhong), 97),
         ];
         for (sample, stride) in &mut samples {
             for step in (0..sample.run.walk().len()).step_by(*stride) {

@@ -31,7 +31,7 @@ pub(super) fn short(value: Value, digits: usize) -> String {
     }
 }
 
-/// A difference of nearly equal values, by its order of magnitude: `2.2e−16`, `0`.
+/// A difference of nearly equal values, by its order of magnitude: `2.2e−16`, `0`; of vectors, its length.
 pub(super) fn difference(value: Value) -> String {
     let small = |v: f64| match v {
         0.0 => "0".to_string(),
@@ -41,7 +41,7 @@ pub(super) fn difference(value: Value) -> String {
         Value::Number(number) => small(number),
         Value::Rgb(color) if color.is_grey() => small(color.r),
         Value::Rgb(color) => color.channels().map(small).join(" "),
-        Value::Vector(vector) => vector.to_array().map(small).join(" "),
+        Value::Vector(vector) => small(vector.length()),
         value => short(value, 6),
     }
 }

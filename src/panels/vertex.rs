@@ -29,6 +29,8 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     let mut picture = match show.run {
         Run::Gouraud(replay) => of_state(show, replay.state(), size),
         Run::Phong(replay) => of_state(show, replay.state(), size),
+        Run::FastPhong(replay) => of_state(show, replay.state(), size),
+        Run::Exact(replay) => of_state(show, replay.state(), size),
         Run::Flat(replay) => of_state(show, replay.state(), size),
         Run::Wireframe(_) => message(WIREFRAME, show.language, size),
         Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
@@ -83,6 +85,7 @@ mod tests {
             Sample::pyramid(Method::Gouraud),
             crowd(Method::Gouraud),
             crowd(Method::Flat),
+            crowd(Method::Phong),
             crowd(Method::Wireframe),
             nothing(),
         ] {

@@ -188,6 +188,7 @@ pub fn elide(text: &str, style: Style, size: f32, width: f32) -> String {
 /// A glyph with its size and the pen's place, right of the start and above the baseline, in points.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Placed {
+    pub character: char,
     pub glyph: Glyph,
     pub size: f32,
     pub x: f32,
@@ -206,6 +207,7 @@ pub(super) fn place(
         text.chars().fold(start, |x, character| {
             let glyph = glyphs.find(face, character);
             put(Placed {
+                character,
                 glyph,
                 size,
                 x,

@@ -3,10 +3,12 @@
 //! With [`Unrecorded`] the calls compile away; with [`Recording`] the same body keeps every step.
 //! This floor knows no algorithm: an algorithm brings its own event type, which names itself by [`Event`].
 
+mod counter;
 mod event;
 mod outline;
 mod recording;
 
+pub use counter::Counter;
 pub use event::{Event, Field, Fields, Line, Listing, Value};
 pub use outline::Outline;
 pub use recording::{Mark, Recording, RecordingLimit};

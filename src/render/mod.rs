@@ -1,12 +1,16 @@
 //! Runs an algorithm over a whole frame: unrecorded, on as many threads as are wanted, all at once or coarse first.
 
 mod bands;
+pub mod compare;
 mod crew;
+pub mod lanes;
 mod light;
 mod painter;
 mod pixels;
 mod tally;
 
+use crate::algorithms::exact::exact;
+use crate::algorithms::fast_phong::fast_phong;
 use crate::algorithms::flat::flat;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
@@ -36,17 +40,22 @@ pub enum Method {
     Flat,
     Gouraud,
     Phong,
+    FastPhong,
+    /// With the normals of the true surfaces.
+    Exact,
     RayCasting,
     RayTracing,
     Radiosity,
 }
 
 impl Method {
-    pub const ALL: [Method; 7] = [
+    pub const ALL: [Method; 9] = [
         Method::Wireframe,
         Method::Flat,
         Method::Gouraud,
         Method::Phong,
+        Method::FastPhong,
+        Method::Exact,
         Method::RayCasting,
         Method::RayTracing,
         Method::Radiosity,
@@ -59,6 +68,8 @@ impl Method {
             Method::Flat => "flat",
             Method::Gouraud => "gouraud",
             Method::Phong => "phong",
+            Method::FastPhong => "fast-phong",
+            Method::Exact => "exact",
             Method::RayCasting => "ray-casting",
             Method::RayTracing => "ray-tracing",
             Method::Radiosity => "radiosity",
@@ -87,12 +98,15 @@ impl Method {
         }
     }
 
-    /// Whether it does that part of following rays, where the scene needs it.
+    /// Whether it does that part of the work, where the scene needs it.
     pub fn does(self, part: Part) -> bool {
         match self {
             Method::RayCasting => part.concerns_primary_rays(),
             Method::RayTracing => true,
-            _ => false,
+            Method::Wireframe | Method::Radiosity => false,
+            Method::Flat | Method::Gouraud | Method::Phong | Method::FastPhong | Method::Exact => {
+                part == Part::TextureCoordinates
+            }
         }
     }
 
@@ -178,7 +192,11 @@ fn draw<E: Send>(
         Method::Gouraud => {
             painter.bands(|band| gouraud(stage, Focus::Frame, band, &mut Unrecorded))
         }
+        Method::Exact => painter.bands(|band| exact(stage, Focus::Frame, band, &mut Unrecorded)),
         Method::Phong => painter.bands(|band| phong(stage, Focus::Frame, band, &mut Unrecorded)),
+        Method::FastPhong => {
+            painter.bands(|band| fast_phong(stage, Focus::Frame, band, &mut Unrecorded))
+        }
         Method::RayCasting => {
             let caster = RayCaster::new(stage, needs, Hierarchy);
             match totals {

@@ -185,7 +185,5 @@ pub struct PixelInHand<A> {
     pub depth: Option<(f64, f64, bool)>,
     /// Direct and incremental value.
     pub values: Option<(A, A)>,
-    /// N, of unit length, where each pixel has one of its own.
-    pub normal: Option<DVec3>,
     pub step: usize,
 }

@@ -5,6 +5,7 @@
 
 mod canvas;
 mod cursor;
+mod fast_phong;
 pub mod form_factor;
 mod grown;
 mod in_hand;

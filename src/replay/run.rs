@@ -2,6 +2,8 @@
 
 use super::in_hand::PointInHand;
 use super::{Fold, Replay, Timeline, Walk, form_factor, radiosity, rays, shading, wireframe};
+use crate::algorithms::exact;
+use crate::algorithms::fast_phong;
 use crate::algorithms::flat::{self, Nothing};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::form_factor::{FormFactors, Method as Integration};
@@ -28,6 +30,8 @@ pub enum Run {
     Flat(Box<Replay<flat::Event, shading::State<Nothing>>>),
     Gouraud(Box<Replay<gouraud::Event, shading::State<Rgb>>>),
     Phong(Box<Replay<phong::Event, shading::State<DVec3>>>),
+    FastPhong(Box<Replay<fast_phong::Event, shading::State<Nothing>>>),
+    Exact(Box<Replay<exact::Event, shading::State<DVec3>>>),
     RayCasting(Box<Replay<ray_casting::Event, rays::State>>),
     RayTracing(Box<Replay<ray_tracing::Event, rays::State>>),
     Radiosity(
@@ -71,12 +75,28 @@ impl Run {
                     gouraud::gouraud(&stage, focus, frame, recording);
                 },
             )),
+            Method::Exact => Run::Exact(replay(
+                Recording::new(limit),
+                &stage,
+                shading::State::new,
+                |frame, recording| {
+                    exact::exact(&stage, focus, frame, recording);
+                },
+            )),
             Method::Phong => Run::Phong(replay(
                 Recording::new(limit),
                 &stage,
                 shading::State::new,
                 |frame, recording| {
                     phong::phong(&stage, focus, frame, recording);
+                },
+            )),
+            Method::FastPhong => Run::FastPhong(replay(
+                Recording::new(limit),
+                &stage,
+                shading::State::new,
+                |frame, recording| {
+                    fast_phong::fast_phong(&stage, focus, frame, recording);
                 },
             )),
             Method::RayCasting => Run::RayCasting(replay(
@@ -128,6 +148,8 @@ impl Run {
             Run::Flat(replay) => of(replay.state()),
             Run::Gouraud(replay) => of(replay.state()),
             Run::Phong(replay) => of(replay.state()),
+            Run::FastPhong(replay) => of(replay.state()),
+            Run::Exact(replay) => of(replay.state()),
             Run::RayCasting(_) | Run::RayTracing(_) => {
                 let state = self.rays();
                 let ray = state.and_then(|state| state.ray()?.lit.as_deref());
@@ -138,12 +160,29 @@ impl Run {
         }
     }
 
+    /// What was recorded.
+    pub fn method(&self) -> Method {
+        match self {
+            Run::Wireframe(_) => Method::Wireframe,
+            Run::Flat(_) => Method::Flat,
+            Run::Gouraud(_) => Method::Gouraud,
+            Run::Phong(_) => Method::Phong,
+            Run::FastPhong(_) => Method::FastPhong,
+            Run::Exact(_) => Method::Exact,
+            Run::RayCasting(_) => Method::RayCasting,
+            Run::RayTracing(_) => Method::RayTracing,
+            Run::Radiosity(..) | Run::FormFactor(..) => Method::Radiosity,
+        }
+    }
+
     pub fn walk(&self) -> &dyn Walk {
         match self {
             Run::Wireframe(replay) => &**replay,
             Run::Flat(replay) => &**replay,
             Run::Gouraud(replay) => &**replay,
             Run::Phong(replay) => &**replay,
+            Run::FastPhong(replay) => &**replay,
+            Run::Exact(replay) => &**replay,
             Run::RayCasting(replay) => &**replay,
             Run::RayTracing(replay) => &**replay,
             Run::Radiosity(_, replay) => &**replay,
@@ -157,6 +196,8 @@ impl Run {
             Run::Flat(replay) => &mut **replay,
             Run::Gouraud(replay) => &mut **replay,
             Run::Phong(replay) => &mut **replay,
+            Run::FastPhong(replay) => &mut **replay,
+            Run::Exact(replay) => &mut **replay,
             Run::RayCasting(replay) => &mut **replay,
             Run::RayTracing(replay) => &mut **replay,
             Run::Radiosity(_, replay) => &mut **replay,

@@ -253,7 +253,6 @@ impl<A: Carried> State<A> {
                     x_p,
                     depth: None,
                     values: None,
-                    normal: None,
                     step,
                 })
             }
@@ -297,7 +296,13 @@ impl<M: Shading> Fold<Event<M>> for State<M::Told> {
     fn apply(&mut self, step: usize, event: &Event<M>) {
         match *event {
             Event::Stage(ref event) => self.walk_stage(step, event),
-            Event::Middle { .. } | Event::VertexReady { .. } => {}
+            Event::Middle { .. }
+            | Event::VertexReady { .. }
+            | Event::PixelPoint { .. }
+            | Event::Texture(_)
+            | Event::PixelNormal { .. }
+            | Event::PixelNormalLost { .. }
+            | Event::TruePoint { .. } => {}
             Event::Vertex { vertex, position } => {
                 self.point = None;
                 self.vertex = Some(VertexInHand {
@@ -321,17 +326,13 @@ impl<M: Shading> Fold<Event<M>> for State<M::Told> {
             Event::ScanLine(ref event) => {
                 // A point stays with what it was lit for: a vertex, a pixel, or the whole polygon.
                 let of_vertex = self.vertex.take().is_some();
-                let of_pixel = self.pixel.is_some_and(|pixel| pixel.normal.is_some())
+                let lit = self.point.as_ref().map(|point| point.step);
+                let of_pixel = self.pixel.is_some_and(|pixel| lit > Some(pixel.step))
                     && !matches!(event, scan_line::Event::PixelColored { .. });
                 if of_vertex || of_pixel {
                     self.point = None;
                 }
                 self.convert(step, event);
-            }
-            Event::PixelNormal { normal, .. } | Event::PixelNormalLost { normal, .. } => {
-                if let Some(pixel) = &mut self.pixel {
-                    pixel.normal = Some(normal);
-                }
             }
         }
     }

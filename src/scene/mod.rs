@@ -23,7 +23,7 @@ pub use mesh::Mesh;
 pub use mesh_path::mesh_path_is_inside;
 pub use needs::{LeftOut, Needs, Part};
 pub use obj::Obj;
-pub use tessellation::Tessellation;
+pub use tessellation::{Tessellation, sphere as sphere_mesh};
 pub use validate::{LARGEST, Limits, ReadFile, SceneError, read};
 
 use crate::color::Rgb;

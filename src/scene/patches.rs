@@ -246,8 +246,8 @@ impl Division<'_> {
                 corners: std::array::from_fn(|i| vertices[i]),
                 grid,
             },
-            _ => Division::Triangles {
-                triangles: triangles(&tessellation::mesh_of(object)),
+            shape => Division::Triangles {
+                triangles: triangles(&tessellation::mesh_of(shape, object.divisions)),
                 steps: grid[0],
             },
         })

@@ -34,7 +34,11 @@ impl Tessellation {
     }
 
     pub fn of(scene: &Scene) -> Self {
-        let meshes: Vec<Mesh> = scene.objects.iter().map(mesh_of).collect();
+        let meshes: Vec<Mesh> = scene
+            .objects
+            .iter()
+            .map(|object| mesh_of(&object.shape, object.divisions))
+            .collect();
         let left_out = (0..meshes.len())
             .filter(|&i| matches!(scene.objects[i].shape, Shape::Plane { .. }))
             .collect();
@@ -68,12 +72,10 @@ impl Tessellation {
     }
 }
 
-/// Faces are counter-clockwise seen from outside, or from a polygon's front.
-pub(super) fn mesh_of(object: &Object) -> Mesh {
-    match &object.shape {
-        Shape::Sphere { center, radius } => {
-            sphere(*center, *radius, [2 * object.divisions, object.divisions])
-        }
+/// Faces are counter-clockwise seen from outside, or from a polygon's front. Of a sphere, `divisions` from pole to pole.
+pub(super) fn mesh_of(shape: &Shape, divisions: u32) -> Mesh {
+    match shape {
+        Shape::Sphere { center, radius } => sphere(*center, *radius, [2 * divisions, divisions]),
         Shape::Plane { .. } => Mesh::default(),
         Shape::Polygon { vertices } => {
             let face: Vec<u32> = (0..vertices.len() as u32).collect();
@@ -92,7 +94,7 @@ pub(super) fn mesh_of(object: &Object) -> Mesh {
 }
 
 /// The poles on the y axis; longitudes from z toward x, latitudes from the north pole (+y) down. Faces latitude by latitude.
-pub(super) fn sphere(center: DVec3, radius: f64, [longitudes, latitudes]: [u32; 2]) -> Mesh {
+pub fn sphere(center: DVec3, radius: f64, [longitudes, latitudes]: [u32; 2]) -> Mesh {
     let mut positions = Vec::new();
     for i in 0..=latitudes {
         let (sin_theta, cos_theta) = match i {
@@ -150,18 +152,12 @@ fn cylinder(base: DVec3, axis: DVec3, radius: f64, height: f64, capped: bool) ->
 /// With u along the rows of control points and v from row to row, the front is where ∂P/∂u × ∂P/∂v points. Texture coordinates: (u, v).
 fn bezier(patches: &[[DVec3; 16]], divisions: u32) -> Mesh {
     let n = divisions;
-    let weights: Vec<[f64; 4]> = (0..=n).map(|i| bernstein(i, n)).collect();
+    let weights: Vec<[f64; 4]> = (0..=n).map(|i| grid_weights(i, n)).collect();
     let mut positions = Vec::new();
     for points in patches {
         for across in &weights {
             for along in &weights {
-                let rows = std::array::from_fn(|row| {
-                    combine(
-                        along,
-                        std::array::from_fn(|column| points[4 * row + column]),
-                    )
-                });
-                positions.push(combine(across, rows));
+                positions.push(patch_point(points, along, across));
             }
         }
     }
@@ -181,19 +177,33 @@ fn bezier(patches: &[[DVec3; 16]], divisions: u32) -> Mesh {
     Mesh::new(&positions, faces, &uvs)
 }
 
-/// The cubic Bernstein polynomials at i/n.
+/// The weights of control points at i/n.
 ///
 /// Counted from the other end they come out in reverse order to the last bit, so that neighbours that run through their
 /// common edge in opposite directions weld.
-fn bernstein(i: u32, n: u32) -> [f64; 4] {
-    let t = f64::from(i) / f64::from(n);
-    let s = f64::from(n - i) / f64::from(n);
+pub(super) fn grid_weights(i: u32, n: u32) -> [f64; 4] {
+    bernstein(f64::from(i) / f64::from(n), f64::from(n - i) / f64::from(n))
+}
+
+/// The cubic Bernstein polynomials at t, with s = 1 − t.
+pub(super) fn bernstein(t: f64, s: f64) -> [f64; 4] {
     [
         s * (s * s),
         3.0 * (t * (s * s)),
         3.0 * (s * (t * t)),
         t * (t * t),
     ]
+}
+
+/// The point of a patch with such weights along its rows and from row to row.
+pub(super) fn patch_point(points: &[DVec3; 16], along: &[f64; 4], across: &[f64; 4]) -> DVec3 {
+    let row = |row: usize| {
+        combine(
+            along,
+            std::array::from_fn(|column| points[4 * row + column]),
+        )
+    };
+    combine(across, std::array::from_fn(row))
 }
 
 /// Summed from both ends, for the same reason.

@@ -1,10 +1,7 @@
 //! The solvers in a closed cube: iterations at 384 patches; seconds of each beside those of faer's LU at 500, 2000 and 6000 patches,
 //! taken in one run; and how quickly any of a million recorded exchanges is reached.
 
-#[path = "../../src/algorithms/radiosity/cube.rs"]
-mod cube;
-
-use cube::{cube, lamp};
+use lightwalk::algorithms::radiosity::cube::{cube, lamp};
 use lightwalk::algorithms::radiosity::{Matrix, Patches, Solver, Stop, System, Watch, solve};
 use lightwalk::record::{Recording, RecordingLimit, Unrecorded};
 use lightwalk::replay::{Timeline, radiosity::State};

@@ -15,8 +15,7 @@
 mod channels;
 pub mod chebyshev;
 pub mod conjugate_gradients;
-#[cfg(test)]
-pub(crate) mod cube;
+pub mod cube;
 pub mod direct;
 mod event;
 mod gathering;

@@ -1,6 +1,6 @@
 //! An edge of the edge table.
 
-use super::{Carried, Event, ScreenCorner, first_centre};
+use super::{Cargo, Event, ScreenCorner, first_centre};
 use crate::numeric::{Ramp, interpolate};
 
 /// An edge from its upper to its lower end, and where the current scan line cuts it.
@@ -33,7 +33,7 @@ pub struct End<A> {
     pub value: A,
 }
 
-impl<A: Carried> Edge<A> {
+impl<A: Cargo> Edge<A> {
     /// The edge between two corners, or `None` where it passes the centre of no row: a horizontal edge never does.
     pub fn between(
         corners: &[ScreenCorner<A>],
@@ -101,7 +101,7 @@ impl<A: Carried> Edge<A> {
         self.inverse_depth.advance();
     }
 
-    pub fn entered(&self) -> Event<A> {
+    pub fn entered(&self) -> Event<A::Told> {
         Event::EdgeEntered {
             edge: self.number,
             upper: self.upper.corner,
@@ -109,11 +109,11 @@ impl<A: Carried> Edge<A> {
             first: self.first,
             end: self.end,
             slope: self.slope,
-            step: self.value.step,
+            step: self.value.step.told(),
         }
     }
 
-    pub fn scope(&self) -> Event<A> {
+    pub fn scope(&self) -> Event<A::Told> {
         Event::Edge {
             edge: self.number,
             upper: self.upper.corner,

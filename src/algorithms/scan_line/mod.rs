@@ -23,6 +23,7 @@ use edge::Edge;
 use glam::{DVec2, DVec3};
 use std::fmt::Debug;
 
+pub use clip::clip_near;
 pub use event::{Event, Names, Part};
 
 #[cfg(test)]
@@ -36,11 +37,34 @@ pub trait Carried: Linear + Default + PartialEq + Debug + Send + Sync + 'static 
     fn tell(self, name: &'static str, fields: &mut crate::record::Fields);
 }
 
+/// What goes from the corners to the pixels: a carried value alone, or with more that goes along untold.
+pub trait Cargo: Linear {
+    type Told: Carried;
+    fn told(self) -> Self::Told;
+}
+
+impl<A: Carried> Cargo for A {
+    type Told = A;
+    fn told(self) -> A {
+        self
+    }
+}
+
 /// A corner in the camera frame with what it carries.
 #[derive(Clone, Copy, Debug)]
 pub struct Corner<A> {
     pub position: DVec3,
     pub value: A,
+}
+
+impl<A> Corner<A> {
+    /// The same corner with another value.
+    pub fn with<B>(&self, value: B) -> Corner<B> {
+        Corner {
+            position: self.position,
+            value,
+        }
+    }
 }
 
 /// A corner on the screen.
@@ -57,6 +81,8 @@ struct ScreenCorner<A> {
 pub struct Fragment<A> {
     pub x: u32,
     pub y: u32,
+    /// The first pixel of its span.
+    pub first: u32,
     /// As interpolated by increments.
     pub value: A,
     /// 1/depth, likewise.
@@ -64,6 +90,24 @@ pub struct Fragment<A> {
 }
 
 impl<A> Fragment<A> {
+    /// The same pixel with another value.
+    pub fn with<B>(self, value: B) -> Fragment<B> {
+        let Fragment {
+            x,
+            y,
+            first,
+            inverse_depth,
+            ..
+        } = self;
+        Fragment {
+            x,
+            y,
+            first,
+            value,
+            inverse_depth,
+        }
+    }
+
     /// The point of the polygon that the pixel's centre shows, in the world. 1/depth is linear on the screen, so it lies on the
     /// polygon however much the depth changes from corner to corner.
     pub fn position(&self, view: &View) -> DVec3 {
@@ -73,7 +117,6 @@ impl<A> Fragment<A> {
 }
 
 /// Scan converter with the memory that it uses from polygon to polygon.
-#[derive(Default)]
 pub struct ScanLine<A> {
     clipped: Vec<Corner<A>>,
     corners: Vec<ScreenCorner<A>>,
@@ -82,11 +125,22 @@ pub struct ScanLine<A> {
     active: Vec<usize>,
 }
 
-impl<A: Carried> ScanLine<A> {
+impl<A> Default for ScanLine<A> {
+    fn default() -> Self {
+        ScanLine {
+            clipped: Vec::new(),
+            corners: Vec::new(),
+            edge_table: Vec::new(),
+            active: Vec::new(),
+        }
+    }
+}
+
+impl<A: Cargo> ScanLine<A> {
     /// Draws a polygon into `frame`, in the pixels of `region` only. `shade` turns a fragment into a colour.
     ///
     /// The values of a pixel do not depend on the region: increments count from the border of the frame.
-    pub fn fill<E: From<Event<A>>, R: Recorder<E>>(
+    pub fn fill<E: From<Event<A::Told>>, R: Recorder<E>>(
         &mut self,
         polygon: &[Corner<A>],
         view: &View,
@@ -95,7 +149,7 @@ impl<A: Carried> ScanLine<A> {
         recorder: &mut R,
         mut shade: impl FnMut(&mut R, Fragment<A>) -> Rgb,
     ) {
-        clip::clip_near(polygon, view.near, &mut self.clipped);
+        clip_near(polygon, view.near, &mut self.clipped);
         self.project(view);
         self.build_edge_table(view.height, recorder);
 
@@ -143,7 +197,7 @@ impl<A: Carried> ScanLine<A> {
     }
 
     /// Every edge that passes the centre of a row, sorted by the first such row.
-    fn build_edge_table<E: From<Event<A>>>(
+    fn build_edge_table<E: From<Event<A::Told>>>(
         &mut self,
         height: u32,
         recorder: &mut impl Recorder<E>,
@@ -168,7 +222,7 @@ impl<A: Carried> ScanLine<A> {
                     x,
                     y,
                     z: 1.0 / inverse_depth,
-                    value,
+                    value: value.told(),
                 }
                 .into()
             });
@@ -200,7 +254,7 @@ impl<A: Carried> ScanLine<A> {
     }
 
     /// One scan line: where it cuts the active edges, and the spans between each pair of cuts.
-    fn scan<E: From<Event<A>>, R: Recorder<E>>(
+    fn scan<E: From<Event<A::Told>>, R: Recorder<E>>(
         &mut self,
         y: u32,
         region: &Region,
@@ -214,18 +268,18 @@ impl<A: Carried> ScanLine<A> {
             let edge = &mut self.edge_table[active];
             edge.cut(y_4);
             recorder.enter(|| edge.scope().into());
-            if A::NAMES.is_some() {
+            if A::Told::NAMES.is_some() {
                 recorder.step(|| {
                     Event::EdgeEnds {
-                        a_1: edge.upper.value,
-                        a_2: edge.lower.value,
+                        a_1: edge.upper.value.told(),
+                        a_2: edge.lower.value.told(),
                     }
                     .into()
                 });
                 recorder.leave(|| {
                     Event::EdgeInterpolated {
-                        direct: edge.value_at(y_4),
-                        incremental: edge.value.value,
+                        direct: edge.value_at(y_4).told(),
+                        incremental: edge.value.value.told(),
                     }
                     .into()
                 });
@@ -251,7 +305,7 @@ impl<A: Carried> ScanLine<A> {
 }
 
 /// The pixels of row `y` whose centres lie between two edges, the left one included.
-fn fill_span<A: Carried, E: From<Event<A>>, R: Recorder<E>>(
+fn fill_span<A: Cargo, E: From<Event<A::Told>>, R: Recorder<E>>(
     y: u32,
     left: &Edge<A>,
     right: &Edge<A>,
@@ -273,7 +327,8 @@ fn fill_span<A: Carried, E: From<Event<A>>, R: Recorder<E>>(
         }
         .into()
     });
-    if A::NAMES.is_some() {
+    if A::Told::NAMES.is_some() {
+        let [a_4, a_5] = [a_4, a_5].map(Cargo::told);
         recorder.step(|| Event::SpanEnds { a_4, a_5 }.into());
     }
     if first < end {
@@ -301,11 +356,11 @@ fn fill_span<A: Carried, E: From<Event<A>>, R: Recorder<E>>(
                     .into()
                 });
                 if nearer {
-                    if A::NAMES.is_some() {
+                    if A::Told::NAMES.is_some() {
                         recorder.step(|| {
                             Event::SpanInterpolated {
-                                direct: interpolate(a_4, x_4, a_5, x_5, x_p),
-                                incremental: value.value,
+                                direct: interpolate(a_4, x_4, a_5, x_5, x_p).told(),
+                                incremental: value.value.told(),
                             }
                             .into()
                         });
@@ -315,6 +370,7 @@ fn fill_span<A: Carried, E: From<Event<A>>, R: Recorder<E>>(
                         Fragment {
                             x,
                             y,
+                            first,
                             value: value.value,
                             inverse_depth: inverse_depth.value,
                         },
@@ -335,7 +391,7 @@ fn fill_span<A: Carried, E: From<Event<A>>, R: Recorder<E>>(
 
 /// The first row or column, within 0..=size, whose centre is not before `edge`.
 #[inline]
-fn first_centre(edge: f64, size: u32) -> u32 {
+pub fn first_centre(edge: f64, size: u32) -> u32 {
     // A cast from float saturates, and takes NaN to 0.
     ((edge - 0.5).ceil() as u32).min(size)
 }

@@ -56,57 +56,65 @@ fn coverage(polygons: &[Vec<Corner<Rgb>>]) -> Vec<u32> {
     count
 }
 
-#[test]
-fn a_triangle_has_the_exact_bilinear_value_at_every_pixel_inside_and_nothing_outside() {
-    let (a, b, c) = ([3.2, 2.7], [21.6, 8.1], [7.3, 20.9]);
-    let values = [0.82, 0.31, 0.55];
-    let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::splat(-1.0));
-    let corners = [
-        at(a[0], a[1], values[0]),
-        at(b[0], b[1], values[1]),
-        at(c[0], c[1], values[2]),
-    ];
-    ScanLine::default().fill::<Event<Rgb>, _>(
+/// Fills a triangle that carries `values` and compares every pixel with the linear function on its plane.
+fn assert_bilinear<A: Carried>(values: [A; 3], outside: A, apart: impl Fn(A, A) -> f64) {
+    let places = [[3.2, 2.7], [21.6, 8.1], [7.3, 20.9]];
+    let half = f64::from(SIZE / 2);
+    let corners: Vec<Corner<A>> = places
+        .into_iter()
+        .zip(values)
+        .map(|([x, y], value)| Corner {
+            position: DVec3::new(x - half, half - y, 1.0),
+            value,
+        })
+        .collect();
+    let mut drawn = vec![outside; (SIZE * SIZE) as usize];
+    let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::BLACK);
+    ScanLine::default().fill::<Event<A>, _>(
         &corners,
         &view(),
         &whole(),
         &mut frame,
         &mut Unrecorded,
-        |_, fragment| fragment.value,
+        |_, fragment| {
+            drawn[(fragment.y * SIZE + fragment.x) as usize] = fragment.value;
+            Rgb::WHITE
+        },
     );
     // Barycentric coordinates: the linear function on the plane of the triangle.
     let cross = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
         (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
     };
+    let [a, b, c] = places;
     let area = cross(a, b, c);
     let mut inside = 0;
-    for y in 0..SIZE {
-        for x in 0..SIZE {
-            let p = [f64::from(x) + 0.5, f64::from(y) + 0.5];
-            let weights = [
-                cross(b, c, p) / area,
-                cross(c, a, p) / area,
-                cross(a, b, p) / area,
-            ];
-            let drawn = frame.pixel(x, y).r;
-            if weights.iter().all(|&weight| weight > 0.0) {
-                let exact: f64 = weights
-                    .iter()
-                    .zip(values)
-                    .map(|(weight, value)| weight * value)
-                    .sum();
-                assert!(
-                    (drawn - exact).abs() < 1e-14,
-                    "({x}, {y}): {drawn} instead of {exact}"
-                );
-                inside += 1;
-            } else {
-                assert_eq!(drawn, -1.0, "({x}, {y}) is outside");
-            }
+    for (x, y) in (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| (x, y))) {
+        let p = [f64::from(x) + 0.5, f64::from(y) + 0.5];
+        let weights = [
+            cross(b, c, p) / area,
+            cross(c, a, p) / area,
+            cross(a, b, p) / area,
+        ];
+        let drawn = drawn[(y * SIZE + x) as usize];
+        if weights.iter().all(|&weight| weight > 0.0) {
+            let [one, two, three] = [0, 1, 2].map(|i| values[i] * weights[i]);
+            let error = apart(drawn, one + two + three);
+            assert!(error < 1e-14, "({x}, {y}): off by {error:e}");
+            inside += 1;
+        } else {
+            assert_eq!(drawn, outside, "({x}, {y}) is outside");
         }
     }
     // The area of the triangle, in pixels, up to its outline.
     assert!((f64::from(inside) - area.abs() / 2.0).abs() < 12.0);
+}
+
+#[test]
+fn a_triangle_has_the_exact_bilinear_value_at_every_pixel_inside_and_nothing_outside() {
+    let intensities = [0.82, 0.31, 0.55].map(Rgb::splat);
+    assert_bilinear(intensities, Rgb::splat(-1.0), |a, b| (a - b).r.abs());
+    let normals = [[0.6, 0.0, 0.8], [-0.48, 0.6, 0.64], [0.0, -1.0, 0.0]].map(DVec3::from);
+    assert_bilinear(normals, DVec3::ZERO, |a, b| (a - b).abs().max_element());
 }
 
 #[test]

@@ -66,7 +66,7 @@ impl Session {
             return;
         };
         self.preview
-            .begin_anew(stage.clone(), self.open.lesson.method);
+            .begin_anew(stage.clone(), super::methods(&self.open));
         self.open.stage = stage;
         self.look_again();
     }

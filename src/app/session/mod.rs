@@ -23,7 +23,7 @@ use crate::panels::{Panel, Show, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::replay::Walk;
 use play::{Loop, Play};
-use preview::Preview;
+use preview::{Methods, Preview};
 use std::collections::HashMap;
 
 /// Text sizes, relative to the normal one.
@@ -64,6 +64,14 @@ impl Look {
     /// How much larger than normal everything is drawn.
     pub fn zoom(&self) -> f32 {
         TEXT_SIZES[self.text] * self.theme.text_scale()
+    }
+}
+
+/// What is drawn in the background.
+fn methods(open: &OpenLesson) -> Methods {
+    Methods {
+        picture: open.lesson.method,
+        compared: open.lesson.compare.clone(),
     }
 }
 
@@ -121,7 +129,7 @@ impl Session {
             left_at: 0,
             narrated: Vec::new(),
             standings: Vec::new(),
-            preview: Preview::new(open.stage.clone(), open.lesson.method),
+            preview: Preview::new(open.stage.clone(), methods(&open)),
             pictures: 0,
             recording: 0,
             breakpoints: HashMap::new(),
@@ -145,7 +153,7 @@ impl Session {
     /// Puts another lesson in place of this one; what belongs to the user (language, theme, speed) stays.
     fn replace(&mut self, lesson: Lesson) -> Result<(), LessonError> {
         let open = lesson.open()?;
-        self.preview = Preview::new(open.stage.clone(), open.lesson.method);
+        self.preview = Preview::new(open.stage.clone(), methods(&open));
         self.focus = open.lesson.focus;
         self.open = open;
         self.start_over();
@@ -235,6 +243,7 @@ impl Session {
         Show {
             run: &self.open.run,
             finished: self.preview.frame(),
+            compared: self.preview.compared(),
             focus: self.focus,
             language: self.look.language,
             narrated: &self.narrated,

@@ -1,8 +1,9 @@
-//! The whole picture, and of a room the race of its solvers, made in the background: nobody waits for it, and nobody keeps it from
+//! The whole picture, those of the methods that are compared, and of a room the race of its solvers, made in the background: nobody waits for it, and nobody keeps it from
 //! being called off.
 
 use crate::algorithms::frame::Frame;
 use crate::algorithms::stage::Stage;
+use crate::render::compare::{Compared, compare};
 use crate::render::{Cancelled, Method, preview, race};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -18,10 +19,27 @@ const PATIENCE: Duration = Duration::from_millis(200);
 pub struct Preview {
     /// The newest pass; before there is one, the background, or the picture before the scene was changed.
     frame: Frame,
+    /// The pictures of the methods that are compared, as many as are made.
+    compared: Vec<Compared>,
     /// Where the passes come in; none once all of them did.
-    passes: Option<Receiver<Frame>>,
+    passes: Option<Receiver<Pass>>,
     state: Arc<State>,
     start: Instant,
+}
+
+/// The picture's method, and those that it is compared with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Methods {
+    pub picture: Method,
+    pub compared: Vec<Method>,
+}
+
+/// What comes in.
+enum Pass {
+    Picture(Frame),
+    Compared(Compared),
+    /// The solvers of the room have run.
+    Raced,
 }
 
 /// What the maker of the picture and its viewer tell each other.
@@ -44,38 +62,44 @@ impl State {
 
 impl Preview {
     /// Begins the picture of the stage.
-    pub fn new(stage: Arc<Stage>, method: Method) -> Self {
+    pub fn new(stage: Arc<Stage>, methods: Methods) -> Self {
         let [width, height] = [stage.view.width, stage.view.height];
         let background = Frame::new(width, 0..height, stage.scene.background);
-        Preview::over(background, stage, method)
+        Preview::over(background, stage, methods)
     }
 
     /// Begins anew, on a stage of the same view; what there is stays to be seen until the first pass comes.
-    pub fn begin_anew(&mut self, stage: Arc<Stage>, method: Method) {
+    pub fn begin_anew(&mut self, stage: Arc<Stage>, methods: Methods) {
         let nothing = Frame::new(0, 0..0, stage.scene.background);
         let frame = std::mem::replace(&mut self.frame, nothing);
-        *self = Preview::over(frame, stage, method);
+        *self = Preview::over(frame, stage, methods);
     }
 
-    fn over(frame: Frame, stage: Arc<Stage>, method: Method) -> Self {
+    fn over(frame: Frame, stage: Arc<Stage>, methods: Methods) -> Self {
         let threads = thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
         Preview::of(frame, move |state, passes| {
             let progress = |done, all| state.progress(done, all);
             // The other end may be gone: then there is nobody to be sorry for.
-            let show = &mut |pass: &Frame| drop(passes.send(pass.clone()));
-            let Ok(whole) = preview(&stage, method, threads, progress, show) else {
+            let show = &mut |pass: &Frame| drop(passes.send(Pass::Picture(pass.clone())));
+            let Ok(whole) = preview(&stage, methods.picture, threads, progress, show) else {
                 return;
             };
-            if passes.send(whole.clone()).is_ok() && method == Method::Radiosity {
+            drop(passes.send(Pass::Picture(whole)));
+            for &method in &methods.compared {
+                if progress(1, 1).is_err() {
+                    return;
+                }
+                drop(passes.send(Pass::Compared(compare(&stage, method))));
+            }
+            if methods.picture == Method::Radiosity && progress(1, 1).is_ok() {
                 race(&stage);
-                // The picture stays; that it comes again says that the race is run.
-                drop(passes.send(whole));
+                drop(passes.send(Pass::Raced));
             }
         })
     }
 
     /// Shows `frame` until `make` sends a better one. Where no thread can be had, as on a web page, it is made here and now.
-    fn of(frame: Frame, make: impl Fn(&State, &Sender<Frame>) + Send + Sync + 'static) -> Self {
+    fn of(frame: Frame, make: impl Fn(&State, &Sender<Pass>) + Send + Sync + 'static) -> Self {
         let state = Arc::new(State::default());
         let (sender, passes) = channel();
         let make = Arc::new(make);
@@ -89,6 +113,7 @@ impl Preview {
         }
         Preview {
             frame,
+            compared: Vec::new(),
             passes: Some(passes),
             state,
             start: Instant::now(),
@@ -98,6 +123,11 @@ impl Preview {
     /// The picture as far as it has come.
     pub fn frame(&self) -> &Frame {
         &self.frame
+    }
+
+    /// The pictures of the methods that are compared, as many as are made.
+    pub fn compared(&self) -> &[Compared] {
+        &self.compared
     }
 
     pub fn is_done(&self) -> bool {
@@ -115,8 +145,8 @@ impl Preview {
         let mut taken = false;
         while let Some(passes) = &self.passes {
             match passes.try_recv() {
-                Ok(frame) => {
-                    self.frame = frame;
+                Ok(pass) => {
+                    self.keep(pass);
                     taken = true;
                 }
                 Err(TryRecvError::Empty) => break,
@@ -129,8 +159,16 @@ impl Preview {
     /// Waits until the picture is whole.
     #[cfg(test)]
     pub fn wait(&mut self) {
-        if let Some(last) = self.passes.take().and_then(|passes| passes.iter().last()) {
-            self.frame = last;
+        for pass in self.passes.take().into_iter().flatten() {
+            self.keep(pass);
+        }
+    }
+
+    fn keep(&mut self, pass: Pass) {
+        match pass {
+            Pass::Picture(frame) => self.frame = frame,
+            Pass::Compared(compared) => self.compared.push(compared),
+            Pass::Raced => {}
         }
     }
 }
@@ -160,7 +198,7 @@ mod tests {
                     return;
                 }
                 let _ = state.progress(pass, 2);
-                passes.send(frame(pass as f64)).unwrap();
+                passes.send(Pass::Picture(frame(pass as f64))).unwrap();
             }
         });
         (preview, go_on)

@@ -1,9 +1,10 @@
 //! What each kind of step says, and its formulas. An entry is taken by its kind and condition; the first that fits holds.
 
 mod form_factor;
-mod normals;
+mod pixels;
 mod radiosity;
 mod rays;
+mod series;
 
 use super::super::words::Words;
 
@@ -105,11 +106,12 @@ const ON_THE_SLIDE: Words = Words::new(
 );
 
 /// Those of one method go first: they say more where a step of the same kind occurs in others too.
-pub const TABLES: [&[Entry]; 5] = [
+pub const TABLES: [&[Entry]; 6] = [
     radiosity::TABLE,
     form_factor::TABLE,
+    pixels::TABLE,
     rays::TABLE,
-    normals::TABLE,
+    series::TABLE,
     TABLE,
 ];
 

@@ -2,6 +2,7 @@ use super::super::crowd::{self, SIZES, assert_legible, texts};
 use super::super::sample::{self, Sample};
 use super::*;
 use crate::algorithms::focus::Focus;
+use crate::algorithms::texture::Mapping;
 use crate::render::Method;
 use std::collections::HashSet;
 
@@ -14,6 +15,12 @@ fn each_step(mut look: impl FnMut(&str, &Known, &Stage)) {
         Sample::rays(Method::RayTracing, sample::BALL, 5),
         Sample::rays(Method::RayTracing, sample::SPARK, 5),
     ];
+    let textured = [
+        crowd::textured(Method::Flat, Mapping::Perspective),
+        crowd::textured(Method::Phong, Mapping::Linear),
+        crowd::textured(Method::Exact, Mapping::Perspective),
+    ];
+    let rays = rays.into_iter().chain(textured);
     let light = crowd::solvers().into_iter().chain(crowd::form_factors());
     for sample in crowds.into_iter().chain(rays).chain(light) {
         for step in 0..sample.walk().len() {

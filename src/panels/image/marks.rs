@@ -36,7 +36,9 @@ impl<'a> Marks<'a> {
     pub fn of_shading<A>(state: &'a shading::State<A>) -> Self {
         let stage = &*state.stage;
         let in_hand = state.vertex.as_ref().map(|vertex| vertex.position);
-        let in_hand = in_hand.or(state.point.as_ref().map(|point| point.position));
+        // The point of a pixel is marked by the pixel.
+        let point = state.point.as_ref().filter(|_| state.pixel.is_none());
+        let in_hand = in_hand.or(point.map(|point| point.position));
         Marks {
             stage,
             canvas: &state.canvas,

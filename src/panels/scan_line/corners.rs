@@ -1,11 +1,15 @@
 //! The corners of the polygon in hand, with what is known of them.
 
+use super::super::labels::Labels;
 use super::super::values::value_of;
 use crate::algorithms::scan_line::Carried;
-use crate::picture::Tag;
+use crate::picture::{Picture, Stroke, Tag};
 use crate::record::Value;
 use crate::replay::shading::State;
-use glam::DVec2;
+use glam::{DVec2, Vec2};
+
+/// Length of a unit normal that lies in the screen.
+const NORMAL: f32 = 36.0;
 
 /// A corner of the polygon on the screen.
 pub(super) struct Corner {
@@ -53,4 +57,25 @@ pub(super) fn corners<A: Carried>(state: &State<A>) -> Vec<Corner> {
             }
         })
         .collect()
+}
+
+/// A normal as it is seen on the screen, from the edge of a disc on: short where it points at the eye or away from it.
+pub(super) fn draw_normal<A>(
+    picture: &mut Picture,
+    labels: &mut Labels,
+    state: &State<A>,
+    (place, radius): (Vec2, f32),
+    value: Option<Value>,
+    stroke: Stroke,
+) {
+    let Some(Value::Vector(normal)) = value else {
+        return;
+    };
+    let view = &state.stage.view;
+    let seen = DVec2::new(normal.dot(view.right), -normal.dot(view.up)).as_vec2();
+    let tip = place + NORMAL * seen;
+    if NORMAL * seen.length() > radius + 4.0 {
+        picture.arrow(place, tip, stroke);
+        labels.spare(place, tip);
+    }
 }

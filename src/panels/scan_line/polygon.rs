@@ -3,9 +3,9 @@
 use super::super::fit::Fit;
 use super::super::labels::Labels;
 use super::super::values::{on_swatch, short, swatch, value_of};
-use super::corners::{Corner, corners};
+use super::corners::{Corner, corners, draw_normal};
 use crate::algorithms::scan_line::Carried;
-use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, Text};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
 use crate::record::Value;
 use crate::replay::shading::{EdgeInHand, RowInHand, State};
 use glam::{DVec2, Vec2};
@@ -13,8 +13,6 @@ use glam::{DVec2, Vec2};
 /// Radius of a corner, with its number in it, and of a point on the scan line.
 const CORNER: f32 = 8.5;
 const POINT: f32 = 6.0;
-/// Length of a unit normal that lies in the screen.
-const NORMAL: f32 = 36.0;
 /// Points a pixel from which on the centres of the pixels are shown.
 const CENTRES: f64 = 6.0;
 
@@ -376,27 +374,6 @@ impl<A: Carried> Drawing<'_, A> {
         picture.tagged(Tag::Field(name), |picture| {
             self.labels.put(picture, point, toward, &text, set);
         });
-    }
-}
-
-/// A normal as it is seen on the screen, from the edge of a disc on: short where it points at the eye or away from it.
-fn draw_normal<A>(
-    picture: &mut Picture,
-    labels: &mut Labels,
-    state: &State<A>,
-    (place, radius): (Vec2, f32),
-    value: Option<Value>,
-    stroke: Stroke,
-) {
-    let Some(Value::Vector(normal)) = value else {
-        return;
-    };
-    let view = &state.stage.view;
-    let seen = DVec2::new(normal.dot(view.right), -normal.dot(view.up)).as_vec2();
-    let tip = place + NORMAL * seen;
-    if NORMAL * seen.length() > radius + 4.0 {
-        picture.arrow(place, tip, stroke);
-        labels.spare(place, tip);
     }
 }
 

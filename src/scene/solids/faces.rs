@@ -39,6 +39,15 @@ struct FacePlane {
 }
 
 impl Faces {
+    /// The memory of the triangles, the packets and the hierarchy.
+    pub fn bytes(&self) -> u64 {
+        let vertices = self.vertices.len() * size_of::<DVec3>();
+        let triangles = self.triangles.len() * size_of::<[u32; 3]>();
+        let uvs = self.uvs.len() * size_of::<[DVec2; 3]>();
+        let packets = self.packets.len() * size_of::<Packet>();
+        (vertices + triangles + uvs + packets) as u64 + self.hierarchy.bytes()
+    }
+
     pub fn new(mesh: &Mesh, is_textured: bool) -> Self {
         let vertices: Vec<DVec3> = (0..mesh.vertex_count() as u32)
             .map(|vertex| mesh.position(vertex))

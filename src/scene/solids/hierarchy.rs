@@ -75,6 +75,11 @@ impl<'a> UnitRay<'a> {
 }
 
 impl Hierarchy {
+    /// The memory of its nodes.
+    pub fn bytes(&self) -> u64 {
+        (self.nodes.len() * size_of::<Node>()) as u64
+    }
+
     /// Over boxes in the unit frame. Also the leaves: which boxes, by index, are in each.
     pub fn new(boxes: &[[Vec3; 2]], most_in_leaf: usize) -> (Self, Leaves) {
         let aabbs: Vec<Aabb> = boxes

@@ -8,6 +8,7 @@ mod aim;
 mod chart;
 mod closed;
 mod error;
+mod face_chart;
 mod faces;
 mod frame;
 mod hierarchy;
@@ -20,9 +21,13 @@ mod stack;
 #[cfg(test)]
 mod tests;
 mod triangle;
+mod true_surface;
 
+pub use face_chart::FaceChart;
+pub use polygon::triangles;
 pub use ray::{Ray, leaving, short_of};
 pub use sphere::meet_ball;
+pub use true_surface::{TruePoint, true_point};
 
 use super::{Scene, Shape, Tessellation};
 use aim::Aim;
@@ -145,6 +150,16 @@ impl Solids {
             frame,
             hierarchy,
         }
+    }
+
+    /// The memory of the objects and their hierarchies, by the sizes of what they are made of.
+    pub fn bytes(&self) -> u64 {
+        let of = |solid: &Solid| match solid {
+            Solid::Faces { faces, .. } => faces.bytes(),
+            Solid::Sphere { .. } | Solid::Plane(_) => 0,
+        };
+        let own = self.solids.len() * size_of::<Solid>();
+        own as u64 + self.hierarchy.bytes() + self.solids.iter().map(of).sum::<u64>()
     }
 
     /// The nearest hit of one object.

@@ -17,6 +17,14 @@ pub(in crate::scene) struct Polygon {
     extent: f64,
 }
 
+/// A face as triangles by corner, in its own sense: those that rays meet.
+pub fn triangles(mesh: &Mesh, face: usize) -> Vec<[u32; 3]> {
+    match mesh.face(face).len() {
+        3 => vec![[0, 1, 2]],
+        _ => Polygon::of_face(mesh, face).triangles(),
+    }
+}
+
 impl Polygon {
     pub fn of_face(mesh: &Mesh, face: usize) -> Self {
         let corners: Vec<DVec3> = mesh.face(face).iter().map(|&v| mesh.position(v)).collect();

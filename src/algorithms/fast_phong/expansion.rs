@@ -1,0 +1,311 @@
+//! The cosines of one triangle as Taylor series about its middle, and their values along its spans.
+
+use super::event::{Cosine, Event};
+use crate::algorithms::flat::Nothing;
+use crate::algorithms::illumination::{self, incidence};
+use crate::algorithms::intensity::Intensity;
+use crate::algorithms::scan_line::{Corner, Fragment};
+use crate::algorithms::stage::{Polygon, Stage};
+use crate::algorithms::texture::WithUv;
+use crate::color::Rgb;
+use crate::numeric::{Differences, LinearNormal, PowerTable, Quadratic, Setup};
+use crate::record::Recorder;
+use crate::scene::Highlight;
+use glam::{DVec2, DVec3};
+
+/// Below this length N_0 points nowhere: vertex normals that cancel out.
+const VANISHED: f64 = 1e-6;
+
+/// Phong's model over one triangle of the screen.
+#[derive(Default)]
+pub struct Expansion {
+    /// The point of expansion, on the screen.
+    middle: DVec2,
+    ambient: Rgb,
+    /// Two for each light: those of its diffuse and of its specular term.
+    lights: Vec<[Term; 2]>,
+    /// The pixel that the differences stand at.
+    at: Option<(u32, u32)>,
+}
+
+/// The diffuse or the specular term of one light.
+struct Term {
+    cosine: Cosine,
+    /// k · I_light · f_att
+    factor: Rgb,
+    series: Quadratic,
+    running: Differences<f64>,
+    exact: Exact,
+}
+
+/// A cosine at any place of the triangle, with a normal of unit length there.
+#[derive(Clone, Copy)]
+struct Exact {
+    normal: LinearNormal,
+    /// L or H
+    toward: DVec3,
+    /// V, for R·V.
+    mirrored_to: Option<DVec3>,
+}
+
+impl Expansion {
+    /// Expands the cosines of every light about the middle of a triangle of `polygon`, whose corners carry unit normals.
+    pub fn expand<R: Recorder<Event>>(
+        &mut self,
+        triangle: &[Corner<WithUv<DVec3>>; 3],
+        polygon: &Polygon,
+        stage: &Stage,
+        recorder: &mut R,
+    ) {
+        // The point that is seen at the triangle's middle on the screen, where 1/z is the mean
+        let screen = triangle.map(|corner| stage.view.to_screen(corner.position));
+        self.middle = middle_of(screen);
+        let sum: f64 = triangle.iter().map(|c| 1.0 / c.position.z).sum();
+        let position = stage.view.from_screen(self.middle, 3.0 / sum);
+        let to_eye = (stage.view.eye - position).normalize_or_zero();
+        let ExpandedNormal {
+            normal,
+            vanished,
+            turned,
+        } = ExpandedNormal::over(
+            &Setup::new(screen),
+            triangle.map(|corner| corner.value.value),
+            polygon.mesh.normal(polygon.face),
+            to_eye,
+        );
+        self.at = None;
+        self.lights.clear();
+        let LinearNormal { n_0, n_x, n_y } = normal;
+        recorder.step(|| Event::NormalAtMiddle {
+            middle: self.middle,
+            n_0,
+            vanished,
+        });
+        recorder.step(|| Event::NormalSlopes { n_x, n_y });
+        let unit = n_0.normalize_or_zero();
+        recorder.enter(|| {
+            let normal = unit;
+            illumination::Event::Illumination { position, normal }.into()
+        });
+        recorder.step(|| illumination::Event::Viewer { to_eye, turned }.into());
+        let k_a = polygon.material.ambient;
+        self.ambient = k_a * stage.scene.ambient;
+        let term = self.ambient;
+        recorder.step(|| illumination::Event::Ambient { k_a, term }.into());
+
+        for (light, source) in stage.scene.lights.iter().enumerate() {
+            let incidence = incidence(source, position);
+            let n_dot_l = unit.dot(incidence.to_light);
+            recorder.enter(|| incidence.entered(light, n_dot_l).into());
+            recorder.step(|| incidence.direction(n_dot_l).into());
+            let arriving = incidence.color * incidence.attenuation;
+            let diffuse = Exact {
+                normal,
+                toward: incidence.to_light,
+                mirrored_to: None,
+            };
+            let (cosine, specular) = highlight(polygon, diffuse, to_eye, recorder);
+            let material = polygon.material;
+            self.lights.push([
+                Term::new(Cosine::NDotL, material.diffuse * arriving, diffuse),
+                Term::new(cosine, material.specular * arriving, specular),
+            ]);
+            for term in self.lights.iter().flatten().skip(2 * light) {
+                recorder.step(|| Event::Series {
+                    cosine: term.cosine,
+                    series: term.series,
+                });
+            }
+            recorder.leave(|| Event::LightExpanded);
+        }
+        recorder.leave(|| Event::Expanded);
+    }
+
+    /// The intensity of a pixel. Pixels of a triangle come row by row, from left to right.
+    #[inline]
+    pub fn shade<R: Recorder<Event>>(
+        &mut self,
+        fragment: Fragment<Nothing>,
+        powers: &PowerTable,
+        recorder: &mut R,
+    ) -> Intensity {
+        let Fragment { x, y, first, .. } = fragment;
+        let on_screen = |x: u32| DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5) - self.middle;
+        let steps = match self.at {
+            Some((before, row)) if row == y => x - before,
+            _ => {
+                let start = on_screen(first);
+                for (light, terms) in self.lights.iter_mut().enumerate() {
+                    for term in terms {
+                        term.running = term.series.differences(start.x, start.y);
+                        recorder.step(|| term.started(light));
+                    }
+                }
+                x - first
+            }
+        };
+        self.at = Some((x, y));
+
+        let place = on_screen(x);
+        let mut intensity = Intensity {
+            whole: self.ambient,
+            diffuse: Rgb::BLACK,
+        };
+        for (light, [diffuse, specular]) in self.lights.iter_mut().enumerate() {
+            for term in [&mut *diffuse, &mut *specular] {
+                (0..steps).for_each(|_| term.running.advance());
+                recorder.step(|| term.evaluated(light, place));
+            }
+            if diffuse.running.value > 0.0 {
+                let power = powers.power(specular.running.value);
+                let i_d = diffuse.factor * diffuse.running.value;
+                let i_s = specular.factor * power;
+                recorder.step(|| Event::LightSummed { power, i_d, i_s });
+                intensity.whole += i_d + i_s;
+                intensity.diffuse += i_d;
+            }
+        }
+        intensity
+    }
+}
+
+impl Term {
+    fn new(cosine: Cosine, factor: Rgb, exact: Exact) -> Self {
+        let series = exact.series();
+        Term {
+            cosine,
+            factor,
+            series,
+            running: series.differences(0.0, 0.0),
+            exact,
+        }
+    }
+
+    fn started(&self, light: usize) -> Event {
+        Event::DifferencesStarted {
+            light: light as u16,
+            cosine: self.cosine,
+            running: self.running,
+        }
+    }
+
+    fn evaluated(&self, light: usize, place: DVec2) -> Event {
+        Event::CosineEvaluated {
+            light: light as u16,
+            cosine: self.cosine,
+            running: self.running,
+            direct: self.series.at(place.x, place.y),
+            exact: self.exact.at(place),
+        }
+    }
+}
+
+impl Exact {
+    fn at(&self, place: DVec2) -> f64 {
+        let n = self.normal.at(place.x, place.y).normalize_or_zero();
+        let cosine = n.dot(self.toward);
+        match self.mirrored_to {
+            None => cosine,
+            Some(to_eye) => 2.0 * cosine * n.dot(to_eye) - self.toward.dot(to_eye),
+        }
+    }
+
+    /// R·V is 2(N·L)(N·V) − L·V, so that its series comes from those of N·L and N·V.
+    fn series(&self) -> Quadratic {
+        if self.normal.n_0 == DVec3::ZERO {
+            return Quadratic::constant(0.0);
+        }
+        let series = Quadratic::of_cosine(&self.normal, self.toward);
+        match self.mirrored_to {
+            None => series,
+            Some(to_eye) => series
+                .product(Quadratic::of_cosine(&self.normal, to_eye))
+                .scaled(2.0, -self.toward.dot(to_eye)),
+        }
+    }
+}
+
+/// The cosine of the specular term, for the light of `diffuse`.
+fn highlight<R: Recorder<Event>>(
+    polygon: &Polygon,
+    diffuse: Exact,
+    to_eye: DVec3,
+    recorder: &mut R,
+) -> (Cosine, Exact) {
+    let shininess = polygon.material.shininess;
+    let normal = diffuse.normal.n_0.normalize_or_zero();
+    let to_light = diffuse.toward;
+    match polygon.material.highlight {
+        Highlight::Phong => {
+            recorder.step(|| {
+                let mirrored = 2.0 * normal.dot(to_light) * normal - to_light;
+                let r_dot_v = mirrored.dot(to_eye);
+                illumination::Event::Mirrored {
+                    mirrored,
+                    r_dot_v,
+                    shininess,
+                }
+                .into()
+            });
+            let exact = Exact {
+                mirrored_to: Some(to_eye),
+                ..diffuse
+            };
+            (Cosine::RDotV, exact)
+        }
+        Highlight::Blinn => {
+            let halfway = (to_light + to_eye).normalize_or_zero();
+            recorder.step(|| {
+                let n_dot_h = normal.dot(halfway);
+                illumination::Event::Halfway {
+                    halfway,
+                    n_dot_h,
+                    shininess,
+                }
+                .into()
+            });
+            let exact = Exact {
+                toward: halfway,
+                ..diffuse
+            };
+            (Cosine::NDotH, exact)
+        }
+    }
+}
+
+/// The point of expansion of a triangle of the screen.
+pub fn middle_of([a, b, c]: [DVec2; 3]) -> DVec2 {
+    (a + b + c) / 3.0
+}
+
+/// N over a triangle, linear on the screen.
+pub struct ExpandedNormal {
+    /// x and y count from the triangle's middle.
+    pub normal: LinearNormal,
+    /// Whether the corners' normals cancel out there, and the normal of the face stands for them.
+    pub vanished: bool,
+    /// Whether it was turned toward the eye.
+    pub turned: bool,
+}
+
+impl ExpandedNormal {
+    /// `to_eye` leads from the middle to the eye, of any length.
+    pub fn over(setup: &Setup, normals: [DVec3; 3], face: DVec3, to_eye: DVec3) -> Self {
+        let plane = setup.plane(normals);
+        let n_0 = (normals[0] + normals[1] + normals[2]) / 3.0;
+        let vanished = n_0.length() < VANISHED;
+        // A triangle without area has no slopes, nor pixels to notice it.
+        let linear = !vanished && plane.dx.is_finite() && plane.dy.is_finite();
+        let normal = LinearNormal {
+            n_0: if vanished { face } else { n_0 },
+            n_x: if linear { plane.dx } else { DVec3::ZERO },
+            n_y: if linear { plane.dy } else { DVec3::ZERO },
+        };
+        let turned = normal.n_0.dot(to_eye) < 0.0;
+        ExpandedNormal {
+            normal: if turned { normal.reversed() } else { normal },
+            vanished,
+            turned,
+        }
+    }
+}

@@ -1,0 +1,68 @@
+//! An intensity of light, with its diffuse part kept apart for a texture to multiply.
+
+use super::scan_line::Cargo;
+use crate::color::Rgb;
+use crate::numeric::Linear;
+use std::ops::{Add, Mul, Sub};
+
+/// Light sent to the eye, with the part of it that a texture multiplies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Intensity {
+    /// I
+    pub whole: Rgb,
+    /// The sum of I_d over all lights.
+    pub diffuse: Rgb,
+}
+
+impl Intensity {
+    /// I where a texture of the colour T multiplies k_d: I − I_d + T·I_d.
+    pub fn textured(self, color: Rgb) -> Rgb {
+        self.whole - self.diffuse + color * self.diffuse
+    }
+}
+
+impl Linear for Intensity {}
+
+impl Add for Intensity {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Intensity {
+            whole: self.whole + other.whole,
+            diffuse: self.diffuse + other.diffuse,
+        }
+    }
+}
+
+impl Sub for Intensity {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Intensity {
+            whole: self.whole - other.whole,
+            diffuse: self.diffuse - other.diffuse,
+        }
+    }
+}
+
+impl Mul<f64> for Intensity {
+    type Output = Self;
+    fn mul(self, factor: f64) -> Self {
+        Intensity {
+            whole: self.whole * factor,
+            diffuse: self.diffuse * factor,
+        }
+    }
+}
+
+/// Of a textured polygon the diffuse part goes along: the texture multiplies that alone.
+impl Cargo for Intensity {
+    type Told = Rgb;
+    fn told(self) -> Rgb {
+        self.whole
+    }
+}
+
+impl From<Intensity> for Rgb {
+    fn from(intensity: Intensity) -> Rgb {
+        intensity.whole
+    }
+}

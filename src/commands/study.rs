@@ -1,0 +1,100 @@
+//! `lightwalk study`: error against run time, and how work grows; tables, plots and a summary in words.
+
+use super::progress::Progress;
+use super::{Failure, LimitArguments, files};
+use crate::picture::{Theme, rasterize, to_png, to_svg};
+use crate::study::families;
+use crate::study::form::{Request, Study};
+use crate::study::harness::Findings;
+use crate::study::machine::Machine;
+use crate::study::plot::plot;
+use crate::study::report::{csv, json, summary};
+use std::path::{Path, PathBuf};
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Which studies; all of them unless named
+    #[arg(value_name = "NAME", value_parser = names())]
+    names: Vec<String>,
+    /// Few and small settings: less than a minute for all studies
+    #[arg(long)]
+    quick: bool,
+    /// A scene file of one's own, instead of the scenes that the studies bring
+    #[arg(long, value_name = "SCENE")]
+    scene: Option<PathBuf>,
+    /// Where NAME.csv, NAME.json, NAME.png, NAME.svg and summary.md go; it is made if it does not exist
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+fn names() -> clap::builder::PossibleValuesParser {
+    families::ALL.map(|study| study.name).into()
+}
+
+pub fn run(arguments: Arguments) -> Result<(), Failure> {
+    files::check_output_folder(&arguments.out)?;
+    let scene = match &arguments.scene {
+        Some(path) => Some(files::scene(path, &arguments.limits.into())?.0),
+        None => None,
+    };
+    let request = Request {
+        scene: scene.as_ref(),
+        quick: arguments.quick,
+    };
+    let machine = Machine::this(files::processor_name());
+    let wanted = |study: &&&Study| {
+        let named = |name: &String| name == study.name;
+        arguments.names.is_empty() || arguments.names.iter().any(named)
+    };
+    let (mut found, mut left_out) = (Vec::new(), Vec::new());
+    for &study in families::ALL.iter().filter(wanted) {
+        let progress = Progress::new(study.name);
+        let measured = study.measure(&request, &|done, all| progress.show(done, all));
+        drop(progress);
+        match measured {
+            Ok(findings) => {
+                write(&findings, &machine, &arguments)?;
+                found.push(findings);
+            }
+            Err(why) => {
+                super::tell(format_args!("lightwalk: {} is left out: {why}", study.name));
+                left_out.push((study.name, why));
+            }
+        }
+    }
+    let text = summary(&found, &left_out, &machine);
+    let path = arguments.out.join("summary.md");
+    make_folder(&arguments.out)?;
+    files::write_whole(&path, |out| out.write_all(text.as_bytes()))
+}
+
+/// The four files of one study.
+fn write(findings: &Findings, machine: &Machine, arguments: &Arguments) -> Result<(), Failure> {
+    let picture = plot(findings);
+    let pixels = rasterize(&picture, Theme::Light, 1.0)
+        .map_err(|error| Failure::Failed(format!("{}: {error}", findings.study.name)))?;
+    let scene = arguments
+        .scene
+        .as_ref()
+        .map(|path| path.display().to_string());
+    let told = json(findings, machine, arguments.quick, scene.as_deref());
+    make_folder(&arguments.out)?;
+    let put = |ending: &str, bytes: &[u8]| {
+        let path = arguments
+            .out
+            .join(format!("{}.{ending}", findings.study.name));
+        files::write_whole(&path, |out| out.write_all(bytes))
+    };
+    put("csv", csv(findings).as_bytes())?;
+    put("json", format!("{told:#}\n").as_bytes())?;
+    put("png", &to_png(&pixels))?;
+    put("svg", to_svg(&picture, Theme::Light).as_bytes())
+}
+
+/// Not before there is something to put into it.
+fn make_folder(folder: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Failure::Wrong(format!("--out {}: {error}", folder.display())))
+}

@@ -1,0 +1,108 @@
+//! The same picture by several methods side by side, with one cursor in all of them: where it stands, what each says there, what each
+//! did for the picture and how long it took.
+
+pub(super) mod cells;
+pub(super) mod cursor;
+
+use super::Show;
+use super::message::{NOT_COMPARED, message};
+use super::values::told_in_words;
+use super::words::Words;
+use crate::picture::{Image, Ink, Picture, Rect, Style, elide, fixed, number};
+use crate::render::compare::Compared;
+use cells::{Cell, cells};
+use cursor::Cursor;
+use glam::Vec2;
+
+const TEXT: f32 = 11.0;
+
+const ILLUMINATED: Words = Words::new("lit", "dihitung");
+const INTERPOLATED: Words = Words::new("interpolated", "interpolasi");
+const ROOTS: Words = Words::new("roots", "akar");
+const RAYS: Words = Words::new("rays", "sinar");
+const A_PIXEL: Words = Words::new("a pixel", "per piksel");
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    if show.compared.is_empty() {
+        return message(NOT_COMPARED, show.language, size);
+    }
+    let cursor = Cursor::of(show);
+    let mut picture = Picture::new(size.x, size.y);
+    let mut words = told_in_words(show);
+    let all = show.compared;
+    for (compared, cell) in all.iter().zip(cells(all, all.len(), 3, size)) {
+        let figures = figures(show, compared);
+        cell.title(
+            &mut picture,
+            compared.method,
+            show.run.method() == compared.method,
+        );
+        let frame = &compared.frame;
+        let colors = frame.color.iter();
+        let bytes: Vec<u8> = colors.flat_map(|color| color.to_srgb8()).collect();
+        let image = Image::new(frame.width, frame.rows.len() as u32, bytes);
+        picture.pixels(cell.image, image, (0, 0));
+        cell.frame(&mut picture, &cursor);
+        let here = cursor.value(frame).map_or_else(String::new, |color| {
+            let [r, g, b] = color.channels();
+            match r == g && g == b {
+                true => format!("I = {}", fixed(r, 3)),
+                false => format!("I = {}, {}, {}", fixed(r, 3), fixed(g, 3), fixed(b, 3)),
+            }
+        });
+        let lines = [here, figures.0, figures.1];
+        cell.lines(&mut picture, &lines);
+        words = format!("{words} {}: {}.", compared.method.name(), lines.join("; "));
+    }
+    picture.alt = words;
+    picture
+}
+
+/// A pixel's share of what was done and of the time.
+fn figures(show: &Show, compared: &Compared) -> (String, String) {
+    let say = |words: Words| words.in_language(show.language);
+    let done = compared.operations;
+    let pixels = done.pixels.max(1) as f64;
+    let mut told = Vec::new();
+    for (count, what) in [
+        (done.illuminations, ILLUMINATED),
+        (done.interpolations, INTERPOLATED),
+        (done.unit_normals, ROOTS),
+        (done.rays, RAYS),
+    ] {
+        if count > 0 {
+            told.push(format!("{} {}", three(count as f64 / pixels), say(what)));
+        }
+    }
+    let time = 1e9 * compared.seconds / pixels;
+    (
+        told.join(" · "),
+        format!("{} ns {}", three(time), say(A_PIXEL)),
+    )
+}
+
+/// Three digits.
+pub(super) fn three(value: f64) -> String {
+    number(format!("{value:.2e}").parse().unwrap_or(value))
+}
+
+impl Cell {
+    /// Lines under the image, as many as there is room for.
+    fn lines(&self, picture: &mut Picture, lines: &[String]) {
+        let style = Style::Body.size(TEXT).ink(Ink::Muted);
+        for (row, line) in lines.iter().enumerate() {
+            let y = self.below.y + cells::ROW * row as f32;
+            let place = Rect {
+                y,
+                height: cells::ROW,
+                ..self.below
+            };
+            let ink = if row == 0 { Ink::Text } else { Ink::Muted };
+            let text = elide(line, style.style, style.size, place.width);
+            picture.text_in(place, text, style.ink(ink));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,90 @@
+//! A panel divided into cells: a title, an image, and lines of text under it.
+
+use super::cursor::Cursor;
+use crate::picture::{Ink, Picture, Rect, Style, elide};
+use crate::render::Method;
+use crate::render::compare::Compared;
+use glam::Vec2;
+
+/// Height of a line of text.
+pub const ROW: f32 = 15.0;
+const TITLE: f32 = 18.0;
+const MARGIN: f32 = 6.0;
+const TEXT: f32 = 12.0;
+
+/// One of several alike.
+pub struct Cell {
+    title: Rect,
+    /// In the shape of the picture.
+    pub image: Rect,
+    /// Pixels of the picture.
+    size: Vec2,
+    /// For lines of text.
+    pub below: Rect,
+}
+
+/// `count` cells for pictures like those, each with `lines` lines of text, in as many columns as make the images largest.
+pub fn cells(of: &[Compared], count: usize, lines: usize, size: Vec2) -> Vec<Cell> {
+    let Some(first) = of.first() else {
+        return Vec::new();
+    };
+    let picture = Vec2::new(first.frame.width as f32, first.frame.rows.len() as f32);
+    let text = ROW * lines as f32;
+    let arranged = (1..=count).map(|columns| {
+        let rows = count.div_ceil(columns);
+        let cell = Vec2::new(
+            (size.x - MARGIN) / columns as f32,
+            (size.y - MARGIN) / rows as f32,
+        );
+        let room = Vec2::new(cell.x - MARGIN, cell.y - MARGIN - TITLE - text).max(Vec2::ZERO);
+        ((room / picture).min_element(), columns, cell)
+    });
+    let (scale, columns, cell) = arranged
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .unwrap_or((0.0, 1, size));
+    (0..count)
+        .map(|number| {
+            let at = Vec2::new((number % columns) as f32, (number / columns) as f32) * cell;
+            let at = at + Vec2::splat(MARGIN);
+            let width = cell.x - MARGIN;
+            let extent = picture * scale;
+            // Images stand at the left of their cells, under the beginning of the title.
+            let image = Rect::new(at.x, at.y + TITLE, extent.x, extent.y);
+            Cell {
+                title: Rect::new(at.x, at.y, width, TITLE),
+                image,
+                size: picture,
+                below: Rect::new(at.x, image.bottom() + 1.0, width, text),
+            }
+        })
+        .collect()
+}
+
+impl Cell {
+    /// The method's name; that of the run that is walked through stands out.
+    pub fn title(&self, picture: &mut Picture, method: Method, walked: bool) {
+        let ink = if walked { Ink::This } else { Ink::Text };
+        let style = Style::Bold.size(TEXT).ink(ink);
+        let name = elide(method.name(), style.style, style.size, self.title.width);
+        picture.text_in(self.title, name, style);
+    }
+
+    /// The image's border, and on it the cursor.
+    pub fn frame(&self, picture: &mut Picture, cursor: &Cursor) {
+        let scale = self.image.width / self.size.x;
+        picture.clipped(self.image, |picture| {
+            if let Some(y) = cursor.y {
+                let at = self.image.y + scale * (y as f32 + 0.5);
+                let stroke = Ink::This.stroke(1.0).opacity(0.8);
+                picture.line((self.image.x, at), (self.image.right(), at), stroke);
+                if let Some(x) = cursor.x {
+                    let at = Vec2::new(self.image.x + scale * (x as f32 + 0.5), at);
+                    let radius = (0.75 * scale).max(4.0);
+                    let paint = Ink::This.stroke(1.75);
+                    picture.circle(at, radius, paint);
+                }
+            }
+        });
+        picture.rect(self.image, Ink::Rule.stroke(1.0));
+    }
+}

@@ -1,0 +1,47 @@
+//! The pixel that all methods are asked about: the one that the run is at, and before it comes to one, what it looks at.
+
+use super::super::Show;
+use crate::algorithms::focus::Focus;
+use crate::algorithms::frame::Frame;
+use crate::color::Rgb;
+use crate::record::Value;
+
+/// A scan line, and a pixel on it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cursor {
+    pub x: Option<u32>,
+    pub y: Option<u32>,
+}
+
+impl Cursor {
+    pub fn of(show: &Show) -> Cursor {
+        let walk = show.run.walk();
+        let told = (!walk.is_empty()).then(|| walk.fields(walk.position()));
+        let whole = |name| match told.as_ref().and_then(|fields| fields.get(name)) {
+            Some(Value::Integer(value)) => u32::try_from(value).ok(),
+            _ => None,
+        };
+        let looked_at = match show.focus {
+            Focus::Pixel { x, y } => (Some(x), Some(y)),
+            Focus::ScanLine(y) => (None, Some(y)),
+            _ => (None, None),
+        };
+        let y = whole("y").or(looked_at.1);
+        Cursor {
+            x: whole("x").or(looked_at.0).filter(|_| y.is_some()),
+            y,
+        }
+    }
+
+    /// The row that is looked at, and before there is one that in the middle.
+    pub fn row(&self, frame: &Frame) -> u32 {
+        let rows = frame.rows.len() as u32;
+        self.y.filter(|&y| y < rows).unwrap_or(rows / 2)
+    }
+
+    /// The colour of a picture there.
+    pub fn value(&self, frame: &Frame) -> Option<Rgb> {
+        let (x, y) = (self.x?, self.y?);
+        (x < frame.width && frame.rows.contains(&y)).then(|| frame.pixel(x, y))
+    }
+}

@@ -1,0 +1,160 @@
+use super::super::crowd::{SIZES, assert_legible};
+use super::super::sample::Sample;
+use super::super::words::Language;
+use super::super::{Panel, draw};
+use super::*;
+use crate::algorithms::focus::Focus;
+use crate::algorithms::stage::Stage;
+use crate::picture::{Shape, Tag};
+use crate::render::Method;
+use crate::render::compare::compare_on;
+use crate::replay::Run;
+
+const METHODS: [Method; 4] = [
+    Method::Wireframe,
+    Method::Flat,
+    Method::Gouraud,
+    Method::Phong,
+];
+const PANELS: [Panel; 3] = [Panel::Comparison, Panel::Difference, Panel::Profile];
+
+fn stage(sample: &Sample) -> &Stage {
+    match &sample.run {
+        Run::Gouraud(replay) => &replay.state().stage,
+        Run::Phong(replay) => &replay.state().stage,
+        _ => panic!("the sample converts polygons"),
+    }
+}
+
+/// On a clock that ticks a microsecond each time it is looked at.
+fn compared(sample: &Sample) -> Vec<Compared> {
+    let mut ticks = 0.0;
+    let mut clock = || {
+        ticks += 1e-6;
+        ticks
+    };
+    let methods = METHODS.into_iter();
+    methods
+        .map(|method| compare_on(stage(sample), method, &mut clock))
+        .collect()
+}
+
+#[test]
+fn every_step_is_legible_at_every_size() {
+    for mut sample in [
+        Sample::triangle(Method::Gouraud),
+        Sample::pyramid(Method::Phong),
+    ] {
+        let compared = compared(&sample);
+        for step in sample.some_steps(20011) {
+            sample.seek(step);
+            for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
+                let show = Show {
+                    compared: &compared,
+                    ..sample.show_in(language)
+                };
+                for panel in PANELS {
+                    let picture = draw(panel, &show, size);
+                    let what = format!("{} {step} at {size}", panel.name());
+                    assert_legible(&picture, &what);
+                    assert!(!picture.alt.is_empty(), "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_cursor_goes_with_the_pixel_of_the_run_in_every_picture() {
+    let mut sample = Sample::triangle(Method::Gouraud);
+    let compared = compared(&sample);
+    let circles = |sample: &Sample| {
+        let show = Show {
+            compared: &compared,
+            ..sample.show()
+        };
+        let picture = draw(Panel::Comparison, &show, Vec2::new(640.0, 460.0));
+        let circles = picture.items.iter().filter_map(|item| match item.shape {
+            Shape::Circle { center, .. } => Some(center),
+            _ => None,
+        });
+        circles.collect::<Vec<_>>()
+    };
+    sample.go_to("PixelColored", 3);
+    let before = circles(&sample);
+    assert_eq!(before.len(), METHODS.len());
+    sample.go_to("PixelColored", 4);
+    let after = circles(&sample);
+    let moved: Vec<Vec2> = before.iter().zip(&after).map(|(b, a)| a - b).collect();
+    assert!(moved[0].length() > 1.0);
+    assert!(moved.iter().all(|by| by.distance(moved[0]) < 1e-3));
+}
+
+#[test]
+fn every_picture_answers_the_pointer_with_its_pixels() {
+    let sample = Sample::triangle(Method::Gouraud);
+    let compared = compared(&sample);
+    let show = Show {
+        compared: &compared,
+        ..sample.show()
+    };
+    for panel in [Panel::Comparison, Panel::Difference] {
+        let picture = draw(panel, &show, Vec2::new(640.0, 460.0));
+        let images: Vec<Rect> = picture
+            .items
+            .iter()
+            .filter_map(|item| match &item.shape {
+                Shape::Image {
+                    rect,
+                    first_pixel: Some(_),
+                    ..
+                } => Some(*rect),
+                _ => None,
+            })
+            .collect();
+        assert!(images.len() >= 3);
+        for rect in images {
+            let tag = picture.hit(rect.center());
+            assert!(
+                matches!(
+                    tag,
+                    Some(Tag::Pixel {
+                        x: 23..=24,
+                        y: 17..=18
+                    })
+                ),
+                "{tag:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn phong_costs_more_than_gouraud_and_flat_least() {
+    let sample = Sample::pyramid(Method::Phong);
+    let compared = compared(&sample);
+    let [_, flat, gouraud, phong] = &compared[..] else {
+        panic!("four methods");
+    };
+    assert_eq!(flat.operations.pixels, gouraud.operations.pixels);
+    assert_eq!(flat.operations.illuminations, 4);
+    assert_eq!(gouraud.operations.illuminations, 5);
+    assert_eq!(phong.operations.illuminations, phong.operations.pixels);
+    assert_eq!(phong.operations.unit_normals, phong.operations.pixels);
+    assert_eq!(flat.operations.interpolations, 0);
+    assert_eq!(
+        gouraud.operations.interpolations,
+        phong.operations.interpolations
+    );
+}
+
+#[test]
+fn nothing_to_compare_says_so() {
+    let sample = Sample::triangle(Method::Gouraud);
+    assert_eq!(sample.run.method(), Method::Gouraud);
+    assert_eq!(sample.show().focus, Focus::Polygon(0));
+    for panel in PANELS {
+        let picture = draw(panel, &sample.show(), Vec2::new(300.0, 200.0));
+        assert!(picture.alt.starts_with("The pictures"), "{}", picture.alt);
+    }
+}

@@ -1,0 +1,159 @@
+//! How far each method's picture is from the reference's, pixel by pixel: brighter, darker, and by how much at most and on average.
+
+use super::Show;
+use super::comparison::cells::{ROW, cells};
+use super::comparison::cursor::Cursor;
+use super::comparison::three;
+use super::message::{NOT_COMPARED, message};
+use super::values::told_in_words;
+use super::words::Words;
+use crate::color::Rgb;
+use crate::picture::{Image, Ink, Picture, Rect, Style, elide};
+use crate::render::compare::{Compared, Difference, difference};
+use glam::Vec2;
+
+const TEXT: f32 = 11.0;
+const SCALE: f32 = 18.0;
+
+const AGAINST: Words = Words::new("luminance minus that of", "luminans dikurangi luminans");
+const RMS: Words = Words::new("rms", "rms");
+const LARGEST: Words = Words::new("largest", "terbesar");
+const HERE: Words = Words::new("here", "di sini");
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    let Some((reference, others)) = show
+        .compared
+        .split_last()
+        .filter(|(_, rest)| !rest.is_empty())
+    else {
+        return message(NOT_COMPARED, show.language, size);
+    };
+    let say = |words: Words| words.in_language(show.language);
+    let cursor = Cursor::of(show);
+    let differences: Vec<Difference> = others
+        .iter()
+        .map(|compared| difference(&compared.frame, &reference.frame))
+        .collect();
+    let most = differences
+        .iter()
+        .fold(0.0, |most: f64, d| most.max(d.largest));
+    let mut picture = Picture::new(size.x, size.y);
+    let mut words = format!(
+        "{} {} {}.",
+        told_in_words(show),
+        say(AGAINST),
+        reference.method.name()
+    );
+    let room = Vec2::new(size.x, size.y - SCALE - ROW);
+    for ((compared, difference), cell) in
+        others
+            .iter()
+            .zip(&differences)
+            .zip(cells(others, others.len(), 2, room))
+    {
+        cell.title(
+            &mut picture,
+            compared.method,
+            show.run.method() == compared.method,
+        );
+        picture.pixels(cell.image, image(compared, difference, most), (0, 0));
+        cell.frame(&mut picture, &cursor);
+        let width = compared.frame.width as usize;
+        let here = match (cursor.x, cursor.y) {
+            (Some(x), Some(y)) => difference.signed.get(y as usize * width + x as usize),
+            _ => None,
+        };
+        let figures = format!(
+            "{} {} · {} {}",
+            say(RMS),
+            three(difference.rms),
+            say(LARGEST),
+            three(difference.largest)
+        );
+        let here = here.map_or_else(String::new, |here| {
+            format!("{}: {}", say(HERE), three(*here))
+        });
+        let style = Style::Body.size(TEXT);
+        for (row, line) in [&figures, &here].into_iter().enumerate() {
+            let place = Rect {
+                y: cell.below.y + ROW * row as f32,
+                height: ROW,
+                ..cell.below
+            };
+            picture.text_in(
+                place,
+                elide(line, style.style, style.size, place.width),
+                style,
+            );
+        }
+        words = format!("{words} {}: {figures}.", compared.method.name());
+    }
+    scale(&mut picture, most, reference, show, size);
+    picture.alt = words;
+    picture
+}
+
+fn image(compared: &Compared, difference: &Difference, most: f64) -> Image {
+    let bytes: Vec<u8> = difference
+        .signed
+        .iter()
+        .flat_map(|d| diverging(d / most.max(f64::MIN_POSITIVE)).to_srgb8())
+        .collect();
+    Image::new(
+        compared.frame.width,
+        compared.frame.rows.len() as u32,
+        bytes,
+    )
+}
+
+/// From −1, blue, over 0, nearly white, to 1, orange: told apart also by those who see red and green alike.
+fn diverging(share: f64) -> Rgb {
+    const ENDS: [[u8; 3]; 2] = [[0x08, 0x45, 0x94], [0xb3, 0x58, 0x06]];
+    const MIDDLE: [u8; 3] = [0xf7, 0xf7, 0xf7];
+    let share = share.clamp(-1.0, 1.0);
+    let end = ENDS[usize::from(share > 0.0)];
+    // A root, so that small differences are seen too.
+    let part = share.abs().sqrt();
+    Rgb::from_srgb8([0, 1, 2].map(|c| {
+        let [from, to] = [MIDDLE[c], end[c]].map(f64::from);
+        (from + part * (to - from)).round() as u8
+    }))
+}
+
+/// Under the images: what the colours mean.
+fn scale(picture: &mut Picture, most: f64, reference: &Compared, show: &Show, size: Vec2) {
+    const COLORS: u32 = 65;
+    let style = Style::Body.size(TEXT).ink(Ink::Muted);
+    let row = Rect::new(6.0, size.y - SCALE - ROW, size.x - 12.0, ROW);
+    let words = format!(
+        "{} {}",
+        AGAINST.in_language(show.language),
+        reference.method.name()
+    );
+    picture.text_in(
+        row,
+        elide(&words, style.style, style.size, row.width),
+        style,
+    );
+    let row = Rect::new(6.0, size.y - SCALE, size.x - 12.0, SCALE - 2.0);
+    let (low, high) = (format!("−{}", three(most)), format!("+{}", three(most)));
+    let around = style.width(&low) + style.width(&high) + 12.0;
+    let strip = Rect::new(
+        row.x + style.width(&low) + 6.0,
+        row.y + 3.0,
+        (row.width - around).clamp(20.0, 200.0),
+        row.height - 6.0,
+    );
+    let middle = f64::from(COLORS / 2);
+    let bytes: Vec<u8> = (0..COLORS)
+        .flat_map(|step| diverging(f64::from(step) / middle - 1.0).to_srgb8())
+        .collect();
+    picture.text_in(row, low, style);
+    picture.image(strip, Image::new(COLORS, 1, bytes));
+    picture.rect(strip, Ink::Rule.stroke(1.0));
+    let right = Rect {
+        x: strip.right() + 6.0,
+        ..row
+    };
+    picture.text_in(right, high, style);
+}

@@ -1,0 +1,317 @@
+//! Intensity along one scan line by several methods: the luminance itself, its slope, and how bright it looks. A jump of the slope is
+//! seen as a band that is in no pixel: a Mach band.
+
+use super::Show;
+use super::comparison::cursor::Cursor;
+use super::message::{NOT_COMPARED, message};
+use super::values::told_in_words;
+use super::words::Words;
+use crate::numeric::perceived;
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide, number};
+use crate::render::Method;
+use crate::render::compare::Compared;
+use glam::Vec2;
+use std::ops::Range;
+
+const MARGIN: f32 = 8.0;
+const TEXT: f32 = 11.0;
+const ROW: f32 = 16.0;
+/// Pixels to the left and right of what is drawn.
+const AROUND: u32 = 4;
+/// With more points some are passed over.
+const MOST_POINTS: usize = 160;
+
+const INTENSITY: Words = Words::new("intensity", "intensitas");
+const SLOPE: Words = Words::new("its slope, a pixel", "kemiringannya, per piksel");
+const SEEN: Words = Words::new(
+    "as it looks (lateral inhibition)",
+    "seperti terlihat (inhibisi lateral)",
+);
+const LINE: Words = Words::new("scan line", "garis scan");
+const LARGEST_JUMP: Words = Words::new("largest jump of slope", "lompatan kemiringan terbesar");
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    let Some(first) = show.compared.first() else {
+        return message(NOT_COMPARED, show.language, size);
+    };
+    let say = |words: Words| words.in_language(show.language);
+    let cursor = Cursor::of(show);
+    let row = cursor.row(&first.frame);
+    let profiles: Vec<Profile> = shaded(show.compared)
+        .map(|(number, compared)| Profile::of(number, compared, row))
+        .collect();
+    let columns = columns(show.compared, row, first.frame.width);
+    let mut picture = Picture::new(size.x, size.y);
+    let whole = picture.bounds().grown(-MARGIN);
+    let title = Rect {
+        height: ROW,
+        ..whole
+    };
+    let caption = format!("{} y = {row}", say(LINE));
+    let style = Style::Bold.size(TEXT).ink(Ink::This);
+    picture.text_in(title, caption.clone(), style);
+    let left = title.x + style.width(&caption) + 14.0;
+    legend(
+        &mut picture,
+        &profiles,
+        Rect {
+            x: left,
+            width: whole.right() - left,
+            ..title
+        },
+    );
+
+    let fields: [(Words, Values); 3] = [
+        (INTENSITY, |profile| &profile.intensity),
+        (SLOPE, |profile| &profile.slope),
+        (SEEN, |profile| &profile.seen),
+    ];
+    let height = (whole.height - 2.0 * ROW) / fields.len() as f32;
+    for (number, (words, values)) in fields.into_iter().enumerate() {
+        let place = Rect::new(
+            whole.x,
+            whole.y + ROW + height * number as f32,
+            whole.width,
+            height,
+        );
+        let curves = profiles.iter().map(|profile| (profile, values(profile)));
+        let field = Field::new(curves.clone().map(|(_, values)| values), &columns, place);
+        field.frame(&mut picture, say(words), cursor.x);
+        for (profile, values) in curves {
+            field.curve(&mut picture, profile, values);
+        }
+        if number + 1 == 3 {
+            field.pixels(&mut picture);
+        }
+    }
+    let jumps = profiles.iter().map(|profile| {
+        let name = profile.method.name();
+        format!(
+            "{name}: {} {}",
+            say(LARGEST_JUMP),
+            number(three(profile.jump))
+        )
+    });
+    picture.alt = format!(
+        "{} {} {row}. {}.",
+        told_in_words(show),
+        say(LINE),
+        jumps.collect::<Vec<_>>().join("; ")
+    );
+    picture
+}
+
+/// What is shown of a profile.
+type Values = fn(&Profile) -> &[f64];
+
+/// All but wireframe, which fills nothing; with their numbers among all.
+fn shaded(compared: &[Compared]) -> impl Iterator<Item = (usize, &Compared)> {
+    let all = compared.iter().enumerate();
+    all.filter(|(_, compared)| compared.method != Method::Wireframe)
+}
+
+/// The row's columns that any method has drawn, and a few around them.
+fn columns(compared: &[Compared], row: u32, width: u32) -> Range<u32> {
+    let drawn = |x: &u32| {
+        shaded(compared).any(|(_, compared)| {
+            let frame = &compared.frame;
+            frame.inverse_depth[frame.index(*x, row)] > 0.0
+        })
+    };
+    let first = (0..width).find(drawn);
+    let last = (0..width).rev().find(drawn);
+    match (first, last) {
+        (Some(first), Some(last)) => first.saturating_sub(AROUND)..(last + 1 + AROUND).min(width),
+        _ => 0..width,
+    }
+}
+
+/// One method along the scan line, a value a column.
+struct Profile {
+    /// Among all methods compared.
+    number: usize,
+    method: Method,
+    intensity: Vec<f64>,
+    /// Between a pixel and the next.
+    slope: Vec<f64>,
+    seen: Vec<f64>,
+    /// The largest jump of the slope between neighbours on one surface.
+    jump: f64,
+}
+
+impl Profile {
+    fn of(number: usize, compared: &Compared, row: u32) -> Profile {
+        let frame = &compared.frame;
+        let intensity: Vec<f64> = (0..frame.width)
+            .map(|x| frame.pixel(x, row).luminance())
+            .collect();
+        let slope: Vec<f64> = intensity.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let drawn = |x: usize| frame.inverse_depth[frame.index(x as u32, row)] > 0.0;
+        let jumps = slope.windows(2).enumerate();
+        let within = jumps.filter(|&(x, _)| drawn(x) && drawn(x + 1) && drawn(x + 2));
+        let jump = within.fold(0.0, |most: f64, (_, pair)| {
+            most.max((pair[1] - pair[0]).abs())
+        });
+        Profile {
+            number,
+            method: compared.method,
+            seen: perceived(&intensity),
+            intensity,
+            slope,
+            jump,
+        }
+    }
+
+    fn stroke(&self) -> Stroke {
+        let stroke = Ink::Series(self.number as u8).stroke(1.5);
+        match self.number % 3 {
+            0 => stroke,
+            1 => stroke.dashed(),
+            _ => stroke.dotted(),
+        }
+    }
+}
+
+fn legend(picture: &mut Picture, profiles: &[Profile], row: Rect) {
+    let style = Style::Body.size(TEXT);
+    let mut x = row.x;
+    for profile in profiles {
+        let name = profile.method.name();
+        let width = 22.0 + style.width(name);
+        if x + width > row.right() {
+            return;
+        }
+        let y = row.center().y;
+        picture.line((x, y), (x + 18.0, y), profile.stroke());
+        picture.text_in(Rect { x: x + 22.0, ..row }, name, style);
+        x += width + 12.0;
+    }
+}
+
+/// A strip of its own scale.
+struct Field {
+    place: Rect,
+    columns: Range<u32>,
+    low: f64,
+    high: f64,
+}
+
+impl Field {
+    fn new<'a>(
+        curves: impl Iterator<Item = &'a [f64]>,
+        columns: &Range<u32>,
+        whole: Rect,
+    ) -> Field {
+        let part = |values: &'a [f64]| {
+            let end = (columns.end as usize).min(values.len());
+            &values[(columns.start as usize).min(end)..end]
+        };
+        let values = curves.flat_map(part).filter(|value| value.is_finite());
+        let (low, high) = values.fold((0.0_f64, 0.0_f64), |(low, high), &value| {
+            (low.min(value), high.max(value))
+        });
+        let style = Style::Body.size(TEXT);
+        let ends = [low, high].map(|end| style.width(&number(three(end))));
+        let left = ends[0].max(ends[1]) + 8.0;
+        Field {
+            place: Rect::new(
+                whole.x + left,
+                whole.y + ROW,
+                (whole.width - left - 4.0).max(1.0),
+                (whole.height - ROW - 4.0).max(1.0),
+            ),
+            columns: columns.clone(),
+            low,
+            high: if high > low { high } else { low + 1.0 },
+        }
+    }
+
+    fn x(&self, column: f64) -> f32 {
+        let share = (column - f64::from(self.columns.start)) / self.columns.len().max(1) as f64;
+        self.place.x + self.place.width * share as f32
+    }
+
+    fn y(&self, value: f64) -> f32 {
+        let share = (value - self.low) / (self.high - self.low);
+        self.place.bottom() - self.place.height * share.clamp(0.0, 1.0) as f32
+    }
+
+    fn frame(&self, picture: &mut Picture, title: &str, cursor: Option<u32>) {
+        let style = Style::Body.size(TEXT).ink(Ink::Muted);
+        let row = Rect::new(self.place.x, self.place.y - ROW, self.place.width, ROW);
+        picture.text_in(
+            row,
+            elide(title, Style::Body, TEXT, row.width),
+            style.ink(Ink::Text),
+        );
+        picture.rect(self.place, Ink::Rule.stroke(1.0));
+        let mut ends = vec![self.high];
+        if self.low < 0.0 {
+            ends.push(self.low);
+        }
+        let apart = |value: f64| (self.y(value) - self.y(0.0)).abs() > 15.0;
+        ends.retain(|&value| apart(value));
+        ends.push(0.0);
+        for value in ends {
+            let at = self.y(value);
+            picture.line(
+                (self.place.x - 3.0, at),
+                (self.place.x, at),
+                Ink::Muted.stroke(1.0),
+            );
+            let baseline = at + style.baseline_below_middle();
+            picture.text(
+                (self.place.x - 5.0, baseline),
+                number(three(value)),
+                style.end(),
+            );
+        }
+        if self.low < 0.0 {
+            let at = self.y(0.0);
+            let stroke = Ink::Rule.stroke(1.0);
+            picture.line((self.place.x, at), (self.place.right(), at), stroke);
+        }
+        if let Some(x) = cursor.filter(|x| self.columns.contains(x)) {
+            let at = self.x(f64::from(x) + 0.5);
+            let stroke = Ink::This.stroke(1.25);
+            picture.line((at, self.place.y), (at, self.place.bottom()), stroke);
+        }
+    }
+
+    fn curve(&self, picture: &mut Picture, profile: &Profile, values: &[f64]) {
+        // What stands between two pixels is drawn between them.
+        let shift = if values.len() < profile.intensity.len() {
+            1.0
+        } else {
+            0.5
+        };
+        let columns = self.columns.start as usize..(self.columns.end as usize).min(values.len());
+        let stride = columns.len().div_ceil(MOST_POINTS).max(1);
+        let points: Vec<Vec2> = columns
+            .step_by(stride)
+            .map(|x| Vec2::new(self.x(x as f64 + shift), self.y(values[x])))
+            .collect();
+        if points.len() > 1 {
+            picture.polyline(points, profile.stroke());
+        }
+    }
+
+    /// Numbers of pixels under the last strip.
+    fn pixels(&self, picture: &mut Picture) {
+        let style = Style::Body.size(TEXT).ink(Ink::Muted);
+        let row = Rect::new(
+            self.place.x,
+            self.place.bottom() + 1.0,
+            self.place.width,
+            ROW,
+        );
+        let last = self.columns.end.saturating_sub(1);
+        picture.text_in(row, format!("x = {}", self.columns.start), style);
+        picture.text_in(row, format!("x = {last}"), style.end());
+    }
+}
+
+/// To three digits.
+fn three(value: f64) -> f64 {
+    format!("{value:.2e}").parse().unwrap_or(value)
+}

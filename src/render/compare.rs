@@ -1,0 +1,162 @@
+//! Several methods on one stage: their pictures, what each did for it, and how long it took.
+
+use super::{Method, render};
+use crate::algorithms::exact::exact;
+use crate::algorithms::fast_phong::fast_phong;
+use crate::algorithms::flat::flat;
+use crate::algorithms::focus::Focus;
+use crate::algorithms::frame::Frame;
+use crate::algorithms::gouraud::gouraud;
+use crate::algorithms::phong::phong;
+use crate::algorithms::ray_casting::{RayCaster, ray_casting};
+use crate::algorithms::ray_tracing::{RayTracer, ray_tracing};
+use crate::algorithms::stage::Stage;
+use crate::algorithms::visible::Hierarchy;
+use crate::algorithms::wireframe::wireframe;
+use crate::record::Counter;
+use std::iter::zip;
+use std::num::NonZeroUsize;
+use web_time::Instant;
+
+/// Pictures are made so often, and the median of their times is told.
+const REPEATS: usize = 5;
+
+/// One method on a stage.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    pub method: Method,
+    pub frame: Frame,
+    /// Of the whole picture on one thread, unrecorded: the median of five.
+    pub seconds: f64,
+    pub operations: Operations,
+}
+
+/// What a method did for a whole picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Operations {
+    /// Pixels drawn, one behind another more than once.
+    pub pixels: u64,
+    /// Points lit by the illumination model.
+    pub illuminations: u64,
+    /// Values interpolated on edges and spans.
+    pub interpolations: u64,
+    /// Normals brought to unit length at pixels: a square root and a division each.
+    pub unit_normals: u64,
+    /// Rays of all kinds.
+    pub rays: u64,
+}
+
+/// Draws the stage's whole picture by `method`; on the clock of this machine.
+pub fn compare(stage: &Stage, method: Method) -> Compared {
+    let start = Instant::now();
+    compare_on(stage, method, || start.elapsed().as_secs_f64())
+}
+
+/// As [`compare`], on a clock that tells seconds.
+pub fn compare_on(stage: &Stage, method: Method, mut clock: impl FnMut() -> f64) -> Compared {
+    let draw = || render(stage, method, NonZeroUsize::MIN, &|_, _| {});
+    // The first one warms up.
+    let frame = draw();
+    let mut times = [0.0; REPEATS].map(|_: f64| {
+        let start = clock();
+        draw();
+        clock() - start
+    });
+    times.sort_by(f64::total_cmp);
+    Compared {
+        method,
+        frame,
+        seconds: times[REPEATS / 2],
+        operations: operations(stage, method),
+    }
+}
+
+/// Heard from a run that is told, but of which nothing is kept. Radiosity tells of patches, not of pixels.
+fn operations(stage: &Stage, method: Method) -> Operations {
+    let view = &stage.view;
+    let mut frame = Frame::new(view.width, 0..view.height, stage.scene.background);
+    let (frame, counter, focus) = (&mut frame, &mut Counter::default(), Focus::Frame);
+    match method {
+        Method::Wireframe => wireframe(stage, focus, frame, counter),
+        Method::Flat => flat(stage, focus, frame, counter),
+        Method::Gouraud => gouraud(stage, focus, frame, counter),
+        Method::Phong => phong(stage, focus, frame, counter),
+        Method::FastPhong => fast_phong(stage, focus, frame, counter),
+        Method::Exact => exact(stage, focus, frame, counter),
+        Method::RayCasting => {
+            let caster = RayCaster::new(stage, stage.needs(), Hierarchy);
+            ray_casting(&caster, focus, frame, counter);
+        }
+        Method::RayTracing => {
+            let tracer = RayTracer::new(stage, stage.needs(), Hierarchy);
+            ray_tracing(&tracer, focus, frame, counter);
+        }
+        Method::Radiosity => {}
+    }
+    let sum = |kinds: &[&str]| kinds.iter().map(|kind| counter.of(kind)).sum();
+    Operations {
+        pixels: sum(&["PixelColored", "PixelPlotted"]),
+        illuminations: sum(&["Illuminated"]),
+        interpolations: sum(&["EdgeInterpolated", "SpanInterpolated"]),
+        unit_normals: sum(&["PixelNormal"]),
+        rays: sum(&["Ray", "ShadowRay"]),
+    }
+}
+
+/// How far one picture is from another of the same size.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Luminance of the one minus that of the other, pixel by pixel.
+    pub signed: Vec<f64>,
+    /// The largest magnitude, and the root of the mean square, over the pixels on which either has drawn something.
+    pub largest: f64,
+    pub rms: f64,
+}
+
+/// `picture` against `reference`.
+pub fn difference(picture: &Frame, reference: &Frame) -> Difference {
+    let colors = zip(&picture.color, &reference.color);
+    let signed: Vec<f64> = colors
+        .map(|(one, other)| one.luminance() - other.luminance())
+        .collect();
+    let depths = zip(&picture.inverse_depth, &reference.inverse_depth);
+    let drawn = zip(&signed, depths).filter(|(d, (one, other))| {
+        // Methods that follow rays keep no depth: where they differ, something is drawn.
+        **one > 0.0 || **other > 0.0 || **d != 0.0
+    });
+    let (mut largest, mut squares, mut count) = (0.0_f64, 0.0, 0.0);
+    for (d, _) in drawn {
+        largest = largest.max(d.abs());
+        squares += d * d;
+        count += 1.0;
+    }
+    Difference {
+        signed,
+        largest,
+        rms: if count > 0.0 {
+            f64::sqrt(squares / count)
+        } else {
+            0.0
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::color::Rgb;
+
+    #[test]
+    fn the_difference_counts_drawn_pixels_alone() {
+        let mut picture = Frame::new(4, 0..1, Rgb::BLACK);
+        let reference = Frame::new(4, 0..1, Rgb::BLACK);
+        picture.color[1] = Rgb::splat(0.3);
+        picture.color[2] = Rgb::splat(-0.4);
+        picture.inverse_depth = vec![0.0, 1.0, 1.0, 1.0];
+        let difference = difference(&picture, &reference);
+        let near = |value: f64, wanted: f64| (value - wanted).abs() < 1e-12;
+        assert!(near(difference.signed[1], 0.3) && near(difference.signed[2], -0.4));
+        assert!(near(difference.largest, 0.4));
+        assert!(near(difference.rms, (0.25_f64 / 3.0).sqrt()));
+    }
+}

@@ -1,0 +1,239 @@
+//! Form-factor methods by the number of their samples, for pairs of unit squares whose form factor has a closed form.
+//!
+//! With a scene of the user's: all its form factors, what stands between left aside, against the automatic choice at its sharpest.
+
+use crate::algorithms::form_factor::hemicube::Hemicubes;
+use crate::algorithms::form_factor::{FormFactors, Method};
+use crate::record::Counter;
+use crate::record::Unrecorded;
+use crate::scene::Scene;
+use crate::scene::patches::Patches;
+use crate::study::count::operations;
+use crate::study::fit::Law;
+use crate::study::form::{
+    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
+};
+use crate::study::machine::SEED;
+use std::rc::Rc;
+
+pub static STUDY: Study = Study {
+    name: "form-factors",
+    title: "Form-factor methods by samples",
+    about: "Which way to a form factor is cheapest for a given error, where patches face each other, and where they touch? Of adaptive methods 1/tolerance counts as samples.",
+    ladders,
+};
+
+/// Pairs of unit squares: title, corners of the second one, and F to 17 digits, from the closed forms.
+const PAIRS: [(&str, [[f64; 3]; 4], f64); 3] = [
+    (
+        "Parallel squares at distance 1",
+        [[0., 0., 1.], [0., 1., 1.], [1., 1., 1.], [1., 0., 1.]],
+        0.199_824_895_698_387_38,
+    ),
+    (
+        "Parallel squares at distance 0.1",
+        [[0., 0., 0.1], [0., 1., 0.1], [1., 1., 0.1], [1., 0., 0.1]],
+        0.826_994_522_397_256_6,
+    ),
+    (
+        "Squares with a common edge at 90°",
+        [[0., 0., 0.], [0., 1., 0.], [0., 1., 1.], [0., 0., 1.]],
+        0.200_043_776_075_403_15,
+    ),
+];
+
+const FIRST: [[f64; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
+
+fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+    match request.scene {
+        Some(scene) => whole_scene(scene, request).map(|ladder| vec![ladder]),
+        None => PAIRS.iter().map(|pair| of_pair(pair, request)).collect(),
+    }
+}
+
+fn of_pair(
+    (title, second, f): &(&str, [[f64; 3]; 4], f64),
+    request: &Request,
+) -> Result<Ladder, String> {
+    let squares = super::scenes::polygons(&[FIRST, *second]);
+    let patches = Rc::new(Patches::of(&squares, 2).map_err(|error| error.to_string())?);
+    let truth: Rc<[f64]> = Rc::new([*f]);
+    let curves = curves(request, |method| {
+        let counted = &mut Counter::default();
+        FormFactors::new(&patches, method, None).pair(0, 1, counted);
+        let operations = operations(counted, &KINDS);
+        let patches = patches.clone();
+        let run = move || {
+            let form_factors = FormFactors::new(&patches, method, None);
+            Values::Numbers(vec![form_factors.pair(0, 1, &mut Unrecorded)])
+        };
+        (
+            operations,
+            scratch(method),
+            Box::new(move || Ok(run())) as _,
+        )
+    });
+    Ok(ladder(
+        title,
+        Reference {
+            what: format!("F = {f:.15}, the closed form"),
+            error: 1e-16,
+            known_by: "known to 17 digits; what is left is rounding".into(),
+        },
+        curves,
+        &truth,
+    ))
+}
+
+fn whole_scene(scene: &Scene, request: &Request) -> Result<Ladder, String> {
+    let patches = Patches::of(scene, 100_000).map_err(|error| error.to_string())?;
+    let n = patches.len();
+    let most = request.either(200, 500);
+    if !(2..=most).contains(&n) {
+        return Err(format!(
+            "the scene has {n} patches; measured are 2 to {most}, whose matrix is made again and again"
+        ));
+    }
+    let patches = Rc::new(patches);
+    let matrix = |tolerance| FormFactors::new(&patches, Method::Auto { tolerance }, None).matrix();
+    let truth: Rc<[f64]> = matrix(1e-10).into();
+    let curves = curves(request, |method| {
+        let entries = Operations {
+            of: "form_factors",
+            count: (n * n) as u64,
+        };
+        let patches = patches.clone();
+        let run = move || Values::Numbers(FormFactors::new(&patches, method, None).matrix());
+        let bytes = scratch(method) + (n * n * size_of::<f64>()) as u64;
+        (vec![entries], bytes, Box::new(move || Ok(run())) as _)
+    });
+    let reference = Reference {
+        what: "the automatic choice at a tolerance of 1e-10".into(),
+        error: 1e-10,
+        known_by: "its tolerance".into(),
+    };
+    Ok(ladder(
+        "All form factors of the scene, unobstructed",
+        reference,
+        curves,
+        &truth,
+    ))
+}
+
+fn ladder(title: &str, reference: Reference, curves: Vec<Unfinished>, truth: &Rc<[f64]>) -> Ladder {
+    let curves = curves.into_iter();
+    let curves = curves.map(|(name, rungs)| Curve::against(truth, name, rungs));
+    Ladder {
+        title: title.into(),
+        axes: Axes::ErrorOverTime,
+        size: "samples",
+        quantity: "F",
+        law: Law::Power,
+        reference,
+        memory: "the matrix where there is one, and the pixels of a hemicube; counted by their sizes",
+        curves: curves.collect(),
+    }
+}
+
+/// A curve without what is right.
+type Unfinished = (&'static str, Vec<Rung>);
+
+/// Operations, bytes, and the work.
+type Work = (Vec<Operations>, u64, Box<crate::study::form::Run>);
+
+/// Every method with more and more samples.
+fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
+    let points: &[usize] = request.either(&[1, 2, 3, 4, 6, 8], &[1, 2, 3, 4, 6, 8, 12, 16]);
+    let tolerances: &[i32] =
+        request.either(&[2, 4, 6, 8, 10], &[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
+    let rays: &[u32] = request.either(&[6, 8, 10, 12, 14], &[6, 8, 10, 12, 14, 16, 18]);
+    let pixels: &[u32] = request.either(&[16, 32, 64, 128], &[16, 32, 64, 128, 256, 512]);
+    let rung = |setting: String, size: f64, method: Method| {
+        let (operations, bytes, run) = work(method);
+        Rung {
+            setting,
+            size,
+            bytes,
+            operations,
+            truth: None,
+            run,
+        }
+    };
+    let gauss = |n: usize| n as f64;
+    let area = points.iter().map(|&points| {
+        let setting = format!("{points}⁴ pairs");
+        rung(
+            setting,
+            gauss(points).powi(4),
+            Method::AreaToArea { points },
+        )
+    });
+    let element = points.iter().map(|&points| {
+        let setting = format!("{points}² points");
+        rung(
+            setting,
+            gauss(points).powi(2),
+            Method::ElementToPolygon { points },
+        )
+    });
+    let tolerance = |exponent: i32| 10_f64.powi(-exponent);
+    let contour = tolerances.iter().map(|&exponent| {
+        let tolerance = tolerance(exponent);
+        let setting = format!("tolerance {tolerance:e}");
+        rung(setting, 1.0 / tolerance, Method::Contour { tolerance })
+    });
+    let auto = tolerances.iter().map(|&exponent| {
+        let tolerance = tolerance(exponent);
+        let setting = format!("tolerance {tolerance:e}");
+        rung(setting, 1.0 / tolerance, Method::Auto { tolerance })
+    });
+    let monte_carlo = rays.iter().map(|&power| {
+        let (rays, seed) = (1 << power, SEED);
+        rung(
+            format!("{rays} rays"),
+            rays.into(),
+            Method::MonteCarlo { rays, seed },
+        )
+    });
+    let hemicube = |points: u32| {
+        let rung = &rung;
+        let rungs = pixels.iter().map(move |&resolution| {
+            let hemicubes = Hemicubes { resolution, points };
+            let size = 3.0 * f64::from(resolution * points).powi(2);
+            rung(
+                format!("{resolution} pixels"),
+                size,
+                Method::Hemicube(hemicubes),
+            )
+        });
+        rungs.collect()
+    };
+    vec![
+        ("area to area", area.collect()),
+        ("element to polygon", element.collect()),
+        ("contour", contour.collect()),
+        ("auto", auto.collect()),
+        ("Monte Carlo", monte_carlo.collect()),
+        ("hemicube at the centre", hemicube(1)),
+        ("4×4 hemicubes", hemicube(4)),
+    ]
+}
+
+/// What the methods tell of their work.
+const KINDS: [(&str, &str); 5] = [
+    ("Pair", "pairs_of_points"),
+    ("Edge", "edges_seen"),
+    ("EdgePair", "pairs_of_edges"),
+    ("Ray", "rays"),
+    ("Pixel", "hemicube_pixels_of_the_patch"),
+];
+
+/// The depth buffers of the five faces of a hemicube.
+fn scratch(method: Method) -> u64 {
+    match method {
+        Method::Hemicube(Hemicubes { resolution, .. }) => {
+            5 * u64::from(resolution).pow(2) * size_of::<f64>() as u64
+        }
+        _ => 0,
+    }
+}

@@ -1,0 +1,321 @@
+//! How time and memory grow with the size of the work, algorithm by algorithm.
+
+use super::pictures::{self, MEMORY, sends_rays_on, settings};
+use super::solvers::{Problem, solvers};
+use super::{memory, scenes};
+use crate::algorithms::focus::Focus;
+use crate::algorithms::form_factor::{self, FormFactors};
+use crate::algorithms::frame::Frame;
+use crate::algorithms::gouraud::{self, gouraud};
+use crate::algorithms::primary::Settings;
+use crate::algorithms::stage::Stage;
+use crate::record::{Mark, Outline, Recording, RecordingLimit, Unrecorded};
+use crate::render::Method;
+use crate::scene::patches::Patches;
+use crate::scene::{Scene, Shape, sphere_mesh};
+use crate::study::fit::Law;
+use crate::study::form::{
+    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
+};
+use glam::DVec3;
+use std::cell::RefCell;
+use std::rc::Rc;
+
+pub static STUDY: Study = Study {
+    name: "growth",
+    title: "How work grows",
+    about: "What does twice the pixels, triangles, levels, patches or events cost?",
+    ladders,
+};
+
+fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+    if let Some(scene) = request.scene {
+        // Of a scene that is given only the picture and the depth can be varied.
+        let mut parts = vec![pixels(scene, request)?];
+        parts.extend(
+            sends_rays_on(scene)
+                .then(|| depth(&[("the scene", scene)], request))
+                .transpose()?,
+        );
+        return Ok(parts);
+    }
+    let [mirrors, balls] = [scenes::MIRRORS, scenes::BALLS].map(scenes::own);
+    Ok(vec![
+        pixels(&balls, request)?,
+        triangles(request)?,
+        depth(
+            &[("two mirrors", &mirrors), ("a glass ball", &balls)],
+            request,
+        )?,
+        form_factors(request)?,
+        solving(request)?,
+        events(request)?,
+    ])
+}
+
+fn part(
+    title: &str,
+    size: &'static str,
+    memory: &'static str,
+    curves: impl IntoIterator<Item = Curve>,
+) -> Ladder {
+    Ladder {
+        title: title.into(),
+        axes: Axes::TimeOverSize,
+        size,
+        quantity: "nothing",
+        law: Law::Power,
+        reference: Reference::none(),
+        memory,
+        curves: curves.into_iter().collect(),
+    }
+}
+
+/// All methods that draw without solving for light first.
+fn methods() -> impl Iterator<Item = Method> {
+    let draws = |method: &Method| *method != Method::Radiosity;
+    Method::ALL.into_iter().filter(draws)
+}
+
+fn pixels(scene: &Scene, request: &Request) -> Result<Ladder, String> {
+    let camera = scenes::camera(scene)?;
+    let doublings = request.either(4, 6);
+    let stages: Vec<_> = (0..doublings)
+        .map(|step| [40 << step, 30 << step])
+        .map(|size| {
+            (
+                size,
+                Rc::new(RefCell::new(scenes::stage(scene.clone(), &camera, size))),
+            )
+        })
+        .collect();
+    let curves = methods().map(|method| {
+        let rungs = stages.iter().map(|([width, height], stage)| {
+            let pixels = f64::from(width * height);
+            let setting = format!("{width}×{height}");
+            pictures::rung(setting, pixels, stage, method, Settings::default())
+        });
+        Curve {
+            name: method.name().into(),
+            rungs: rungs.collect(),
+        }
+    });
+    Ok(part("pixels", "pixels", MEMORY, curves))
+}
+
+fn triangles(request: &Request) -> Result<Ladder, String> {
+    let steps = request.either(5, 7);
+    let mut stages = Vec::new();
+    for step in 0..steps {
+        let longitudes = 8 << step;
+        let mut scene = scenes::own(scenes::BALLS);
+        let mesh = sphere_mesh(DVec3::ZERO, 1.2, [longitudes, longitudes / 2]);
+        scene.objects.truncate(1);
+        scene.objects[0].shape = Shape::Mesh(mesh);
+        let camera = scenes::camera(&scene)?;
+        let stage = scenes::stage(scene, &camera, [160, 120]);
+        stages.push((longitudes, Rc::new(RefCell::new(stage))));
+    }
+    let curves = methods().map(|method| {
+        let rungs = stages.iter().map(|(longitudes, stage)| {
+            // Quadrilaterals, but for the triangles at the poles
+            let triangles = longitudes * (longitudes - 2);
+            let setting = format!("{triangles} triangles");
+            pictures::rung(
+                setting,
+                triangles.into(),
+                stage,
+                method,
+                Settings::default(),
+            )
+        });
+        Curve {
+            name: method.name().into(),
+            rungs: rungs.collect(),
+        }
+    });
+    Ok(part(
+        "triangles of a ball, in 160×120 pixels",
+        "triangles",
+        MEMORY,
+        curves,
+    ))
+}
+
+fn depth(scenes: &[(&str, &Scene)], request: &Request) -> Result<Ladder, String> {
+    let size = request.either([40, 30], [160, 120]);
+    let deepest = request.either(8, 12);
+    let mut curves = Vec::new();
+    for (name, scene) in scenes {
+        let camera = scenes::camera(scene)?;
+        let stage = scenes::stage((*scene).clone(), &camera, size);
+        let stage = Rc::new(RefCell::new(stage));
+        let rungs = (1..=deepest).map(|depth| {
+            let setting = format!("depth {depth}");
+            pictures::rung(
+                setting,
+                depth.into(),
+                &stage,
+                Method::RayTracing,
+                settings(depth, 1),
+            )
+        });
+        curves.push(Curve {
+            name: (*name).into(),
+            rungs: rungs.collect(),
+        });
+    }
+    Ok(part("depth of rays", "levels", MEMORY, curves))
+}
+
+fn form_factors(request: &Request) -> Result<Ladder, String> {
+    let most = request.either(4, 8);
+    let mut rooms = Vec::new();
+    for n in 1..=most {
+        let patches = Patches::of(&scenes::cube(n), 100_000).map_err(|error| error.to_string())?;
+        rooms.push(Rc::new(patches));
+    }
+    let curves = form_factor::Method::NAMES.into_iter().filter_map(|name| {
+        let method = match form_factor::Method::named(name)? {
+            // A sixteenth of the rays and pixels: how they grow is the same.
+            form_factor::Method::MonteCarlo { rays, seed } => form_factor::Method::MonteCarlo {
+                rays: rays / 16,
+                seed,
+            },
+            form_factor::Method::Hemicube(cubes) => {
+                form_factor::Method::Hemicube(form_factor::hemicube::Hemicubes {
+                    resolution: cubes.resolution / 4,
+                    ..cubes
+                })
+            }
+            method => method,
+        };
+        let rungs = rooms.iter().map(|patches| matrix_rung(patches, method));
+        Some(Curve {
+            name: name.into(),
+            rungs: rungs.collect(),
+        })
+    });
+    Ok(part(
+        "form factors of all patches of a cube",
+        "patches",
+        "the matrix",
+        curves,
+    ))
+}
+
+fn matrix_rung(patches: &Rc<Patches>, method: form_factor::Method) -> Rung {
+    let n = patches.len();
+    let shared = patches.clone();
+    Rung {
+        setting: format!("{n} patches"),
+        size: n as f64,
+        bytes: (n * n * size_of::<f64>()) as u64,
+        operations: vec![Operations {
+            of: "form_factors",
+            count: (n * n) as u64,
+        }],
+        truth: None,
+        run: Box::new(move || {
+            let matrix = FormFactors::new(&shared, method, None).matrix();
+            Ok(Values::Numbers(matrix))
+        }),
+    }
+}
+
+fn solving(request: &Request) -> Result<Ladder, String> {
+    let sides: &[u32] = request.either(&[2, 3, 4, 6], &[2, 3, 4, 6, 8, 12]);
+    let mut problems = Vec::new();
+    for &n in sides {
+        problems.push(Rc::new(Problem::of(&scenes::cube(n), usize::MAX)?));
+    }
+    let curves = solvers().map(|solver| {
+        let rungs = problems.iter().map(|problem| {
+            let n = problem.patches();
+            let shared = problem.clone();
+            Rung {
+                setting: format!("{n} patches"),
+                size: n as f64,
+                bytes: problem.bytes(),
+                operations: Vec::new(),
+                truth: None,
+                run: Box::new(move || {
+                    let solution = shared.solve(solver, 1e-6, &mut Unrecorded)?;
+                    Ok(Values::Numbers(solution.radiosity))
+                }),
+            }
+        });
+        Curve {
+            name: solver.name().into(),
+            rungs: rungs.collect(),
+        }
+    });
+    Ok(part(
+        "solving a cube to a residual of 1e-6",
+        "patches",
+        "the matrix and four numbers a patch",
+        curves,
+    ))
+}
+
+/// A Gouraud frame, recorded whole into memory that is used again, and unrecorded.
+fn events(request: &Request) -> Result<Ladder, String> {
+    let steps = request.either(4, 5);
+    let scene = scenes::own(scenes::BALLS);
+    let camera = scenes::camera(&scene)?;
+    let (mut recorded, mut unrecorded) = (Vec::new(), Vec::new());
+    for step in 0..steps {
+        let size = [40 << step, 30 << step];
+        let stage = Rc::new(scenes::stage(scene.clone(), &camera, size));
+        let recording = Rc::new(RefCell::new(Recording::new(RecordingLimit::default())));
+        draw(&stage, &mut *recording.borrow_mut());
+        let events = recording.borrow().len();
+        let rung = |bytes: u64, run: Box<crate::study::form::Run>| Rung {
+            setting: format!("{events} events"),
+            size: events as f64,
+            bytes,
+            operations: vec![Operations {
+                of: "events",
+                count: events as u64,
+            }],
+            truth: None,
+            run,
+        };
+        let an_event = size_of::<gouraud::Event>() + size_of::<Mark>() + Outline::BYTES_AN_EVENT;
+        let frame = memory::frame(size);
+        let of_recorded = stage.clone();
+        recorded.push(rung(
+            frame + (events * an_event) as u64,
+            Box::new(move || {
+                let mut recording = recording.borrow_mut();
+                recording.restart(RecordingLimit::default());
+                draw(&of_recorded, &mut *recording);
+                Ok(Values::Numbers(Vec::new()))
+            }),
+        ));
+        unrecorded.push(rung(
+            frame,
+            Box::new(move || {
+                draw(&stage, &mut Unrecorded);
+                Ok(Values::Numbers(Vec::new()))
+            }),
+        ));
+    }
+    let curves = [("recorded", recorded), ("unrecorded", unrecorded)];
+    let curves = curves.map(|(name, rungs)| Curve {
+        name: name.into(),
+        rungs,
+    });
+    Ok(part(
+        "events of a Gouraud frame",
+        "events",
+        "colour and depth of every pixel; recorded, the events with their marks and outline",
+        curves,
+    ))
+}
+
+fn draw(stage: &Stage, recorder: &mut impl crate::record::Recorder<gouraud::Event>) {
+    let view = &stage.view;
+    let mut frame = Frame::new(view.width, 0..view.height, stage.scene.background);
+    gouraud(stage, Focus::Frame, &mut frame, recorder);
+}

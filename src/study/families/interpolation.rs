@@ -1,0 +1,114 @@
+//! Incremental against direct interpolation: a ramp from 0 to 1 in more and more steps, in f32 and in f64.
+
+use crate::numeric::{Linear, Ramp, interpolate};
+use crate::study::fit::Law;
+use crate::study::form::{
+    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
+};
+use std::ops::{Add, Mul, Sub};
+
+pub static STUDY: Study = Study {
+    name: "interpolation",
+    title: "Incremental against direct interpolation",
+    about: "One addition a step, or the formula anew at every step: what does the addition save, and what does it lose?",
+    ladders,
+};
+
+/// A number of 32 bits that is interpolated.
+#[derive(Clone, Copy)]
+struct Single(f32);
+
+impl Linear for Single {}
+
+impl Add for Single {
+    type Output = Single;
+    fn add(self, other: Single) -> Single {
+        Single(self.0 + other.0)
+    }
+}
+
+impl Sub for Single {
+    type Output = Single;
+    fn sub(self, other: Single) -> Single {
+        Single(self.0 - other.0)
+    }
+}
+
+/// Weights are rounded to 32 bits too.
+impl Mul<f64> for Single {
+    type Output = Single;
+    fn mul(self, weight: f64) -> Single {
+        Single(self.0 * weight as f32)
+    }
+}
+
+/// The values of the ramp at steps 1, 2, … of so many.
+type Way = fn(u32) -> Vec<f64>;
+
+const WAYS: [(&str, Way); 4] = [
+    ("incremental, f32", |steps| {
+        incremental(Single(0.0), Single(1.0), steps, |a| a.0.into())
+    }),
+    ("direct, f32", |steps| {
+        direct(Single(0.0), Single(1.0), steps, |a| a.0.into())
+    }),
+    ("incremental, f64", |steps| {
+        incremental(0.0, 1.0, steps, |a| a)
+    }),
+    ("direct, f64", |steps| direct(0.0, 1.0, steps, |a| a)),
+];
+
+fn incremental<A: Linear>(zero: A, one: A, steps: u32, number: fn(A) -> f64) -> Vec<f64> {
+    let mut ramp = Ramp::start(zero, 0.0, one, f64::from(steps), 0.0);
+    let step = |_| {
+        ramp.advance();
+        number(ramp.value)
+    };
+    (0..steps).map(step).collect()
+}
+
+fn direct<A: Linear>(zero: A, one: A, steps: u32, number: fn(A) -> f64) -> Vec<f64> {
+    let at = |i: u32| interpolate(zero, 0.0, one, f64::from(steps), f64::from(i));
+    (1..=steps).map(|i| number(at(i))).collect()
+}
+
+fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+    if request.scene.is_some() {
+        return Err("it is about a formula, whatever the scene".into());
+    }
+    let powers = request.either(1..=5, 1..=6);
+    let sizes: Vec<u32> = powers.map(|power| 10_u32.pow(power)).collect();
+    let curves = WAYS.map(|(name, way)| Curve {
+        name: name.into(),
+        rungs: sizes.iter().map(|&steps| rung(steps, way)).collect(),
+    });
+    Ok(vec![Ladder {
+        title: "Steps".into(),
+        axes: Axes::ErrorOverSize,
+        size: "steps",
+        quantity: "the values from 0 to 1",
+        law: Law::Power,
+        reference: Reference {
+            what: "i/n in f64, rounded once".into(),
+            error: 0.5 * f64::EPSILON,
+            known_by: "half a unit in the last place".into(),
+        },
+        memory: "the values of the ramp, as f64",
+        curves: curves.into(),
+    }])
+}
+
+fn rung(steps: u32, way: Way) -> Rung {
+    let right = (1..=steps).map(|i| f64::from(i) / f64::from(steps));
+    Rung {
+        setting: format!("{steps} steps"),
+        size: steps.into(),
+        bytes: u64::from(steps) * size_of::<f64>() as u64,
+        operations: vec![Operations {
+            of: "steps",
+            count: steps.into(),
+        }],
+        truth: Some(right.collect()),
+        run: Box::new(move || Ok(Values::Numbers(way(steps)))),
+    }
+}

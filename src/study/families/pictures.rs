@@ -1,0 +1,106 @@
+//! Pictures by ray methods, as the rungs of several studies draw them.
+
+use super::memory;
+use crate::algorithms::primary::Settings;
+use crate::algorithms::stage::Stage;
+use crate::color::Rgb;
+use crate::render::{Method, RayCounts, render, render_counted};
+use crate::scene::Scene;
+use crate::study::form::{Operations, Rung, Values};
+use std::cell::RefCell;
+use std::num::{NonZeroU32, NonZeroUsize};
+use std::rc::Rc;
+
+/// A stage that many rungs share, each with settings of its own.
+pub type Shared = Rc<RefCell<Stage>>;
+
+/// How far ray methods go. Both must be positive.
+pub fn settings(depth: u32, samples: u32) -> Settings {
+    let positive = |n: u32| NonZeroU32::new(n).unwrap_or(NonZeroU32::MIN);
+    Settings {
+        depth: positive(depth),
+        samples: positive(samples),
+    }
+}
+
+/// The picture, its channels in a row.
+pub fn picture(stage: &Shared, method: Method, settings: Settings) -> Vec<f64> {
+    stage.borrow_mut().settings = settings;
+    let frame = render(&stage.borrow(), method, NonZeroUsize::MIN, &|_, _| ());
+    Values::Picture(frame).numbers()
+}
+
+/// A setting that draws a whole picture on one thread. Its rays are counted at once.
+pub fn rung(
+    setting: String,
+    size: f64,
+    stage: &Shared,
+    method: Method,
+    settings: Settings,
+) -> Rung {
+    let operations = operations(stage, method, settings);
+    let bytes = {
+        let stage = stage.borrow();
+        let view = &stage.view;
+        let scene = match method.follows_rays() {
+            true => stage.solids().bytes(),
+            false => 0,
+        };
+        memory::frame([view.width, view.height]) + memory::polygons(&stage) + scene
+    };
+    let stage = stage.clone();
+    Rung {
+        setting,
+        size,
+        bytes,
+        operations,
+        truth: None,
+        run: Box::new(move || {
+            stage.borrow_mut().settings = settings;
+            let stage = stage.borrow();
+            let frame = render(&stage, method, NonZeroUsize::MIN, &|_, _| ());
+            Ok(Values::Picture(frame))
+        }),
+    }
+}
+
+/// Rays by kind, or the polygons of a method that follows none.
+fn operations(stage: &Shared, method: Method, settings: Settings) -> Vec<Operations> {
+    stage.borrow_mut().settings = settings;
+    let stage = stage.borrow();
+    let pixels = u64::from(stage.view.width) * u64::from(stage.view.height);
+    let mut told = vec![("pixels", pixels)];
+    if method.follows_rays() {
+        let one = NonZeroUsize::MIN;
+        let (_, rays) = render_counted(&stage, method, stage.needs(), one, &|_, _| ());
+        let RayCounts {
+            primary,
+            shadow,
+            reflected,
+            transmitted,
+            total_internal_reflection,
+        } = rays;
+        told.extend([
+            ("primary_rays", primary),
+            ("shadow_rays", shadow),
+            ("reflected_rays", reflected),
+            ("transmitted_rays", transmitted),
+            ("total_internal_reflections", total_internal_reflection),
+        ]);
+    } else {
+        told.push(("polygons", stage.tessellation.polygon_count() as u64));
+    }
+    let told = told.into_iter().filter(|(_, count)| *count > 0);
+    told.map(|(of, count)| Operations { of, count }).collect()
+}
+
+/// Whether any ray of the scene has children.
+pub fn sends_rays_on(scene: &Scene) -> bool {
+    scene.objects.iter().any(|object| {
+        let material = &scene.materials[object.material];
+        material.reflection != Rgb::BLACK || material.transmission != Rgb::BLACK
+    })
+}
+
+/// What counts as memory of these rungs.
+pub const MEMORY: &str = "colour and depth of every pixel, the polygons with their vertices, and for rays the objects with their hierarchies, counted by their sizes";

@@ -1,0 +1,56 @@
+//! Ray methods by samples a pixel: how quickly the mean over n×n rays comes to the light that the whole pixel receives.
+
+use super::pictures::{self, MEMORY, picture, settings};
+use super::scenes;
+use crate::render::Method;
+use crate::scene::Scene;
+use crate::study::errors::Errors;
+use crate::study::fit::Law;
+use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Study};
+use std::cell::RefCell;
+use std::rc::Rc;
+
+pub static STUDY: Study = Study {
+    name: "ray-samples",
+    title: "Ray methods by samples a pixel",
+    about: "How many rays a pixel are enough against jagged edges?",
+    ladders,
+};
+
+const DEPTH: u32 = 3;
+const METHODS: [Method; 2] = [Method::RayCasting, Method::RayTracing];
+
+fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+    let scene = request
+        .scene
+        .map_or_else(|| scenes::own(scenes::BALLS), Scene::clone);
+    let camera = scenes::camera(&scene)?;
+    let size = request.either([32, 24], [120, 90]);
+    let (sides, finest): (&[u32], u32) =
+        request.either((&[1, 2, 3, 4, 6, 8], 32), (&[1, 2, 3, 4, 6, 8, 12, 16], 64));
+    let stage = Rc::new(RefCell::new(scenes::stage(scene, &camera, size)));
+    let ladder = |method: Method| {
+        let truth: Rc<[f64]> = picture(&stage, method, settings(DEPTH, finest)).into();
+        let half = picture(&stage, method, settings(DEPTH, finest / 2));
+        let change = Errors::of(&half, &truth);
+        let rungs = sides.iter().map(|&n| {
+            let setting = format!("{n}×{n}");
+            pictures::rung(setting, n.into(), &stage, method, settings(DEPTH, n))
+        });
+        Ladder {
+            title: method.name().into(),
+            axes: Axes::ErrorOverTime,
+            size: "rays along a pixel's side",
+            quantity: "intensity",
+            law: Law::Power,
+            reference: Reference {
+                what: format!("the same picture with {finest}×{finest} rays a pixel"),
+                error: change.map_or(0.0, |change| change.rms),
+                known_by: "how far it is from half as many along each side: right where errors halve with that, else too large".into(),
+            },
+            memory: MEMORY,
+            curves: vec![Curve::against(&truth, method.name(), rungs.collect())],
+        }
+    };
+    Ok(METHODS.map(ladder).into())
+}

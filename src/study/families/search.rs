@@ -1,0 +1,126 @@
+//! The nearest hit, object by object or by the hierarchy: the same picture, bit for bit, in another time.
+
+use super::{memory, scenes};
+use crate::algorithms::ray_casting::RayCaster;
+use crate::algorithms::stage::Stage;
+use crate::algorithms::visible::{Hierarchy, InTurn, Search};
+use crate::record::Unrecorded;
+use crate::scene::{Object, Scene, Shape};
+use crate::study::fit::Law;
+use crate::study::form::{
+    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
+};
+use glam::DVec3;
+use std::rc::Rc;
+
+pub static STUDY: Study = Study {
+    name: "search",
+    title: "Every object in turn against the hierarchy",
+    about: "From how many objects on is a hierarchy worth it? Both ways find the same, so that there is no error.",
+    ladders,
+};
+
+fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+    let size = request.either([32, 24], [80, 60]);
+    let scenes: Vec<Scene> = match request.scene {
+        Some(scene) => vec![scene.clone()],
+        None => {
+            let most = request.either(10, 16);
+            (0..=most).map(|power| spheres(1 << power)).collect()
+        }
+    };
+    let mut stages = Vec::new();
+    for scene in scenes {
+        let camera = scenes::camera(&scene)?;
+        stages.push(Rc::new(scenes::stage(scene, &camera, size)));
+    }
+    Ok(vec![Ladder {
+        title: "Objects".into(),
+        axes: Axes::TimeOverSize,
+        size: "objects",
+        quantity: "intensity",
+        law: Law::Power,
+        reference: Reference::none(),
+        memory: "the objects with their hierarchy, and colour and depth of every pixel, counted by their sizes",
+        curves: vec![
+            curve("every object in turn", &stages, InTurn),
+            curve("hierarchy", &stages, Hierarchy),
+        ],
+    }])
+}
+
+fn curve<S: Search + 'static>(name: &str, stages: &[Rc<Stage>], search: S) -> Curve {
+    let rungs = stages.iter().map(|stage| {
+        let objects = stage.scene.objects.len() as u64;
+        let size = [stage.view.width, stage.view.height];
+        let pixels = u64::from(size[0]) * u64::from(size[1]);
+        let bytes = stage.solids().bytes() + memory::frame(size);
+        let stage = stage.clone();
+        Rung {
+            setting: format!("{objects} objects"),
+            size: objects as f64,
+            bytes,
+            operations: vec![Operations {
+                of: "primary_rays",
+                count: pixels,
+            }],
+            truth: None,
+            run: Box::new(move || Ok(Values::Numbers(cast(&stage, search)))),
+        }
+    });
+    Curve {
+        name: name.into(),
+        rungs: rungs.collect(),
+    }
+}
+
+/// The picture by ray casting.
+fn cast(stage: &Stage, search: impl Search) -> Vec<f64> {
+    let caster = RayCaster::new(stage, stage.needs(), search);
+    let pixels = (0..stage.view.height).flat_map(|y| (0..stage.view.width).map(move |x| (x, y)));
+    pixels
+        .flat_map(|(x, y)| caster.pixel(x, y, &mut Unrecorded).channels())
+        .collect()
+}
+
+/// So many balls in a cube that the camera looks at, a golden spiral from its middle outward.
+fn spheres(count: u32) -> Scene {
+    let mut scene = scenes::own(scenes::BALLS);
+    let material = scene.objects[0].material;
+    let radius = 1.2 / f64::from(count).cbrt();
+    scene.objects = (0..count)
+        .map(|i| {
+            let share = (f64::from(i) + 0.5) / f64::from(count);
+            let angle = f64::from(i) * std::f64::consts::PI * (3.0 - 5_f64.sqrt());
+            let z = 1.0 - 2.0 * share;
+            let around = (1.0 - z * z).sqrt();
+            let out = 2.0 * (f64::from(i) * 0.754_877_666_246_692_7).fract().cbrt();
+            let toward = DVec3::new(around * angle.cos(), around * angle.sin(), z);
+            Object {
+                name: format!("ball {i}"),
+                material,
+                shape: Shape::Sphere {
+                    center: out * toward,
+                    radius: 0.4 * radius,
+                },
+                patches: [1, 1],
+                divisions: Object::DIVISIONS,
+                casts_shadow: true,
+            }
+        })
+        .collect();
+    scene
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn both_ways_find_the_same_to_the_bit() {
+        let scene = spheres(40);
+        let camera = scenes::camera(&scene).unwrap();
+        let stage = scenes::stage(scene, &camera, [16, 12]);
+        assert_eq!(cast(&stage, InTurn), cast(&stage, Hierarchy));
+    }
+}

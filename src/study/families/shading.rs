@@ -1,0 +1,233 @@
+//! Shading methods by tessellation: how close polygons come to the true curved surface, lit with its true normal at every pixel.
+//!
+//! The reference casts a ray through every pixel to the true spheres and lights the point that it meets, with no shadows. Compared
+//! is where the sphere faces the eye, N·V ≥ 0.6: the silhouette is a matter of the polygons' outline and not of the shading.
+
+use super::{memory, scenes};
+use crate::algorithms::primary;
+use crate::algorithms::ray_casting::RayCaster;
+use crate::algorithms::stage::Stage;
+use crate::algorithms::visible::Hierarchy;
+use crate::color::Rgb;
+use crate::record::Unrecorded;
+use crate::render::{Method, render};
+use crate::scene::solids::Ray;
+use crate::scene::{Camera, Light, Scene, Shape, sphere_mesh};
+use crate::study::fit::Law;
+use crate::study::form::{
+    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
+};
+use std::num::{NonZeroU32, NonZeroUsize};
+use std::rc::Rc;
+
+pub static STUDY: Study = Study {
+    name: "shading",
+    title: "Shading methods by tessellation",
+    about: "How many polygons does each shading method need, and how long does it take, until a ball looks as smooth as it is?",
+    ladders,
+};
+
+const BALL: &str = r#"{ "schema": 1, "background": [0.1, 0.1, 0.1],
+  "camera": { "eye": [0, 0, -4], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 40 },
+  "materials": { "plastic": { "ambient": [0.1, 0.1, 0.1], "diffuse": [0.6, 0.4, 0.2], "specular": [0.4, 0.4, 0.4], "shininess": 20, "highlight": "phong" } },
+  "objects": [{ "name": "ball", "material": "plastic", "sphere": { "center": [0, 0, 0], "radius": 1 } }],
+  "lights": [{ "directional": { "toward": [-0.4, -0.5, 1], "color": [1, 1, 1] } }] }"#;
+
+/// Of N·V: seen less steeply than this, a pixel is compared.
+const FACING: f64 = 0.6;
+
+fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+    let scene = match request.scene {
+        Some(scene) => scene.clone(),
+        None => scenes::own(BALL),
+    };
+    let camera = scenes::camera(&scene)?;
+    let scene = plain(scene);
+    let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere { .. });
+    if !scene.objects.iter().any(|object| is_sphere(&object.shape)) {
+        return Err("the scene has no sphere, so no surface whose true normals are known".into());
+    }
+    let size = request.either([200, 150], [400, 300]);
+    let finest = request.either(5, 7);
+    let truth = truth(&scene, &camera, size)?;
+    // 8, 16, 32 … longitudes, half as many latitudes
+    let divided: Vec<(u32, Rc<Stage>)> = (0..finest)
+        .map(|step| 8 << step)
+        .map(|n| (n, Rc::new(tessellated(&scene, &camera, size, n))))
+        .collect();
+    let curves = methods().map(|method| {
+        let rungs = divided.iter().map(|(n, stage)| rung(method, *n, stage));
+        Curve::against(&truth, method.name(), rungs.collect())
+    });
+    Ok(vec![Ladder {
+        title: "Spheres as polygons".into(),
+        axes: Axes::ErrorOverTime,
+        size: "longitudes of a sphere",
+        quantity: "intensity where N·V ≥ 0.6",
+        law: Law::Power,
+        reference: Reference {
+            what: "the true sphere, lit at each pixel with its true normal".into(),
+            error: 1e-15,
+            known_by: "a closed form; what is left is rounding".into(),
+        },
+        memory: "colour and depth of every pixel, and the polygons with their vertices, counted by their sizes",
+        curves: curves.collect(),
+    }])
+}
+
+/// The methods that shade polygons.
+fn methods() -> impl Iterator<Item = Method> {
+    let shades = |method: &Method| {
+        !method.follows_rays() && !matches!(method, Method::Wireframe | Method::Radiosity)
+    };
+    Method::ALL.into_iter().filter(shades)
+}
+
+fn rung(method: Method, longitudes: u32, stage: &Rc<Stage>) -> Rung {
+    let stage = stage.clone();
+    let polygons = Operations {
+        of: "polygons",
+        count: stage.tessellation.polygon_count() as u64,
+    };
+    let [width, height] = [stage.view.width, stage.view.height];
+    let bytes = memory::frame([width, height]) + memory::polygons(&stage);
+    let draw = move || render(&stage, method, NonZeroUsize::MIN, &|_, _| ());
+    Rung {
+        setting: format!("{longitudes}×{}", longitudes / 2),
+        size: longitudes.into(),
+        bytes,
+        operations: vec![polygons],
+        truth: None,
+        run: Box::new(move || Ok(Values::Picture(draw()))),
+    }
+}
+
+/// The same scene with every sphere as a mesh of so many longitudes, and half as many latitudes.
+fn tessellated(scene: &Scene, camera: &Camera, size: [u32; 2], longitudes: u32) -> Stage {
+    let mut scene = scene.clone();
+    for object in &mut scene.objects {
+        if let Shape::Sphere { center, radius } = object.shape {
+            object.shape = Shape::Mesh(sphere_mesh(center, radius, [longitudes, longitudes / 2]));
+        }
+    }
+    scenes::stage(scene, camera, size)
+}
+
+/// The picture of the true spheres; NaN in pixels that are not compared. Errors: no pixel is.
+fn truth(scene: &Scene, camera: &Camera, size: [u32; 2]) -> Result<Rc<[f64]>, String> {
+    let stage = scenes::stage(scene.clone(), camera, size);
+    let caster = RayCaster::new(&stage, stage.needs(), Hierarchy);
+    let mut truth = Vec::new();
+    for y in 0..size[1] {
+        for x in 0..size[0] {
+            let mut compared = false;
+            let mut look = |ray: &Ray| compared = faces_the_eye(&stage, ray);
+            primary::pixel::<primary::Event, _>(
+                &stage.view,
+                NonZeroU32::MIN,
+                (x, y),
+                &mut Unrecorded,
+                |ray, _| {
+                    look(ray);
+                    Rgb::BLACK
+                },
+            );
+            let color = caster.pixel(x, y, &mut Unrecorded).channels();
+            truth.extend(color.map(|channel| if compared { channel } else { f64::NAN }));
+        }
+    }
+    match truth.iter().all(|channel| channel.is_nan()) {
+        true => Err("no sphere is in sight".into()),
+        false => Ok(truth.into()),
+    }
+}
+
+/// Whether the ray meets a sphere where N·V is large enough.
+fn faces_the_eye(stage: &Stage, ray: &Ray) -> bool {
+    let solids = stage.solids();
+    solids.nearest(ray).is_some_and(|hit| {
+        let shape = &stage.scene.objects[hit.object as usize].shape;
+        let normal = solids.surface(ray, &hit).normal;
+        matches!(shape, Shape::Sphere { .. }) && -normal.dot(ray.direction) >= FACING
+    })
+}
+
+/// Without what polygons do not show: infinite planes, textures, emitted light and light balls.
+fn plain(mut scene: Scene) -> Scene {
+    scene
+        .objects
+        .retain(|object| !matches!(object.shape, Shape::Plane { .. }));
+    for material in &mut scene.materials {
+        material.texture = None;
+        material.emission = Rgb::BLACK;
+    }
+    for light in &mut scene.lights {
+        if let Light::Point { radius, .. } = light {
+            *radius = 0.0;
+        }
+    }
+    scene
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::algorithms::illumination::{Event, Lighting, SurfacePoint, illuminate};
+    use glam::DVec3;
+
+    /// The reference, by geometry written anew: the ray's nearest point to the centre, and half a chord back from it.
+    #[test]
+    fn the_reference_is_the_closed_form() {
+        let scene = scenes::own(BALL);
+        let camera = scenes::camera(&scene).unwrap();
+        let size = [40, 30];
+        let truth = truth(&scene, &camera, size).unwrap();
+        let lighting = Lighting {
+            ambient: scene.ambient,
+            lights: &scene.lights,
+            specular: true,
+        };
+        let half_width = (0.5 * camera.fov_x).tan();
+        let mut compared = 0;
+        for (pixel, truth) in truth.chunks(3).enumerate() {
+            let (x, y) = ((pixel % 40) as f64 + 0.5, (pixel / 40) as f64 + 0.5);
+            // The camera looks along +z, so that its right is −x.
+            let right = (x - 20.0) / 20.0 * half_width;
+            let up = (15.0 - y) / 20.0 * half_width;
+            let direction = DVec3::new(-right, up, 1.0).normalize();
+            let middle = camera.eye + 4.0 * direction.z * direction;
+            let half_chord = (1.0 - middle.length_squared()).sqrt();
+            let normal = (middle - half_chord * direction).normalize();
+            if truth[0].is_nan() {
+                assert!(half_chord.is_nan() || -normal.dot(direction) < FACING + 1e-9);
+                continue;
+            }
+            let material = &scene.materials[0];
+            let point = SurfacePoint {
+                position: normal,
+                normal,
+                to_eye: -direction,
+                material,
+                diffuse: material.diffuse,
+            };
+            let lit = illuminate::<Event, _>(&point, &lighting, &mut Unrecorded, |_, _| true);
+            for (found, right) in truth.iter().zip(lit.whole.channels()) {
+                assert!((found - right).abs() < 1e-13, "{found} {right} at {pixel}");
+            }
+            compared += 1;
+        }
+        assert!(compared > 100, "{compared}");
+    }
+
+    #[test]
+    fn a_scene_without_spheres_says_so() {
+        let mut scene = scenes::own(BALL);
+        scene.objects.clear();
+        let request = Request {
+            scene: Some(&scene),
+            quick: true,
+        };
+        let why = ladders(&request).err().unwrap();
+        assert!(why.contains("no sphere"), "{why}");
+    }
+}

@@ -1,0 +1,180 @@
+//! Solvers of the radiosity system by iterations: how far B is off when a solver stops, against elimination (LU).
+
+use super::scenes;
+use crate::algorithms::radiosity::{
+    Event, Matrix, Patches, Solution, Solver, Stop, System, Watch, solve,
+};
+use crate::algorithms::room::{self, Room};
+use crate::color::Rgb;
+use crate::record::Counter;
+use crate::record::{Recorder, Unrecorded};
+use crate::scene::Scene;
+use crate::study::count::operations;
+use crate::study::fit::Law;
+use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Rung, Study, Values};
+use std::rc::Rc;
+use web_time::Instant;
+
+pub static STUDY: Study = Study {
+    name: "solvers",
+    title: "Solvers of the radiosity system",
+    about: "Which solver comes to a given error of B first? A sweep is an iteration, or as many shots as there are patches.",
+    ladders,
+};
+
+/// One channel of a room, which the settings share.
+pub struct Problem {
+    f: Vec<f64>,
+    area: Vec<f64>,
+    rho: Vec<f64>,
+    emission: Vec<f64>,
+}
+
+impl Problem {
+    /// The channel in which the scene emits most. Errors: it cannot be divided, has too many patches, or emits nothing.
+    pub fn of(scene: &Scene, most_patches: usize) -> Result<Problem, String> {
+        let room = Room::of(scene, room::Settings::default()).map_err(|error| error.to_string())?;
+        let n = room.patches.len();
+        if n > most_patches {
+            return Err(format!(
+                "the scene has {n} patches; at most {most_patches} are measured"
+            ));
+        }
+        let in_channel = |channel: usize, of: &[Rgb]| -> Vec<f64> {
+            of.iter().map(|color| color.channels()[channel]).collect()
+        };
+        let emitted = |channel: &usize| in_channel(*channel, &room.emission).iter().sum::<f64>();
+        let by_emission = |a: &usize, b: &usize| emitted(b).total_cmp(&emitted(a));
+        let brightest = (0..3).min_by(by_emission).unwrap_or(0);
+        if emitted(&brightest) == 0.0 {
+            return Err("nothing in the scene emits light".into());
+        }
+        Ok(Problem {
+            f: room.form_factors().matrix(),
+            area: room.patches.areas(),
+            rho: in_channel(brightest, &room.reflectance),
+            emission: in_channel(brightest, &room.emission),
+        })
+    }
+
+    pub fn patches(&self) -> usize {
+        self.area.len()
+    }
+
+    /// The matrix, and four numbers a patch.
+    pub fn bytes(&self) -> u64 {
+        ((self.f.len() + 4 * self.patches()) * size_of::<f64>()) as u64
+    }
+
+    /// Solves it. Errors: why there is no solution.
+    pub fn solve<R: Recorder<Event>>(
+        &self,
+        solver: Solver,
+        tolerance: f64,
+        recorder: &mut R,
+    ) -> Result<Solution, String> {
+        let stop = Stop {
+            tolerance,
+            max_iterations: 10_000_000,
+        };
+        let patches = Patches::new(&self.area, &self.rho, &self.emission);
+        let matrix = Matrix::new(&self.f, self.patches()).map_err(|why| why.to_string())?;
+        let system = patches.and_then(|patches| System::new(&matrix, patches));
+        let solution =
+            system.and_then(|system| solve(&system, solver, stop, &Watch::default(), recorder));
+        solution.map_err(|why| why.to_string())
+    }
+}
+
+/// The solvers that differ: the automatic choice is one of the others.
+pub fn solvers() -> impl Iterator<Item = Solver> {
+    let differs = |solver: &Solver| *solver != Solver::Auto;
+    Solver::ALL.into_iter().filter(differs)
+}
+
+fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+    let most = request.either(600, 4000);
+    let problem = match request.scene {
+        Some(scene) => Problem::of(scene, most)?,
+        None => Problem::of(&scenes::cube(request.either(4, 8)), most)?,
+    };
+    let right = problem.solve(Solver::Direct, 1e-13, &mut Unrecorded)?;
+    let reference = Reference {
+        what: format!("elimination (LU) of {} patches, refined", problem.patches()),
+        error: right.error_bound.unwrap_or(1e-13),
+        known_by: "the bound ‖r‖_∞ / (1 − max ρ_i Σ F_ij) on its residual".into(),
+    };
+    let truth: Rc<[f64]> = right.radiosity.into();
+    let problem = Rc::new(problem);
+    let finest = request.either(8, 12);
+    let longest = request.either(0.3, 5.0);
+    let curves = solvers().map(|solver| {
+        Curve::against(
+            &truth,
+            solver.name(),
+            rungs(&problem, solver, finest, longest),
+        )
+    });
+    Ok(vec![Ladder {
+        title: "One channel; a sweep is an iteration, or as many shots as patches".into(),
+        axes: Axes::ErrorOverTime,
+        size: "sweeps",
+        quantity: "B, in the unit of the emission",
+        law: Law::Geometric,
+        reference,
+        memory: "the matrix of form factors and four numbers a patch; elimination takes a second matrix of that size",
+        curves: curves.collect(),
+    }])
+}
+
+/// Smaller and smaller residuals, as far as the solver needs more iterations for them, and no more than `longest` seconds.
+fn rungs(problem: &Rc<Problem>, solver: Solver, finest: i32, longest: f64) -> Vec<Rung> {
+    let mut rungs: Vec<Rung> = Vec::new();
+    for exponent in 1..=finest {
+        let tolerance = 10_f64.powi(-exponent);
+        let start = Instant::now();
+        let Ok(solution) = problem.solve(solver, tolerance, &mut Unrecorded) else {
+            break;
+        };
+        if start.elapsed().as_secs_f64() > longest {
+            break;
+        }
+        let iterations = f64::from(solution.iterations);
+        let sweeps = if solver.shoots() {
+            iterations / problem.patches() as f64
+        } else {
+            iterations
+        };
+        if rungs.last().is_some_and(|last| last.size == sweeps) {
+            continue;
+        }
+        let counted = &mut Counter::default();
+        let again = problem.solve(solver, tolerance, counted);
+        debug_assert!(again.is_ok(), "told or not, the result is the same");
+        let matrices = if solver == Solver::Direct { 2 } else { 1 };
+        let shared = problem.clone();
+        rungs.push(Rung {
+            setting: match (solver.shoots(), solution.iterations) {
+                (true, shots) => format!("{shots} shots"),
+                (false, 1) => "1 iteration".into(),
+                (false, iterations) => format!("{iterations} iterations"),
+            },
+            size: sweeps,
+            bytes: matrices * problem.bytes(),
+            operations: operations(
+                counted,
+                &[
+                    ("Iteration", "iterations"),
+                    ("Exchanged", "exchanges_gathered"),
+                    ("Received", "exchanges_shot"),
+                ],
+            ),
+            truth: None,
+            run: Box::new(move || {
+                let solution = shared.solve(solver, tolerance, &mut Unrecorded)?;
+                Ok(Values::Numbers(solution.radiosity))
+            }),
+        });
+    }
+    rungs
+}

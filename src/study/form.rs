@@ -1,0 +1,141 @@
+//! The form that every study has: ladders of settings, each beside a reference that is trusted.
+
+use super::fit::Law;
+use crate::algorithms::frame::Frame;
+use crate::scene::Scene;
+use std::rc::Rc;
+
+/// A question about the algorithms that measuring answers.
+pub struct Study {
+    /// As on the command line, and in the names of files.
+    pub name: &'static str,
+    pub title: &'static str,
+    /// What it asks, in a sentence.
+    pub about: &'static str,
+    /// Its ladders. Errors: why it says nothing about the scene that was given.
+    pub ladders: fn(&Request) -> Result<Vec<Ladder>, String>,
+}
+
+/// What is asked of a study.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Request<'a> {
+    /// The user's own scene. Without one, a study brings what suits it.
+    pub scene: Option<&'a Scene>,
+    /// Whether few and small settings are enough.
+    pub quick: bool,
+}
+
+impl Request<'_> {
+    /// One of two sizes of the work.
+    pub fn either<T>(&self, quick: T, thorough: T) -> T {
+        if self.quick { quick } else { thorough }
+    }
+}
+
+/// What the axes of a ladder's plot are, both logarithmic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axes {
+    /// Error over run time: work and precision.
+    ErrorOverTime,
+    /// Error over the size of the setting, where settings cost the same.
+    ErrorOverSize,
+    /// Run time over the size of the work.
+    TimeOverSize,
+}
+
+/// Settings that are compared with each other, curve by curve.
+pub struct Ladder {
+    pub title: String,
+    pub axes: Axes,
+    /// What the size of a setting counts: `longitudes`.
+    pub size: &'static str,
+    /// What the errors are errors of: `intensity`.
+    pub quantity: &'static str,
+    /// How errors fall with the size.
+    pub law: Law,
+    pub reference: Reference,
+    /// What counts as memory, and how it was counted.
+    pub memory: &'static str,
+    pub curves: Vec<Curve>,
+}
+
+/// What errors are measured against.
+#[derive(Clone, Debug)]
+pub struct Reference {
+    pub what: String,
+    /// How far it may be off itself (rms), and how that is known.
+    pub error: f64,
+    pub known_by: String,
+}
+
+impl Reference {
+    /// Where only time is measured.
+    pub fn none() -> Self {
+        Reference {
+            what: "none: only time and memory are measured".into(),
+            error: 0.0,
+            known_by: String::new(),
+        }
+    }
+}
+
+/// The settings of one method, from coarse to fine.
+pub struct Curve {
+    pub name: String,
+    pub rungs: Vec<Rung>,
+}
+
+impl Curve {
+    /// Settings that are all meant to find the same.
+    pub fn against(truth: &Rc<[f64]>, name: impl Into<String>, rungs: Vec<Rung>) -> Self {
+        let mut curve = Curve {
+            name: name.into(),
+            rungs,
+        };
+        for rung in &mut curve.rungs {
+            rung.truth = Some(truth.clone());
+        }
+        curve
+    }
+}
+
+/// One setting.
+pub struct Rung {
+    pub setting: String,
+    /// As far as orders of convergence and growth refer to it.
+    pub size: f64,
+    pub bytes: u64,
+    pub operations: Vec<Operations>,
+    /// What is right; a NaN stands where nothing is compared. Without one there is no error.
+    pub truth: Option<Rc<[f64]>>,
+    /// The work that is timed. Errors: why there is no result.
+    pub run: Box<Run>,
+}
+
+pub type Run = dyn Fn() -> Result<Values, String>;
+
+/// How often something was done: `rays`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Operations {
+    pub of: &'static str,
+    pub count: u64,
+}
+
+/// What a run brings forth.
+pub enum Values {
+    Picture(Frame),
+    Numbers(Vec<f64>),
+}
+
+impl Values {
+    /// As numbers: of a picture the channels of its pixels.
+    pub fn numbers(self) -> Vec<f64> {
+        match self {
+            Values::Picture(frame) => {
+                let colors = frame.color.iter();
+                colors.flat_map(|color| color.channels()).collect()
+            }
+            Values::Numbers(numbers) => numbers,
+        }
+    }
+}

@@ -1,0 +1,272 @@
+//! Measures a study: each ladder's settings in turn, their errors, the laws they follow, and the front.
+
+use super::errors::Errors;
+use super::fit::{Fit, Law};
+use super::form::{Axes, Ladder, Operations, Reference, Request, Rung, Study};
+use super::pareto::front;
+use super::timing::{Patience, Timing, time};
+use crate::scene::Tessellation;
+
+/// What a study found.
+pub struct Findings {
+    pub study: &'static Study,
+    pub parts: Vec<Part>,
+}
+
+/// What one ladder came to.
+#[derive(Clone, Debug)]
+pub struct Part {
+    pub title: String,
+    pub axes: Axes,
+    pub size: &'static str,
+    pub quantity: &'static str,
+    pub reference: Reference,
+    pub memory: &'static str,
+    pub lines: Vec<Line>,
+    /// Settings without a result: curve, setting, and why.
+    pub failed: Vec<[String; 3]>,
+}
+
+/// What one curve came to.
+#[derive(Clone, Debug)]
+pub struct Line {
+    pub name: String,
+    pub points: Vec<Point>,
+    /// Of the error, over the size; settings whose error is that of the reference itself are left out. As all laws here it is
+    /// that of the larger half of the sizes, three at least: what small ones do is not yet the order.
+    pub convergence: Option<Fit>,
+    /// Of the time, over the size.
+    pub growth: Option<Fit>,
+    /// Of the memory, likewise.
+    pub memory_growth: Option<Fit>,
+}
+
+/// What one setting came to.
+#[derive(Clone, Debug)]
+pub struct Point {
+    pub setting: String,
+    pub size: f64,
+    pub errors: Option<Errors>,
+    pub seconds: Timing,
+    pub bytes: u64,
+    pub operations: Vec<Operations>,
+    /// Whether no other setting of the part is as quick and as exact.
+    pub on_front: bool,
+}
+
+/// Of a scene that is measured, so that a study takes no more than some GB.
+const MOST_POLYGONS: u64 = 1_000_000;
+
+impl Study {
+    /// Measures every ladder. Errors: why the study says nothing about the scene that was given.
+    pub fn measure(
+        &'static self,
+        request: &Request,
+        progress: &dyn Fn(usize, usize),
+    ) -> Result<Findings, String> {
+        let polygons = request.scene.map_or(0, Tessellation::count);
+        if polygons > MOST_POLYGONS {
+            return Err(format!(
+                "the scene divides into {polygons} polygons; at most {MOST_POLYGONS} are measured, since a study holds it several times"
+            ));
+        }
+        let ladders = (self.ladders)(request)?;
+        let patience = request.either(Patience::QUICK, Patience::THOROUGH);
+        let count = ladders.len();
+        let parts = ladders.into_iter().enumerate().map(|(index, ladder)| {
+            ladder.measure(patience, &|done, all| {
+                progress(index * all + done, count * all);
+            })
+        });
+        Ok(Findings {
+            study: self,
+            parts: parts.collect(),
+        })
+    }
+}
+
+impl Ladder {
+    pub fn measure(self, patience: Patience, progress: &dyn Fn(usize, usize)) -> Part {
+        let curves: Vec<&[Rung]> = self.curves.iter().map(|curve| &*curve.rungs).collect();
+        let mut timed = time(&curves, patience, progress).into_iter();
+        let (mut lines, mut failed) = (Vec::new(), Vec::new());
+        for curve in self.curves {
+            let mut points = Vec::new();
+            for (rung, timed) in curve.rungs.into_iter().zip(&mut timed) {
+                match timed {
+                    Err(why) => failed.push([curve.name.clone(), rung.setting, why]),
+                    Ok((values, seconds)) => {
+                        let truth = rung.truth.as_deref();
+                        let errors = truth.and_then(|truth| Errors::of(&values.numbers(), truth));
+                        points.push(Point {
+                            setting: rung.setting,
+                            size: rung.size,
+                            errors,
+                            seconds,
+                            bytes: rung.bytes,
+                            operations: rung.operations,
+                            on_front: false,
+                        });
+                    }
+                }
+            }
+            lines.push(Line::of(curve.name, points, self.law, self.reference.error));
+        }
+        let mut points: Vec<&mut Point> =
+            lines.iter_mut().flat_map(|line| &mut line.points).collect();
+        // Errors below the reference's own cannot be told apart.
+        let own_error = self.reference.error;
+        let error = |point: &Point| {
+            let errors = point.errors;
+            errors.map_or(f64::NAN, |errors| errors.rms.max(own_error))
+        };
+        let places: Vec<(f64, f64)> = points
+            .iter()
+            .map(|point| (point.seconds.median, error(point)))
+            .collect();
+        for (point, on_front) in points.iter_mut().zip(front(&places)) {
+            point.on_front = on_front;
+        }
+        Part {
+            title: self.title,
+            axes: self.axes,
+            size: self.size,
+            quantity: self.quantity,
+            reference: self.reference,
+            memory: self.memory,
+            lines,
+            failed,
+        }
+    }
+}
+
+/// Errors this many times the reference's own are told from it.
+const ABOVE_REFERENCE: f64 = 3.0;
+
+impl Line {
+    pub fn of(name: String, points: Vec<Point>, law: Law, own_error: f64) -> Line {
+        let errors = points.iter().filter_map(|point| {
+            let rms = point.errors?.rms;
+            (rms > ABOVE_REFERENCE * own_error).then_some((point.size, rms))
+        });
+        let seconds = points
+            .iter()
+            .map(|point| (point.size, point.seconds.median));
+        let bytes = points.iter().map(|point| (point.size, point.bytes as f64));
+        let convergence = Fit::through(law, larger_half(errors.collect()));
+        let growth = Fit::through(Law::Power, larger_half(seconds.collect()));
+        let memory_growth = Fit::through(Law::Power, larger_half(bytes.collect()));
+        Line {
+            name,
+            points,
+            convergence,
+            growth,
+            memory_growth,
+        }
+    }
+}
+
+/// The points of the larger half of the sizes, three at least.
+fn larger_half(mut points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let count = points.len().div_ceil(2).max(3).min(points.len());
+    points.split_off(points.len() - count)
+}
+
+impl Part {
+    pub fn points(&self) -> impl Iterator<Item = (&Line, &Point)> {
+        let lines = self.lines.iter();
+        lines.flat_map(|line| std::iter::repeat(line).zip(&line.points))
+    }
+
+    /// The quickest setting whose rms error is at most `bound`, and those that tie with it.
+    pub fn pick(&self, bound: f64) -> Option<(Choice<'_>, Vec<Choice<'_>>)> {
+        let exact = |(_, point): &Choice| point.errors.is_some_and(|errors| errors.rms <= bound);
+        let within: Vec<Choice> = self.points().filter(exact).collect();
+        let quicker =
+            |a: &&Choice, b: &&Choice| f64::total_cmp(&a.1.seconds.median, &b.1.seconds.median);
+        let &best = within.iter().min_by(quicker)?;
+        let tied = |(_, point): &Choice| {
+            !std::ptr::eq(*point, best.1) && point.seconds.ties(&best.1.seconds)
+        };
+        let ties = within.iter().copied().filter(tied).collect();
+        Some((best, ties))
+    }
+}
+
+/// A setting with the curve that it belongs to.
+pub type Choice<'a> = (&'a Line, &'a Point);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::form::{Curve, Values};
+    use std::rc::Rc;
+    use web_time::Duration;
+
+    /// Of order 2, in a time that is that of busy work.
+    fn ladder(own_error: f64) -> Ladder {
+        let truth: Rc<[f64]> = Rc::new([1.0, 2.0]);
+        let rungs = [1.0, 2.0, 4.0, 8.0, 16.0].map(|n: f64| Rung {
+            setting: format!("n = {n}"),
+            size: n,
+            bytes: 8 * n as u64,
+            operations: Vec::new(),
+            truth: None,
+            run: Box::new(move || {
+                let work: f64 = (0..4000 * n as u32).map(f64::from).map(f64::sqrt).sum();
+                std::hint::black_box(work);
+                Ok(Values::Numbers(vec![1.0 + 0.1 / (n * n), 2.0]))
+            }),
+        });
+        Ladder {
+            title: "made up".into(),
+            axes: Axes::ErrorOverTime,
+            size: "n",
+            quantity: "nothing",
+            law: Law::Power,
+            reference: Reference {
+                what: "what is right".into(),
+                error: own_error,
+                known_by: "it is made up".into(),
+            },
+            memory: "made up",
+            curves: vec![Curve::against(&truth, "curve", rungs.into())],
+        }
+    }
+
+    const PATIENCE: Patience = Patience {
+        shortest: Duration::ZERO,
+        longest: Duration::from_secs(60),
+        whole: Duration::ZERO,
+        most_rounds: 5,
+    };
+
+    #[test]
+    fn a_ladder_of_order_2_is_found_to_be_one() {
+        let part = ladder(1e-12).measure(PATIENCE, &|_, _| ());
+        let line = &part.lines[0];
+        let rms: Vec<f64> = line.points.iter().map(|p| p.errors.unwrap().rms).collect();
+        for (n, rms) in [1.0, 2.0, 4.0, 8.0, 16.0].into_iter().zip(rms) {
+            assert!((rms - 0.1 / (n * n) / 2_f64.sqrt()).abs() < 1e-15, "{rms}");
+        }
+        let order = line.convergence.unwrap();
+        assert!((order.rate + 2.0).abs() < 1e-9, "{order:?}");
+        assert!((line.memory_growth.unwrap().rate - 1.0).abs() < 1e-12);
+        // The most exact one is not beaten.
+        assert!(line.points[4].on_front);
+        let (best, _) = part.pick(1e-3).unwrap();
+        assert!(best.1.size >= 8.0, "{}", best.1.setting);
+        assert!(part.pick(1e-9).is_none());
+    }
+
+    #[test]
+    fn errors_below_that_of_the_reference_are_no_better_than_it_and_follow_no_law() {
+        // Only the first two settings stand clearly above it.
+        let part = ladder(0.01).measure(PATIENCE, &|_, _| ());
+        let line = &part.lines[0];
+        assert_eq!(line.convergence, None);
+        let below = line.points.iter().filter(|point| point.size >= 4.0);
+        assert_eq!(below.filter(|point| point.on_front).count(), 1);
+    }
+}

@@ -1,0 +1,23 @@
+//! Error against run time: for each family of methods a ladder of settings beside a trusted reference.
+//!
+//! A study is data ([`form`]): settings with what they run, and what is right. [`harness`] measures it with [`timing`], fits laws
+//! ([`fit`]) and finds the [`pareto`] front; [`report`] and [`plot`] tell it. A new family is a file in [`families`].
+//!
+//! And what is stiff, extreme or wrong: cases of [`stress`], each with the answer that it must give.
+//!
+//! All times are of one thread. Nothing here touches a file.
+
+pub mod count;
+pub mod errors;
+pub mod families;
+pub mod fit;
+pub mod form;
+pub mod harness;
+pub mod machine;
+pub mod pareto;
+pub mod plot;
+pub mod report;
+pub mod stress;
+#[cfg(test)]
+mod tests;
+pub mod timing;

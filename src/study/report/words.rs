@@ -1,0 +1,76 @@
+//! Numbers as a report writes them.
+
+use crate::study::fit::{Fit, Law};
+
+/// `3.2 ms`, to two or three digits.
+pub fn seconds(seconds: f64) -> String {
+    let units = [(1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns")];
+    let fitting = units.into_iter().find(|(unit, _)| seconds >= *unit);
+    let (unit, name) = fitting.unwrap_or((1e-9, "ns"));
+    format!("{} {name}", three_digits(seconds / unit))
+}
+
+/// `4.7 MB`
+pub fn bytes(bytes: u64) -> String {
+    let bytes = bytes as f64;
+    let units = [(1e9, "GB"), (1e6, "MB"), (1e3, "kB")];
+    match units.into_iter().find(|(unit, _)| bytes >= *unit) {
+        Some((unit, name)) => format!("{} {name}", three_digits(bytes / unit)),
+        None => format!("{bytes} B"),
+    }
+}
+
+/// `2.3e-4`; an exact zero is `0`.
+pub fn error(error: f64) -> String {
+    match error {
+        0.0 => "0".into(),
+        error => format!("{error:.1e}"),
+    }
+}
+
+fn three_digits(value: f64) -> String {
+    match value {
+        value if value >= 99.95 => format!("{value:.0}"),
+        value if value >= 9.995 => format!("{value:.1}"),
+        value => format!("{value:.2}"),
+    }
+}
+
+/// `∝ n^−2.0`, or `×0.52 a step`; where nothing changes, or the points lie on no line, nothing.
+pub fn law(fit: &Fit) -> Option<String> {
+    (fit.is_clean() && !fit.is_level()).then(|| match fit.law {
+        Law::Power => format!("∝ n^{{{}}}", format!("{:.1}", fit.rate).replace('-', "−")),
+        Law::Geometric => format!("×{:.2} a step", fit.rate),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_suit_the_size() {
+        assert_eq!(seconds(0.003_24), "3.24 ms");
+        assert_eq!(seconds(12.34), "12.3 s");
+        assert_eq!(seconds(5.6e-7), "560 ns");
+        assert_eq!(seconds(2e-11), "0.02 ns");
+        assert_eq!(
+            (bytes(999), bytes(4_700_000)),
+            ("999 B".into(), "4.70 MB".into())
+        );
+        assert_eq!((error(0.0), error(2.34e-4)), ("0".into(), "2.3e-4".into()));
+    }
+
+    #[test]
+    fn only_what_lies_on_a_line_is_called_a_law() {
+        let fit = |r_squared| Fit {
+            law: Law::Power,
+            rate: -1.96,
+            factor: 1.0,
+            r_squared,
+            points: 4,
+        };
+        assert_eq!(law(&fit(0.999)).as_deref(), Some("∝ n^{−2.0}"));
+        assert_eq!(law(&fit(0.5)), None);
+    }
+}

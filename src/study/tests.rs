@@ -1,0 +1,61 @@
+//! A study of which everything is known.
+
+use super::errors::Errors;
+use super::fit::Law;
+use super::form::{Axes, Ladder, Reference, Study};
+use super::harness::{Findings, Line, Part, Point};
+use super::timing::Timing;
+
+static STUDY: Study = Study {
+    name: "made-up",
+    title: "A made-up study",
+    about: "What is written of it is known.",
+    ladders: |_| Ok(Vec::<Ladder>::new()),
+};
+
+fn point(size: f64, rms: f64, median: f64) -> Point {
+    Point {
+        setting: format!("n = {size}"),
+        size,
+        errors: Some(Errors {
+            rms,
+            largest: 2.0 * rms,
+            relative: 0.5 * rms,
+        }),
+        seconds: Timing {
+            median,
+            lower: 0.9 * median,
+            upper: 1.1 * median,
+            runs: 5,
+        },
+        bytes: 1000,
+        operations: Vec::new(),
+        on_front: true,
+    }
+}
+
+/// Two curves: one of order 2 in linear time, one of order 6 that takes ten times as long.
+pub fn findings() -> Findings {
+    let curve = |name: &str, order: i32, cost: f64| {
+        let points = [2.0_f64, 4.0, 8.0].map(|n| point(n, n.powi(-order), cost * n));
+        Line::of(name.into(), points.to_vec(), Law::Power, 1e-16)
+    };
+    let part = Part {
+        title: "The only part".into(),
+        axes: Axes::ErrorOverTime,
+        size: "cells",
+        quantity: "intensity",
+        reference: Reference {
+            what: "what is known".into(),
+            error: 1e-16,
+            known_by: "rounding".into(),
+        },
+        memory: "made up",
+        lines: vec![curve("rough", 2, 1e-3), curve("fine", 7, 1e-2)],
+        failed: Vec::new(),
+    };
+    Findings {
+        study: &STUDY,
+        parts: vec![part],
+    }
+}
