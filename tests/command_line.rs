@@ -375,6 +375,9 @@ fn lessons_are_listed_and_their_frames_drawn() {
         .map(|lesson| lesson["id"].as_str().unwrap())
         .collect();
     let expected = [
+        "illumination-model",
+        "distance",
+        "flat-shading",
         "gouraud-triangle",
         "gouraud-teapot",
         "ray-casting",

@@ -1,7 +1,7 @@
 //! Lights that the pointer drags, and the card of parameters.
 
 use super::*;
-use crate::panels::{Panel, draw};
+use crate::panels::{Held, Panel, draw, vector_grip};
 use crate::replay::Run;
 use crate::scene::Light;
 use egui::Role;
@@ -113,4 +113,31 @@ fn what_cannot_be_changed_has_no_card() {
     let screen = triangle([]);
     let title = screen.harness.query_by_label(words::PARAMETERS.en);
     assert!(title.is_none());
+}
+
+#[test]
+fn the_eye_is_dragged_by_its_vector_and_stays_as_far_away() {
+    let narrated = [const { Command::NextNarrated }; 3];
+    let mut screen = screen("illumination-model", [1280, 800], 1.0, narrated);
+    let panel = screen
+        .harness
+        .get_by_role_and_label(Role::Image, words::VECTORS.en);
+    let rect = panel.rect();
+    let size = glam::Vec2::new(rect.width(), rect.height());
+    let places =
+        (0..rect.height() as u32).flat_map(|y| (0..rect.width() as u32).map(move |x| [x, y]));
+    let mut places = places.map(|at| glam::Vec2::from(at.map(|x| x as f32)));
+    let show = screen.session().show();
+    let held = |at| vector_grip(&show, size, at).is_some_and(|grip| grip.held == Held::Eye);
+    let at = places.find(|&at| held(at)).expect("the eye can be held");
+    let eye = |screen: &Screen| screen.session().stage().view.eye;
+    let target = DVec3::new(0.48, 0.64, 0.6);
+    let before = eye(&screen);
+    let from = rect.min + egui::vec2(at.x, at.y);
+    drag(&mut screen, from, egui::vec2(-12.0, 12.0));
+    let after = eye(&screen);
+    assert!(before.distance(after) > 0.1, "{before} {after}");
+    let distances = [before, after].map(|eye| eye.distance(target));
+    assert!((distances[0] - distances[1]).abs() < 1e-6, "{distances:?}");
+    assert!(screen.session().is_changed());
 }
