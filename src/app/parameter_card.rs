@@ -16,7 +16,7 @@ const MARGIN: f32 = 12.0;
 /// The least width of a parameter.
 const CELL: f32 = 272.0;
 /// Of the name in it, of its number, and at least of its slider.
-const NAME: f32 = 90.0;
+const NAME: f32 = 112.0;
 const NUMBER: f32 = 72.0;
 const RAIL: f32 = 60.0;
 const SHININESS: RangeInclusive<f64> = 1.0..=1000.0;
@@ -108,7 +108,7 @@ fn value(
 ) -> Option<Change> {
     let scene = &session.stage().scene;
     let rail = Rail::of(session, parameter)?;
-    let (name, spoken) = name(session, parameter);
+    let name = name(session, parameter);
     let (_, place) = ui.allocate_space(egui::vec2(NAME, ROW));
     let text = narration::set(session, &name, FontId::proportional(13.0), Ink::Text);
     let label = egui::Label::new(text).truncate().selectable(false);
@@ -123,8 +123,11 @@ fn value(
         slider = slider.step_by(1.0);
     }
     let response = ui.add(slider);
-    named(&response, &spoken, rail.value);
+    named(&response, &name, rail.value);
     *on_slider |= response.has_focus();
+    if matches!(parameter, Parameter::Light(_) | Parameter::Eye) {
+        response.on_hover_text(session.say(words::FROM_THE_TARGET));
+    }
     let speed = (0.01 * value).max(0.01);
     let number = DragValue::new(&mut value)
         .speed(if rail.whole { 0.1 } else { speed })
@@ -132,7 +135,7 @@ fn value(
         .clamp_existing_to_range(false)
         .max_decimals(if rail.whole { 0 } else { 3 });
     let response = ui.add(number);
-    let as_number = format!("{spoken} ({})", session.say(words::AS_A_NUMBER));
+    let as_number = format!("{name} ({})", session.say(words::AS_A_NUMBER));
     named(&response, &as_number, rail.value);
     let moved = value != rail.value;
     let change = moved.then(|| change_to(session, scene, parameter, value));
@@ -251,31 +254,26 @@ fn coordinates(session: &Session, parameter: Parameter, ui: &mut Ui) -> Option<C
     })
 }
 
-/// What a parameter is called, as it is set and as it is spoken.
-fn name(session: &Session, parameter: Parameter) -> (String, String) {
+/// What a parameter is called.
+fn name(session: &Session, parameter: Parameter) -> String {
     let scene = &session.stage().scene;
     let distance = session.say(words::DISTANCE);
     match parameter {
-        Parameter::Light(light) => {
-            let name = light_name(session, light);
-            (format!("{name}, d"), format!("{name}, {distance}"))
-        }
-        Parameter::Eye => {
-            let name = session.say(words::EYE);
-            (format!("{name}, d"), format!("{name}, {distance}"))
-        }
+        Parameter::Light(light) => format!("{}, {distance}", light_name(session, light)),
+        Parameter::Eye => format!("{}, {distance}", session.say(words::EYE)),
         Parameter::Coefficient(material, coefficient) => {
-            let material = &scene.materials[material].name;
-            let name = match scene.materials.len() {
-                1 => coefficient.symbol().to_owned(),
-                _ => format!("{} {material}", coefficient.symbol()),
-            };
-            (name, format!("{} {material}", coefficient.symbol()))
+            format!(
+                "{} {}",
+                coefficient.symbol(),
+                scene.materials[material].name
+            )
         }
         Parameter::Divisions(object) => {
-            let object = &scene.objects[object].name;
-            let name = format!("{} {object}", session.say(words::DIVISIONS));
-            (format!("n {object}"), name)
+            format!(
+                "{} {}",
+                session.say(words::DIVISIONS),
+                scene.objects[object].name
+            )
         }
     }
 }

@@ -109,6 +109,7 @@ words! {
     EYE: "eye", "mata";
     AS_A_NUMBER: "as a number", "sebagai angka";
     DISTANCE: "distance", "jarak";
+    FROM_THE_TARGET: "from what the camera looks at", "dari yang dilihat kamera";
     DIVISIONS: "divisions", "pembagian";
 
     LINE: "line", "garis";

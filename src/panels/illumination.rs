@@ -245,21 +245,19 @@ fn curves(
     let axes = LogAxes::new(DISTANCES, values, place);
     let words = |words: Words| words.in_language(language);
     axes.draw(picture, words(FACTOR), words(DISTANCE));
-    let curves: [(&dyn Fn(f64) -> f64, Ink, f64, &str); 2] = [
-        (&of_standard, OF_STANDARD, standard(light, n_dot_l), "f_att"),
-        (&of_slide, OF_SLIDE, light.slide_factor, "slide_factor"),
-    ];
     let x = axes.point(light.distance, 1.0).x;
     let (top, bottom) = (axes.place.y, axes.place.bottom());
     picture.line((x, top), (x, bottom), Ink::This.stroke(1.5).dashed());
-    for (factor, ink, here, tag) in curves {
+    let mut curve = |factor: &dyn Fn(f64) -> f64, here: f64, ink: Ink, field| {
         let points = distances.iter().map(|&d| axes.point(d, factor(d)));
-        picture.tagged(Tag::Field(tag), |picture| {
+        picture.tagged(Tag::Field(field), |picture| {
             picture.polyline(points, ink.stroke(2.5));
             let at = axes.point(light.distance, here);
             picture.circle(at, 4.0, ink.fill().outlined(Ink::Surface.stroke(1.5)));
         });
-    }
+    };
+    curve(&of_standard, standard(light, n_dot_l), OF_STANDARD, "f_att");
+    curve(&of_slide, light.slide_factor, OF_SLIDE, "slide_factor");
 }
 
 #[cfg(test)]
