@@ -89,7 +89,8 @@ fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
     let step = screen.session().step();
     let before = lights(&screen);
     let name = format!("{} 0, {}", words::LIGHT.en, words::DISTANCE.en);
-    screen.harness.get_by_label(&name).focus();
+    let slider = screen.harness.get_by_role_and_label(Role::Slider, &name);
+    slider.focus();
     screen.harness.run();
     for _ in 0..3 {
         screen.press(Modifiers::NONE, Key::ArrowRight);
