@@ -62,7 +62,7 @@ fn every_broken_scene_is_refused_without_a_file() {
 const LESSON: &str = r#"{ "schema": 1, "id": "my-lesson", "number": 1,
   "title": { "en": "A title", "id": "Judul" }, "summary": { "en": "Why", "id": "Mengapa" }, "topics": ["gouraud"],
   "scene_file": "scene.json", "method": "gouraud", "size": [64, 48], "focus": { "polygon": 0 },
-  "movable_lights": [0], "panels": ["image", "scan-line"],
+  "parameters": [{ "light": 0 }], "panels": ["image", "scan-line"],
   "steps": [
     { "at": { "kind": "VertexLit" }, "say": { "en": "It has {I_v:2}.", "id": "Nilainya {I_v:2}." },
       "question": { "ask": { "en": "How bright?", "id": "Seberapa terang?" }, "at": { "kind": "VertexLit" },
@@ -91,10 +91,14 @@ const BROKEN_LESSONS: &[(&str, &str, &[&str])] = &[
     ("{ \"polygon\": 0 }", "{ \"polygon\": 99999 }", &["focus: found 99999: there are", "polygons"]),
     ("{ \"polygon\": 0 }", "{ \"scan_line\": 48 }", &["focus: found 48: there are 48 rows, counted from 0"]),
     ("{ \"polygon\": 0 }", "{ \"circle\": 0 }", &["focus", "unknown variant `circle`"]),
-    ("\"movable_lights\": [0]", "\"movable_lights\": [1]", &["movable_lights[0]: found 1, a directional light; only point"]),
-    ("\"movable_lights\": [0]", "\"movable_lights\": [0, 7]", &["movable_lights[1]: found 7; the scene has 2 lights"]),
-    ("\"movable_lights\": [0]", "\"movable_lights\": [-1]", &["movable_lights[0]", "line 4"]),
-    ("\"movable_lights\": [0]", "\"movable_lights\": null", &["movable_lights", "null"]),
+    ("{ \"light\": 0 }", "{ \"light\": 1 }", &["parameters[0]: found 1, a directional light; only point"]),
+    ("{ \"light\": 0 }", "{ \"light\": 0 }, { \"light\": 7 }", &["parameters[1]: found 7; the scene has 2 lights"]),
+    ("{ \"light\": 0 }", "{ \"light\": 0 }, { \"light\": 0 }", &["parameters[1]: found a parameter that stands in the list already"]),
+    ("{ \"light\": 0 }", "{ \"light\": -1 }", &["parameters[0].light", "line 4"]),
+    ("{ \"light\": 0 }", "{ \"lamp\": 0 }", &["parameters[0]", "line 4", "unknown variant `lamp`"]),
+    ("{ \"light\": 0 }", "{ \"specular\": \"glass\" }", &["parameters[0]: found \"glass\", which is no material of the scene; it has"]),
+    ("{ \"light\": 0 }", "{ \"divisions\": \"glass\" }", &["parameters[0]: found \"glass\", which is no object"]),
+    ("[{ \"light\": 0 }]", "null", &["parameters", "null"]),
     ("\"scan-line\"", "\"scanline\"", &["panels[1]: found \"scanline\"; allowed are image"]),
     ("[\"image\", \"scan-line\"]", "[]", &["panels: found an empty list"]),
     ("\"kind\": \"EdgeTable\"", "\"kind\": \"EdgeTabel\"", &["steps[1].at: no step from", "EdgeTable"]),
@@ -371,6 +375,9 @@ fn lessons_are_listed_and_their_frames_drawn() {
         .map(|lesson| lesson["id"].as_str().unwrap())
         .collect();
     let expected = [
+        "illumination-model",
+        "distance",
+        "flat-shading",
         "gouraud-triangle",
         "gouraud-teapot",
         "ray-casting",
@@ -389,7 +396,7 @@ fn lessons_are_listed_and_their_frames_drawn() {
         "cornell-box",
     ];
     assert_eq!(ids, expected);
-    assert!(listed[0]["steps"].as_u64().unwrap() > 1000);
+    assert!(listed[3]["steps"].as_u64().unwrap() > 1000);
     let output = lightwalk(
         folder.path(),
         &[

@@ -246,16 +246,14 @@ pub fn incidence(light: &Light, position: DVec3) -> Incidence {
         Light::Point {
             position: source,
             color,
-            attenuation: [a0, a1, a2],
+            attenuation,
             ..
         } => {
             let distance = source.distance(position);
-            // Not all of a0, a1, a2 are zero, but a1·d and a2·d² may underflow.
-            let divisor = (a0 + distance * (a1 + a2 * distance)).max(f64::MIN_POSITIVE);
             Incidence {
                 to_light: (source - position).normalize_or_zero(),
                 distance,
-                attenuation: 1.0 / divisor,
+                attenuation: self::attenuation(attenuation, distance),
                 color,
             }
         }
@@ -268,8 +266,15 @@ pub fn incidence(light: &Light, position: DVec3) -> Incidence {
     }
 }
 
+/// f_att at a distance.
+pub fn attenuation([a0, a1, a2]: [f64; 3], distance: f64) -> f64 {
+    // Not all of a0, a1, a2 are zero, but a1·d and a2·d² may underflow.
+    let divisor = (a0 + distance * (a1 + a2 * distance)).max(f64::MIN_POSITIVE);
+    1.0 / divisor
+}
+
 /// What the slide prints in place of f_att(d)·N·L. At an infinite distance there is no such number: 0.
-fn slide_factor(distance: f64, cos_phi: f64) -> f64 {
+pub fn slide_factor(distance: f64, cos_phi: f64) -> f64 {
     if distance.is_finite() && distance > 0.0 {
         distance * cos_phi / distance.sqrt()
     } else {

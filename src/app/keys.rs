@@ -1,5 +1,6 @@
 //! The keys: one table, which the handler obeys and the sheet of keys prints.
 
+use super::parameter_card;
 use super::session::{Command, Session};
 use crate::panels::words::Words;
 use egui::{Event, Key, Modifiers, Popup};
@@ -349,7 +350,7 @@ impl Binding {
 
 /// The commands of the keys pressed in this frame.
 ///
-/// Keys are the user's own while text is edited, and where a focused button waits for its space. A key that acts closes
+/// Keys are the user's own while text is edited, and where a focused button waits for its space or a slider for arrows. A key that acts closes
 /// an open menu; escape does nothing else there.
 pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
     if ctx.text_edit_focused() {
@@ -357,6 +358,7 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
     }
     let menu = Popup::is_any_open(ctx);
     let focused = ctx.memory(|memory| memory.focused().is_some());
+    let on_slider = focused && parameter_card::keeps_arrows(ctx);
     let mut arrow = false;
     let commands: Vec<Command> = ctx.input(|input| {
         let keys = input.events.iter().filter_map(|event| match *event {
@@ -375,6 +377,7 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
         });
         let ours = bound.filter(|binding| match binding.key {
             Key::Space => !focused,
+            Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown => !on_slider,
             Key::Escape => !menu,
             _ => true,
         });

@@ -1,12 +1,13 @@
 //! The window: a [`Session`] holds what is shown, [`window`] shows it, [`open`] puts it on the screen.
 
+mod drag;
 mod key_sheet;
 mod keys;
 mod left_out;
-mod light_controls;
 mod main_window;
 mod narration;
 mod panel_view;
+mod parameter_card;
 mod question_card;
 pub mod session;
 mod style;

@@ -104,7 +104,10 @@ impl PanelView {
             self.upload(highlighted, panel, session.look.theme, scale, ui);
         }
 
-        let sense = if matches!(panel, Panel::TimeLine | Panel::RayTree | Panel::Rays) {
+        let sense = if matches!(
+            panel,
+            Panel::TimeLine | Panel::RayTree | Panel::Rays | Panel::Vectors
+        ) {
             Sense::click_and_drag()
         } else {
             Sense::click()
@@ -225,6 +228,7 @@ pub fn title(panel: Panel) -> Words {
         Panel::RayTree => words::RAY_TREE,
         Panel::Vectors => words::VECTORS,
         Panel::Rays => words::RAYS,
+        Panel::Illumination => words::ILLUMINATION,
         Panel::Radiosity => words::RADIOSITY,
         Panel::FormFactor => words::FORM_FACTOR,
         Panel::Matrix => words::MATRIX,

@@ -2,7 +2,7 @@
 
 use super::panel_view::{self, PanelView};
 use super::session::{Command, Session};
-use super::{light_controls, style, tree_controls, words};
+use super::{drag, style, tree_controls, words};
 use crate::panels::{Panel, step_at};
 use crate::picture::{Ink, Tag};
 use egui::{Rect, Ui, WidgetText};
@@ -61,6 +61,8 @@ impl Arrangement {
 fn arrange(panels: &[Panel]) -> Tree<Panel> {
     if panels.contains(&Panel::RayTree) {
         beside_the_tree(panels)
+    } else if panels.contains(&Panel::Illumination) {
+        beside_the_terms(panels)
     } else {
         in_rows(panels)
     }
@@ -92,6 +94,23 @@ fn beside_the_tree(panels: &[Panel]) -> Tree<Panel> {
         let columns = Linear::new_binary(LinearDir::Horizontal, [left, right], 0.42);
         tiles.insert_container(Container::Linear(columns))
     };
+    Tree::new(egui::Id::unique("panels"), root, tiles)
+}
+
+/// Two columns: the others, and beside them the terms with their curves, which need height.
+fn beside_the_terms(panels: &[Panel]) -> Tree<Panel> {
+    let mut tiles = Tiles::default();
+    let (terms, others): (Vec<Panel>, Vec<Panel>) = panels
+        .iter()
+        .partition(|&&panel| panel == Panel::Illumination);
+    let mut column = |panels: Vec<Panel>| {
+        let panes = panels.into_iter().map(|panel| tiles.insert_pane(panel));
+        let panes: Vec<TileId> = panes.collect();
+        tiles.insert_vertical_tile(panes)
+    };
+    let columns = [others, terms].map(&mut column);
+    let columns = Linear::new_binary(LinearDir::Horizontal, columns, 0.55);
+    let root = tiles.insert_container(Container::Linear(columns));
     Tree::new(egui::Id::unique("panels"), root, tiles)
 }
 
@@ -228,8 +247,8 @@ pub fn panel_on(
         let step = step_at(&session.show(), size, at);
         command = (step != session.step()).then_some(Command::Seek(step));
     }
-    if panel == Panel::Rays {
-        command = light_controls::dragged(session, &response, ui).or(command);
+    if matches!(panel, Panel::Rays | Panel::Vectors) {
+        command = drag::dragged(session, panel, &response, ui).or(command);
     }
     if panel == Panel::RayTree {
         command = tree_controls::pointed(session, &response, ui).or(command);

@@ -3,7 +3,7 @@
 use super::panel_view::PanelView;
 use super::session::{Command, Session};
 use super::tiles::{Arrangement, GAP, panel_on};
-use super::{key_sheet, keys, narration, style, top_bar, transport, words};
+use super::{key_sheet, keys, narration, parameter_card, style, top_bar, transport, words};
 use crate::panels::Panel;
 use crate::picture::Theme;
 use egui::{CursorIcon, Frame, Id, Margin, Popup, Rect, Sense, Stroke, Ui, ViewportCommand};
@@ -95,6 +95,12 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
             ..margin
         }))
         .show(ui, |ui| {
+            let whole = ui.max_rect();
+            if let Some(height) = parameter_card::height(session, whole.width()) {
+                let card = Rect::from_min_size(whole.min, egui::vec2(whole.width(), height));
+                parameter_card::show(session, &mut commands, card, ui);
+                ui.allocate_space(egui::vec2(whole.width(), height + GAP));
+            }
             window.arrangement.show(
                 session,
                 &mut window.views,

@@ -50,8 +50,8 @@ words! {
     TRUNCATED: "Only the beginning of this run fits in memory; the picture is whole all the same.", "Hanya awal dari proses ini yang muat di memori; gambarnya tetap utuh.";
 
     MAKING_THE_PICTURE: "whole picture:", "seluruh gambar:";
-    UNSAID: "With the light there, some of what this lesson explains does not happen.", "Dengan lampu di sana, sebagian dari yang dijelaskan pelajaran ini tidak terjadi.";
-    PUT_BACK: "Start again with the light in its place", "Mulai lagi dengan lampu di tempatnya";
+    UNSAID: "With these values, some of what this lesson explains does not happen.", "Dengan nilai-nilai ini, sebagian dari yang dijelaskan pelajaran ini tidak terjadi.";
+    PUT_BACK: "Start again with the lesson's own values", "Mulai lagi dengan nilai-nilai pelajaran";
 
     SLIDE: "As on the slide", "Seperti pada salindia";
     LAST_SAID: "Said before, at step", "Sebelumnya, pada langkah";
@@ -77,7 +77,7 @@ words! {
     LEFT_OUT: "Left out: not needed here", "Ditinggalkan: tidak diperlukan di sini";
     NOTHING_LEFT_OUT: "Nothing", "Tidak ada";
     RAY_TREE: "Ray tree", "Pohon sinar";
-    VECTORS: "Vectors at the hit", "Vektor di titik temu";
+    VECTORS: "Vectors at the point", "Vektor di titik ini";
     RADIOSITY: "Radiosity, patch by patch", "Radiositas, patch demi patch";
     FORM_FACTOR: "Form factor", "Faktor bentuk";
     MATRIX: "Matrix of form factors", "Matriks faktor bentuk";
@@ -88,6 +88,7 @@ words! {
     PROFILE: "Along the scan line", "Sepanjang garis scan";
     SMOOTH: "smooth", "halus";
     SMOOTH_ROOM: "interpolate the light between the corners of patches", "interpolasikan cahaya antara sudut-sudut patch";
+    ILLUMINATION: "Terms, and the slide's factor", "Suku, dan faktor salindia";
     RAYS: "Rays in the scene", "Sinar di dalam adegan";
     TREE_FIT: "fit", "pas";
     WHOLE_TREE: "show the whole tree", "tampilkan seluruh pohon";
@@ -101,6 +102,15 @@ words! {
     CLICK_A_ROW: "click a row to light it up", "klik baris untuk menyorotnya";
 
     DRAG_THE_LIGHT: "drag to move the light", "seret untuk memindahkan cahaya";
+    DRAG_THE_EYE: "drag to move the eye", "seret untuk memindahkan mata";
+    PARAMETERS: "Parameters", "Parameter";
+    PUT_BACK_ALL: "lesson's values", "nilai pelajaran";
+    LIGHT: "light", "cahaya";
+    EYE: "eye", "mata";
+    AS_A_NUMBER: "as a number", "sebagai angka";
+    DISTANCE: "distance", "jarak";
+    FROM_THE_TARGET: "from what the camera looks at", "dari yang dilihat kamera";
+    DIVISIONS: "divisions", "pembagian";
 
     LINE: "line", "garis";
     POLYGON: "polygon", "poligon";
@@ -129,9 +139,11 @@ words! {
     LARGEST: "The text is as large as it gets.", "Teks sudah terbesar.";
     SMALLEST: "The text is as small as it gets.", "Teks sudah terkecil.";
     NO_SUCH_LESSON: "There is no such lesson.", "Tidak ada pelajaran itu.";
-    LIGHT_STAYS: "The lesson keeps this light where it is.", "Pelajaran ini membiarkan lampu itu di tempatnya.";
+    STAYS: "The lesson keeps this as it is.", "Pelajaran ini membiarkannya seperti adanya.";
     TOO_FAR: "That is too far away.", "Itu terlalu jauh.";
-    SHARE_AS_LIT_ONLY: "A light was moved: r puts it back, and then this step can be shared.", "Sebuah lampu dipindahkan: r mengembalikannya, lalu langkah ini dapat dibagikan.";
+    NO_VIEW: "From there, what is up in the picture would not be known.", "Dari sana tidak diketahui mana yang atas pada gambar.";
+    OUT_OF_RANGE: "That value cannot be had.", "Nilai itu tidak diperbolehkan.";
+    SHARE_UNCHANGED_ONLY: "A parameter was changed: r puts it back, and then this step can be shared.", "Sebuah parameter diubah: r mengembalikannya, lalu langkah ini dapat dibagikan.";
     SHARE_LESSON_ONLY: "Only steps of the lesson itself can be shared; r leads back to it.", "Hanya langkah pelajaran yang dapat dibagikan; r kembali ke pelajaran.";
 }
 

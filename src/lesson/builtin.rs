@@ -13,6 +13,15 @@ pub struct Builtin {
 /// By their ids, in the order of their numbers.
 const BUILTINS: &[Builtin] = &[
     lesson(
+        "illumination-model",
+        include_str!("../../lessons/01-illumination-model.json"),
+    ),
+    lesson("distance", include_str!("../../lessons/02-distance.json")),
+    lesson(
+        "flat-shading",
+        include_str!("../../lessons/03-flat-shading.json"),
+    ),
+    lesson(
         "gouraud-triangle",
         include_str!("../../lessons/04-gouraud-triangle.json"),
     ),

@@ -1,5 +1,6 @@
 //! The lesson file as it is written: what is shown, and what is said and asked at which steps.
 
+use super::parameters::ParameterFile;
 use crate::panels::words::Language;
 use crate::replay::Query;
 use crate::scene::SceneFile;
@@ -45,9 +46,9 @@ pub struct LessonFile {
     #[serde(default, deserialize_with = "present")]
     pub texture_mapping: Option<String>,
     pub focus: FocusFile,
-    /// Indices of the point lights that may be moved.
+    /// What may be changed.
     #[serde(default, deserialize_with = "present")]
-    pub movable_lights: Option<Vec<usize>>,
+    pub parameters: Option<Vec<ParameterFile>>,
     pub panels: Vec<String>,
     pub steps: Vec<Keyed<StepFile>>,
 }

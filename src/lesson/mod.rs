@@ -6,10 +6,12 @@
 mod builtin;
 mod file;
 mod narrate;
+mod parameters;
 mod resolve;
 mod settings;
 pub mod template;
 
 pub use builtin::{Builtin, builtin, builtins};
 pub use file::{LessonFile, Text};
+pub use parameters::{Change, Coefficient, DIVISIONS, NotAllowed, Parameter};
 pub use resolve::{Answer, Lesson, LessonError, Narrated, OpenLesson, Question};

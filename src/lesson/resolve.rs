@@ -2,6 +2,7 @@
 
 use super::file::{FocusFile, LessonFile, StepFile, Text};
 use super::narrate::narrate;
+use super::parameters::{Parameter, parameters};
 use super::settings::{compare, mapping, radiosity, rays};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::primary::Settings;
@@ -14,7 +15,7 @@ use crate::record::RecordingLimit;
 use crate::render::{MAX_PIXELS, MAX_SIDE, Method};
 use crate::replay::Run;
 use crate::scene::document::{self, Keyed, Problem};
-use crate::scene::{self, Light, Limits, Scene, SceneError, View};
+use crate::scene::{self, Limits, Scene, SceneError, View};
 use std::sync::Arc;
 
 /// What is wrong with a lesson. Displayed as one problem a line.
@@ -60,8 +61,8 @@ pub struct Lesson {
     /// Where the textures of polygons are looked up.
     pub mapping: Mapping,
     pub focus: Focus,
-    /// Indices into the scene's lights: point lights that may be moved.
-    pub movable_lights: Vec<usize>,
+    /// What may be changed while one looks.
+    pub parameters: Vec<Parameter>,
     pub panels: Vec<Panel>,
     steps: Vec<StepFile>,
 }
@@ -182,10 +183,10 @@ impl Lesson {
             }
         }
         check_words(&file, &mut problems);
-        let movable_lights = file.movable_lights.clone().unwrap_or_default();
-        if let Some(scene) = &scene {
-            check_movable(&movable_lights, &scene.lights, &mut problems);
-        }
+        let parameters = match (&scene, &file.parameters) {
+            (Some(scene), Some(files)) => parameters(files, scene, &mut problems),
+            _ => Vec::new(),
+        };
         let focus = match file.focus {
             FocusFile::Frame => Focus::Frame,
             FocusFile::Polygon(number) => Focus::Polygon(number),
@@ -229,7 +230,7 @@ impl Lesson {
                 compare,
                 mapping,
                 focus,
-                movable_lights,
+                parameters,
                 panels,
                 steps: file.steps.into_iter().map(|Keyed(step)| step).collect(),
             }),
@@ -239,16 +240,9 @@ impl Lesson {
 
     /// Runs the lesson and finds its narrated steps. Errors: every anchor, value and answer that is not in the run.
     pub fn open(self) -> Result<OpenLesson, LessonError> {
-        let camera = self
-            .scene
-            .camera
-            .ok_or_else(|| problem("scene.camera", "the key is missing"))?;
-        let [width, height] = self.size;
         let stage = Arc::new(
-            Stage::new(self.scene.clone(), View::new(&camera, width, height))
-                .with_settings(self.settings)
-                .with_radiosity(self.radiosity)
-                .with_mapping(self.mapping),
+            self.stage(self.scene.clone())
+                .ok_or_else(|| problem("scene.camera", "the key is missing"))?,
         );
         if self.method == Method::Radiosity {
             let wrong = |error: &_| problem("scene", format!("{error}"));
@@ -269,6 +263,19 @@ impl Lesson {
             run,
             narrated,
         })
+    }
+
+    /// The lesson's scene, as it is or changed, in front of its camera. None without a camera.
+    pub fn stage(&self, scene: Scene) -> Option<Stage> {
+        let [width, height] = self.size;
+        let view = View::new(scene.camera.as_ref()?, width, height);
+        let stage = Stage::new(scene, view);
+        Some(
+            stage
+                .with_settings(self.settings)
+                .with_radiosity(self.radiosity)
+                .with_mapping(self.mapping),
+        )
     }
 
     /// What is said in a run of the lesson's own part. Errors: every anchor, value and answer that is not in the run.
@@ -304,22 +311,6 @@ fn read_scene(
             Ok(Some(scene.map_err(|error| LessonError { problems: error.problems.into_iter().map(named).collect() })?))
         }
         _ => Err(problem("", "a lesson has exactly one of the keys `scene` (a scene) and `scene_file` (the path of one)").into()),
-    }
-}
-
-fn check_movable(movable: &[usize], lights: &[Light], problems: &mut Vec<Problem>) {
-    for (index, &light) in movable.iter().enumerate() {
-        let message = match lights.get(light) {
-            Some(Light::Point { .. }) => continue,
-            Some(Light::Directional { .. }) => {
-                format!("found {light}, a directional light; only point lights can be moved")
-            }
-            None => format!(
-                "found {light}; the scene has {} lights, counted from 0",
-                lights.len()
-            ),
-        };
-        problems.push(problem(format!("movable_lights[{index}]"), message));
     }
 }
 

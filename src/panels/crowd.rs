@@ -92,6 +92,7 @@ fn object(name: &str, material: usize, shape: Shape) -> Object {
         material,
         shape,
         patches: [1, 1],
+        divisions: Object::DIVISIONS,
         casts_shadow: true,
     }
 }

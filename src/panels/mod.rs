@@ -10,6 +10,7 @@ mod difference;
 mod fit;
 mod form_factor;
 mod formula;
+mod illumination;
 mod image;
 mod inspector;
 pub(crate) mod labels;
@@ -35,6 +36,7 @@ pub use ray_tree::TreeView;
 pub use ray_tree::{area as tree_area, middle as tree_middle};
 pub use rays::{Grip, grip};
 pub use time_line::step_at;
+pub use vectors::{Held, PlaneGrip, grip as vector_grip};
 
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
@@ -61,6 +63,8 @@ pub enum Panel {
     Vectors,
     /// The rays of the pixel among the objects, from the side and from above.
     Rays,
+    /// The terms of the point that is lit, and the slide's factor against the standard one.
+    Illumination,
     /// The patches of the room, each in its light, with the exchange in hand.
     Radiosity,
     /// Two patches, and the form factor between them as it is found.
@@ -88,7 +92,7 @@ pub enum Panel {
 }
 
 impl Panel {
-    pub const ALL: [Panel; 19] = [
+    pub const ALL: [Panel; 20] = [
         Panel::Image,
         Panel::ScanLine,
         Panel::ActiveEdges,
@@ -96,6 +100,7 @@ impl Panel {
         Panel::RayTree,
         Panel::Vectors,
         Panel::Rays,
+        Panel::Illumination,
         Panel::Radiosity,
         Panel::FormFactor,
         Panel::Matrix,
@@ -120,6 +125,7 @@ impl Panel {
             Panel::RayTree => "ray-tree",
             Panel::Vectors => "vectors",
             Panel::Rays => "rays",
+            Panel::Illumination => "illumination",
             Panel::Radiosity => "radiosity",
             Panel::FormFactor => "form-factor",
             Panel::Matrix => "matrix",
@@ -177,6 +183,7 @@ pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
         Panel::RayTree => ray_tree::draw(show, size),
         Panel::Vectors => vectors::draw(show, size),
         Panel::Rays => rays::draw(show, size),
+        Panel::Illumination => illumination::draw(show, size),
         Panel::Radiosity => radiosity::draw(show, size),
         Panel::FormFactor => form_factor::draw(show, size),
         Panel::Matrix => matrix::draw(show, size),

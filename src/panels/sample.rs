@@ -199,6 +199,7 @@ fn scene(shape: Shape, diffuse: Rgb, highlight: Highlight) -> Scene {
             material: 0,
             shape,
             patches: [1, 1],
+            divisions: Object::DIVISIONS,
             casts_shadow: true,
         }],
         lights: vec![Light::Point {

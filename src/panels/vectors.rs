@@ -1,4 +1,5 @@
-//! The vectors where a ray meets a surface, in the plane of incidence: the plane of the incoming ray u and the normal.
+//! The vectors where a ray meets a surface, in the plane of incidence: the plane of the incoming ray u and the normal; of methods
+//! that convert polygons, those at the point that is lit.
 //!
 //! Outside (or the front) is up, inside (or the back) is down, and u goes from left to right. What leans out of the plane, as
 //! directions to lights do, is drawn as its shadow in it: shortened.
@@ -6,9 +7,13 @@
 mod angles;
 mod arrows;
 mod met;
+mod plane;
+mod point;
+
+pub use plane::{Held, PlaneGrip};
 
 use super::Show;
-use super::message::{NO_RAYS, NO_STEPS, message};
+use super::message::{NO_STEPS, message};
 use super::values::told_in_words;
 use super::words::Words;
 use crate::algorithms::visible::Met;
@@ -23,6 +28,10 @@ const NOT_YET: Words = Words::new(
     "This ray has met no surface yet. Go on until the nearest object is found.",
     "Sinar ini belum mengenai permukaan. Lanjutkan sampai objek terdekat ditemukan.",
 );
+const NO_POINT: Words = Words::new(
+    "While a point is being lit, this panel shows its vectors. At this step none is.",
+    "Saat sebuah titik diberi pencahayaan, panel ini menampilkan vektor-vektornya. Pada langkah ini tidak ada.",
+);
 const NO_SURFACE: Words = Words::new(
     "This ray meets no surface: it takes the colour of the background, or of a light. Click an object in the image.",
     "Sinar ini tidak mengenai permukaan: mendapat warna latar belakang atau cahaya. Klik sebuah objek pada gambar.",
@@ -33,7 +42,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         return message(NO_STEPS, show.language, size);
     }
     let Some(state) = show.run.rays() else {
-        return message(NO_RAYS, show.language, size);
+        return at_point(show, size);
     };
     let Some(surface) = SurfaceInSight::of(state) else {
         let words = if over(state) { NO_SURFACE } else { NOT_YET };
@@ -57,6 +66,34 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     );
     picture.alt = format!("{} {}", told_in_words(show), angles.in_words());
     picture
+}
+
+/// The vectors at a point of a polygon.
+fn at_point(show: &Show, size: Vec2) -> Picture {
+    let (Some(stage), Some(point)) = show.run.lit() else {
+        return message(NO_POINT, show.language, size);
+    };
+    let walk = show.run.walk();
+    let kind = walk.kind(walk.position());
+    let mut picture = Picture::new(size.x, size.y);
+    let angles = point::draw(&mut picture, point, stage.view.eye, kind, size);
+    picture.alt = format!("{} {angles}.", told_in_words(show));
+    picture
+}
+
+/// The vector toward a light or the eye whose tip is at `at` in the panel of that size.
+pub fn grip(show: &Show, size: Vec2, at: Vec2) -> Option<PlaneGrip> {
+    let Some(state) = show.run.rays() else {
+        let (Some(stage), Some(point)) = show.run.lit() else {
+            return None;
+        };
+        let eye = stage.view.eye;
+        return point::plane(point, eye, size).grip(&point::tips(point, eye), at);
+    };
+    let surface = SurfaceInSight::of(state)?;
+    let text = (1.4 * small(size)).min(24.0).round();
+    let drawing = Layout::of(size, &state.stage.scene, text).drawing;
+    arrows::plane(&surface, text, drawing).grip(&surface.tips(), at)
 }
 
 /// Whether the ray in hand has found out that it meets no surface.

@@ -55,12 +55,18 @@ impl PointInHand {
         }
         let Some(point) = in_hand else { return };
         if let Event::Light {
-            light, attenuation, ..
+            light,
+            distance,
+            attenuation,
+            slide_factor,
+            ..
         } = *event
         {
             let light = LightInHand {
                 light,
+                distance,
                 attenuation,
+                slide_factor,
                 to_light: None,
                 halfway: None,
                 mirrored: None,
@@ -104,7 +110,11 @@ impl PointInHand {
 #[derive(Clone, Copy, Debug)]
 pub struct LightInHand {
     pub light: u32,
+    /// Infinite for a directional light.
+    pub distance: f64,
     pub attenuation: f64,
+    /// What the slide has in place of f_att·N·L.
+    pub slide_factor: f64,
     /// L and N·L.
     pub to_light: Option<(DVec3, f64)>,
     /// H and N·H.

@@ -1,5 +1,6 @@
 //! One recorded run of one of the algorithms.
 
+use super::in_hand::PointInHand;
 use super::{Fold, Replay, Timeline, Walk, form_factor, radiosity, rays, shading, wireframe};
 use crate::algorithms::exact;
 use crate::algorithms::fast_phong;
@@ -135,6 +136,27 @@ impl Run {
             Run::RayCasting(replay) => Some(replay.state()),
             Run::RayTracing(replay) => Some(replay.state()),
             _ => None,
+        }
+    }
+
+    /// The point that is being lit, or was lit last, where the run lights points; with the lights of its scene.
+    pub fn lit(&self) -> (Option<&Stage>, Option<&PointInHand>) {
+        fn of<A>(state: &shading::State<A>) -> (Option<&Stage>, Option<&PointInHand>) {
+            (Some(&state.stage), state.point.as_ref())
+        }
+        match self {
+            Run::Flat(replay) => of(replay.state()),
+            Run::Gouraud(replay) => of(replay.state()),
+            Run::Phong(replay) => of(replay.state()),
+            Run::FastPhong(replay) => of(replay.state()),
+            Run::Exact(replay) => of(replay.state()),
+            Run::RayCasting(_) | Run::RayTracing(_) => {
+                let state = self.rays();
+                let ray = state.and_then(|state| state.ray()?.lit.as_deref());
+                let lit = state.and_then(|state| state.point.as_ref()).or(ray);
+                (state.map(|state| &*state.stage), lit)
+            }
+            Run::Wireframe(_) | Run::Radiosity(..) | Run::FormFactor(..) => (None, None),
         }
     }
 

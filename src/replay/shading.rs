@@ -324,8 +324,14 @@ impl<M: Shading> Fold<Event<M>> for State<M::Told> {
                 }
             }
             Event::ScanLine(ref event) => {
-                self.vertex = None;
-                self.point = None;
+                // A point stays with what it was lit for: a vertex, a pixel, or the whole polygon.
+                let of_vertex = self.vertex.take().is_some();
+                let lit = self.point.as_ref().map(|point| point.step);
+                let of_pixel = self.pixel.is_some_and(|pixel| lit > Some(pixel.step))
+                    && !matches!(event, scan_line::Event::PixelColored { .. });
+                if of_vertex || of_pixel {
+                    self.point = None;
+                }
                 self.convert(step, event);
             }
         }

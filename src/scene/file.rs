@@ -96,6 +96,8 @@ pub(super) struct ObjectFile {
     #[serde(default, deserialize_with = "present")]
     pub patches: Option<PatchCounts>,
     #[serde(default, deserialize_with = "present")]
+    pub divisions: Option<Count>,
+    #[serde(default, deserialize_with = "present")]
     pub casts_shadow: Option<bool>,
     #[serde(default, deserialize_with = "present")]
     pub transform: Option<Keyed<TransformFile>>,

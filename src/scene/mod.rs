@@ -91,7 +91,16 @@ pub struct Object {
     pub shape: Shape,
     /// Radiosity patches along u and v.
     pub patches: [u32; 2],
+    /// Of a sphere: into n parts from pole to pole and 2n around, where polygons are needed.
+    pub divisions: u32,
     pub casts_shadow: bool,
+}
+
+impl Object {
+    /// Of a sphere whose file does not say.
+    pub const DIVISIONS: u32 = 16;
+    /// The most that a file may ask for.
+    pub const MOST_DIVISIONS: u32 = 512;
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -247,7 +247,7 @@ impl Division<'_> {
                 grid,
             },
             shape => Division::Triangles {
-                triangles: triangles(&tessellation::mesh_of(shape)),
+                triangles: triangles(&tessellation::mesh_of(shape, object.divisions)),
                 steps: grid[0],
             },
         })

@@ -1,11 +1,9 @@
 //! Polygons for the scan-line methods: every object but the infinite planes as a mesh.
 
-use super::{Mesh, Scene, Shape};
+use super::{Mesh, Object, Scene, Shape};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
-const SPHERE_LONGITUDES: u32 = 32;
-const SPHERE_LATITUDES: u32 = 16;
 pub(super) const CYLINDER_SIDES: u32 = 32;
 
 /// The objects of a scene as meshes. Polygons are counted from 0 over all objects in the order of the file.
@@ -22,8 +20,8 @@ pub struct Tessellation {
 impl Tessellation {
     /// How many polygons a scene divides into, before any of them takes memory.
     pub fn count(scene: &Scene) -> u64 {
-        let polygons = |shape: &Shape| match shape {
-            Shape::Sphere { .. } => u64::from(SPHERE_LONGITUDES * SPHERE_LATITUDES),
+        let polygons = |object: &Object| match &object.shape {
+            Shape::Sphere { .. } => 2 * u64::from(object.divisions).pow(2),
             Shape::Plane { .. } => 0,
             Shape::Polygon { .. } => 1,
             Shape::Cylinder { capped, .. } => u64::from(CYLINDER_SIDES) + 2 * u64::from(*capped),
@@ -32,18 +30,14 @@ impl Tessellation {
             }
             Shape::Mesh(mesh) => mesh.face_count() as u64,
         };
-        scene
-            .objects
-            .iter()
-            .map(|object| polygons(&object.shape))
-            .sum()
+        scene.objects.iter().map(polygons).sum()
     }
 
     pub fn of(scene: &Scene) -> Self {
         let meshes: Vec<Mesh> = scene
             .objects
             .iter()
-            .map(|object| mesh_of(&object.shape))
+            .map(|object| mesh_of(&object.shape, object.divisions))
             .collect();
         let left_out = (0..meshes.len())
             .filter(|&i| matches!(scene.objects[i].shape, Shape::Plane { .. }))
@@ -78,12 +72,10 @@ impl Tessellation {
     }
 }
 
-/// Faces are counter-clockwise seen from outside, or from a polygon's front.
-pub(super) fn mesh_of(shape: &Shape) -> Mesh {
+/// Faces are counter-clockwise seen from outside, or from a polygon's front. Of a sphere, `divisions` from pole to pole.
+pub(super) fn mesh_of(shape: &Shape, divisions: u32) -> Mesh {
     match shape {
-        Shape::Sphere { center, radius } => {
-            sphere(*center, *radius, [SPHERE_LONGITUDES, SPHERE_LATITUDES])
-        }
+        Shape::Sphere { center, radius } => sphere(*center, *radius, [2 * divisions, divisions]),
         Shape::Plane { .. } => Mesh::default(),
         Shape::Polygon { vertices } => {
             let face: Vec<u32> = (0..vertices.len() as u32).collect();
@@ -224,7 +216,6 @@ fn combine(weights: &[f64; 4], points: [DVec3; 4]) -> DVec3 {
 mod tests {
     use super::*;
     use crate::color::Rgb;
-    use crate::scene::Object;
     use std::collections::HashSet;
 
     /// V − E + F: 2 for a closed surface without handles (Euler).
@@ -279,6 +270,7 @@ mod tests {
             material: 0,
             shape,
             patches: [1, 1],
+            divisions: Object::DIVISIONS,
             casts_shadow: true,
         };
         let scene = Scene {
@@ -297,7 +289,7 @@ mod tests {
     #[test]
     fn a_sphere_is_closed_and_faces_outward() {
         let center = DVec3::new(-1.3, 0.8, 0.5);
-        let mesh = sphere(center, 0.8, [SPHERE_LONGITUDES, SPHERE_LATITUDES]);
+        let mesh = sphere(center, 0.8, [32, 16]);
         assert_eq!(mesh.face_count(), 512);
         // 15 rings of 32 and the two poles.
         assert_eq!(mesh.vertex_count(), 482);
@@ -415,6 +407,7 @@ mod tests {
                     material: 0,
                     shape,
                     patches: [1, 1],
+                    divisions: Object::DIVISIONS,
                     casts_shadow: true,
                 })
                 .collect(),

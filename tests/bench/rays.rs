@@ -121,6 +121,7 @@ fn scene_of(mesh: Mesh) -> Scene {
             material: 0,
             shape: Shape::Mesh(mesh),
             patches: [1, 1],
+            divisions: Object::DIVISIONS,
             casts_shadow: true,
         }],
         lights: Vec::new(),

@@ -99,6 +99,9 @@ pub const BROKEN: &[(&str, &str, &[&str])] = &[
     ("\"divisions\": 4", "\"divisions\": 0", &["objects[5].bezier.divisions: found 0"]),
     ("\"divisions\": 4", "\"divisions\": 4000000000", &["objects[5].bezier.divisions", "at most 5000000 are allowed in a scene (--max-triangles)"]),
     ("\"divisions\": 4", "\"divisions\": 18446744073709551615", &["objects[5].bezier.divisions", "--max-triangles"]),
+    ("\"radius\": 0.8 }", "\"radius\": 0.8 }, \"divisions\": 1", &["objects[0].divisions: found 1; allowed are whole numbers from 2 to 512"]),
+    ("\"radius\": 0.8 }", "\"radius\": 0.8 }, \"divisions\": 4000000000", &["objects[0].divisions: found 4000000000; allowed"]),
+    ("\"patches\": [8, 8]", "\"divisions\": 8", &["objects[2].divisions: found divisions on a shape that takes none here; only spheres do"]),
     (",[3,3,0]]] }", "]] }", &["objects[5].bezier.patches[0]: found 15 points; a bicubic patch has 16"]),
     // Patches.
     ("\"patches\": [8, 8]", "\"patches\": [0, 8]", &["objects[2].patches: found [0, 8]"]),

@@ -393,6 +393,7 @@ fn scene() -> impl Strategy<Value = Scene> {
                         material,
                         shape,
                         patches: [1, 1],
+                        divisions: Object::DIVISIONS,
                         casts_shadow,
                     })
                     .collect(),

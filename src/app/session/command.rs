@@ -1,10 +1,10 @@
 //! What a user can ask of a session, and why it may be refused.
 
 use crate::algorithms::focus::Focus;
+use crate::lesson::Change;
 use crate::panels::TreeView;
 use crate::panels::words::{Language, Words};
 use crate::picture::{Tag, Theme};
-use glam::DVec3;
 
 /// Everything that keys, buttons and clicks do.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,11 +60,8 @@ pub enum Command {
     Skip,
     /// Questions on or off.
     Questions,
-    /// Moves a light of the scene, by its index, to a place in the world; the lesson says which may be moved.
-    MoveLight {
-        light: usize,
-        position: DVec3,
-    },
+    /// Gives a parameter another value; the lesson says which may be changed.
+    Change(Change),
     /// The lesson as it was when it was opened.
     Reset,
     /// A built-in lesson by its id.

@@ -48,14 +48,14 @@ impl Session {
         let run = self.record(self.focus);
         let step = place.nearest(run.walk(), here).unwrap_or(here);
         self.walk_on(run, self.focus, step);
-        // No move of a light leads past a question.
+        // No change of a parameter leads past a question.
         if let Some(asked) = self.question_between(0, self.step()).filter(|_| !skipped) {
             self.seek(asked);
         }
     }
 
-    /// Walks on in another run, at one of its steps. What the lesson says of its own part is told of this run; where a light
-    /// was moved so that something of it does not happen any more, nothing is said.
+    /// Walks on in another run, at one of its steps. What the lesson says of its own part is told of this run; where something was
+    /// changed so that a part of it does not happen any more, nothing is said.
     fn walk_on(&mut self, run: Run, focus: Focus, step: usize) {
         self.open.run = run;
         self.focus = focus;

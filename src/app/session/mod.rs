@@ -1,8 +1,8 @@
 //! Everything that the window shows, without a window: a [`Command`] changes it, and nothing else does.
 
+mod change;
 mod command;
 mod focus;
-mod light;
 mod play;
 mod preview;
 mod question;
@@ -325,8 +325,8 @@ impl Session {
     pub fn command_line(&self) -> Result<String, Words> {
         if !self.follows_lesson() {
             Err(super::words::SHARE_LESSON_ONLY)
-        } else if self.light_is_moved() {
-            Err(super::words::SHARE_AS_LIT_ONLY)
+        } else if self.is_changed() {
+            Err(super::words::SHARE_UNCHANGED_ONLY)
         } else {
             Ok(format!(
                 "lightwalk open {} --step {}",

@@ -52,10 +52,10 @@ impl Session {
             Command::Answer(guess) => return self.answer(&guess),
             Command::Skip => return self.skip(),
             Command::Questions => self.look.questions = !self.look.questions,
-            Command::MoveLight { light, position } => return self.move_light(light, position),
+            Command::Change(change) => return self.change(change),
             Command::Reset => {
-                if self.light_is_moved() {
-                    self.put_lights_back();
+                if self.is_changed() {
+                    self.put_back();
                 }
                 self.look_at(self.open.lesson.focus)?;
                 self.start_over();
@@ -91,7 +91,7 @@ impl Session {
             Command::LoopOff if self.loop_ends() == (None, None) => Some(words::NO_LOOP),
             Command::ViewTree(ref view) if *view == self.tree => Some(words::TREE_AS_IT_IS),
             Command::Share => self.command_line().err(),
-            Command::MoveLight { light, .. } => self.cannot_move(light),
+            Command::Change(change) => self.cannot_change(change.parameter()),
             _ => None,
         };
         refusal.map_or(Ok(()), |words| Err(words.into()))

@@ -1,7 +1,7 @@
 //! The whole window, with no screen: keys pressed, buttons clicked, and what is then shown.
 
-mod lights;
 mod painter;
+mod parameters;
 mod ray_tree;
 
 use super::question_card::rounded;

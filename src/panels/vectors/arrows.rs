@@ -3,6 +3,7 @@
 use super::super::labels::Labels;
 use super::super::words::{Language, Words};
 use super::met::SurfaceInSight;
+use super::plane::Plane;
 use crate::algorithms::ray_tree::RayKind;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::replay::rays::{BranchInHand, Outcome};
@@ -10,6 +11,8 @@ use glam::{DVec3, Vec2};
 
 const NO_T: Words = Words::new("no T", "tanpa T");
 const POINT: f32 = 4.0;
+/// Of V, which lies beside u, as a share of it.
+pub(super) const V_LENGTH: f32 = 0.62;
 /// Length and width of the head of an arrow, about.
 const HEAD: f32 = 10.0;
 
@@ -45,6 +48,13 @@ pub(super) fn unit(area: Rect, text: f32, clear: bool) -> f32 {
     room.min_element().max(12.0)
 }
 
+/// The plane of incidence as it lies in `area`.
+pub(super) fn plane(surface: &SurfaceInSight, text: f32, area: Rect) -> Plane {
+    let clear = surface.is_transparent();
+    let middle = Vec2::new(area.center().x, area.y + share(clear) * area.height);
+    surface.plane(middle, unit(area, text, clear))
+}
+
 pub(super) fn draw(
     picture: &mut Picture,
     surface: &SurfaceInSight,
@@ -53,9 +63,7 @@ pub(super) fn draw(
     language: Language,
     area: Rect,
 ) {
-    let clear = surface.is_transparent();
-    let middle = Vec2::new(area.center().x, area.y + share(clear) * area.height);
-    let unit = unit(area, text, clear);
+    let Plane { middle, unit, .. } = plane(surface, text, area);
     let below = Rect::new(area.x, middle.y, area.width, area.bottom() - middle.y);
     picture.rect(below, Ink::Faint.fill().opacity(0.6));
     picture.line(
@@ -197,21 +205,15 @@ impl Drawing<'_> {
                 self.cross(half);
             }
         }
-        let Some(light) = in_hand else { return };
+        if lit.intensity.is_some() {
+            return;
+        }
+        let halfway = in_hand.and_then(|light| light.halfway);
+        let mirrored = in_hand.and_then(|light| light.mirrored);
         let vectors: [(&str, Option<DVec3>, &str, Ink); 3] = [
             ("V", lit.to_eye, "Viewer", Ink::Series(4)),
-            (
-                "H",
-                light.halfway.map(|(v, _)| v),
-                "Halfway",
-                Ink::Series(2),
-            ),
-            (
-                "R_L",
-                light.mirrored.map(|(v, _)| v),
-                "Mirrored",
-                Ink::Series(3),
-            ),
+            ("H", halfway.map(|(v, _)| v), "Halfway", Ink::Series(2)),
+            ("R_L", mirrored.map(|(v, _)| v), "Mirrored", Ink::Series(3)),
         ];
         for (name, vector, told_by, ink) in vectors {
             let Some(vector) = vector else { continue };
@@ -224,7 +226,7 @@ impl Drawing<'_> {
             let along = surface.project(vector);
             // V lies on the line of u: it is drawn beside it, and shorter.
             let (aside, length) = if name == "V" {
-                (5.0 * along.perp(), 0.62)
+                (5.0 * along.perp(), V_LENGTH)
             } else {
                 (Vec2::ZERO, 0.9)
             };

@@ -2,6 +2,8 @@
 
 use super::super::names;
 use super::super::words::{Language, Words};
+use super::arrows::V_LENGTH;
+use super::plane::{Held, Plane, Tip};
 use crate::algorithms::ray_tree::RayKind;
 use crate::color::Rgb;
 use crate::replay::rays::{RayInHand, State, SurfaceInHand, Verdict};
@@ -41,6 +43,44 @@ impl<'a> SurfaceInSight<'a> {
                 along: along.unwrap_or_else(|| up.any_orthonormal_vector()),
             });
         }
+    }
+
+    /// The plane of incidence, as it is drawn.
+    pub fn plane(&self, middle: Vec2, unit: f32) -> Plane {
+        let SurfaceInHand {
+            position,
+            geometric,
+            ..
+        } = self.surface;
+        Plane::new(position, geometric, self.along, middle, unit)
+    }
+
+    /// What can be moved: the lights told so far, and the eye where the ray comes from it.
+    pub fn tips(&self) -> Vec<Tip> {
+        let eye = self.state.stage.view.eye;
+        // At the start of u, and at the tip of V.
+        let lengths = [1.0, V_LENGTH].into_iter();
+        let primary = lengths.filter(|_| self.ray.parent.is_none());
+        let primary = primary.map(|length| Tip {
+            held: Held::Eye,
+            distance: eye.distance(self.surface.position),
+            direction: -self.ray.ray.direction,
+            length,
+        });
+        let lights = self.lit().map_or(&[][..], |lit| &lit.lights);
+        let lights = lights
+            .iter()
+            .filter(|light| light.distance.is_finite())
+            .filter_map(|light| {
+                let (direction, _) = light.to_light?;
+                Some(Tip {
+                    held: Held::Light(light.light as usize),
+                    distance: light.distance,
+                    direction,
+                    length: 1.0,
+                })
+            });
+        lights.chain(primary).collect()
     }
 
     /// A vector in the plane of incidence, y down.

@@ -107,6 +107,7 @@ fn beside(middle: DVec2, corner: DVec2) -> DVec2 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::Object;
     use super::super::super::tessellation::mesh_of;
     use super::super::tests::solids;
     use super::super::{Ray, Solids};
@@ -114,7 +115,7 @@ mod tests {
 
     /// For each face the chart's (u, v) at inner points, and those of the ray that meets the divided object there.
     fn assert_as_rays(shape: Shape, within: f64) {
-        let mesh = mesh_of(&shape);
+        let mesh = mesh_of(&shape, Object::DIVISIONS);
         let solids: Solids = solids([Shape::Mesh(mesh.clone())]);
         let own = self::solids([shape.clone()]);
         for face in 0..mesh.face_count() {
@@ -162,7 +163,7 @@ mod tests {
             center: DVec3::ZERO,
             radius: 1.0,
         };
-        let mesh = mesh_of(&shape);
+        let mesh = mesh_of(&shape, Object::DIVISIONS);
         for face in 0..mesh.face_count() {
             let chart = FaceChart::new(&shape, &mesh, face);
             let longitudes = || chart.corners().iter().map(|uv| uv.x);

@@ -11,6 +11,7 @@ pub fn scene(shapes: impl IntoIterator<Item = Shape>) -> Scene {
         material: 0,
         shape,
         patches: [1, 1],
+        divisions: Object::DIVISIONS,
         casts_shadow: true,
     };
     Scene {

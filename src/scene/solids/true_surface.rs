@@ -187,12 +187,13 @@ fn slopes(t: f64) -> [f64; 4] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::Object;
     use super::super::super::tessellation::mesh_of;
     use super::*;
 
     /// Looks from `eye` through inner points of every face, and shows `check` each true point with the ray's direction.
     fn for_each_point(shape: &Shape, eye: DVec3, mut check: impl FnMut(DVec3, TruePoint)) -> usize {
-        let mesh = mesh_of(shape);
+        let mesh = mesh_of(shape, Object::DIVISIONS);
         let mut count = 0;
         for face in 0..mesh.face_count() {
             let corners: Vec<DVec3> = mesh.face(face).iter().map(|&v| mesh.position(v)).collect();

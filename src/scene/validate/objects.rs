@@ -5,7 +5,7 @@ use super::{Limits, ReadFile};
 use crate::scene::document::{Keyed, Place};
 use crate::scene::file::ObjectFile;
 use crate::scene::obj::Obj;
-use crate::scene::values::PatchCounts;
+use crate::scene::values::{Count, PatchCounts};
 use crate::scene::{Material, Object, Shape};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
@@ -112,11 +112,13 @@ impl<'a, 'f> Objects<'a, 'f> {
         }
         let (shape, division) = self.shape(place, &file)?;
         let patches = self.patches(&place.key("patches"), &division, file.patches);
+        let divisions = self.divisions(&place.key("divisions"), &division, file.divisions);
         Some(Object {
             name: file.name,
             material: material?,
             shape,
             patches,
+            divisions,
             casts_shadow: file.casts_shadow.unwrap_or(true),
         })
     }
@@ -221,6 +223,33 @@ impl<'a, 'f> Objects<'a, 'f> {
                 [1, 1]
             }
         }
+    }
+
+    /// Of a sphere.
+    fn divisions(&mut self, place: &Place, division: &Division, written: Option<Count>) -> u32 {
+        let Some(Count(written)) = written else {
+            return Object::DIVISIONS;
+        };
+        let most = Object::MOST_DIVISIONS;
+        let found = u32::try_from(written).ok();
+        let divisions = found.filter(|divisions| (2..=most).contains(divisions));
+        let message = match (division, divisions) {
+            (Division::Sphere, Some(divisions)) => {
+                let triangles = 4 * u128::from(divisions).pow(2);
+                let has_room = self.has_room_for(place, triangles);
+                return if has_room {
+                    divisions
+                } else {
+                    Object::DIVISIONS
+                };
+            }
+            (Division::Sphere, None) => {
+                format!("found {written}; allowed are whole numbers from 2 to {most}")
+            }
+            _ => "found divisions on a shape that takes none here; only spheres do".into(),
+        };
+        self.check.refuse(place, message);
+        Object::DIVISIONS
     }
 
     /// Whether so many triangles more are within the limit; said before anything is made of them.

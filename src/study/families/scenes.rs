@@ -84,6 +84,7 @@ pub fn polygons(corners: &[[[f64; 3]; 4]]) -> Scene {
                 vertices: corners.map(DVec3::from).to_vec(),
             },
             patches: [1, 1],
+            divisions: Object::DIVISIONS,
             casts_shadow: true,
         })
         .collect();

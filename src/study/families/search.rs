@@ -104,6 +104,7 @@ fn spheres(count: u32) -> Scene {
                     radius: 0.4 * radius,
                 },
                 patches: [1, 1],
+                divisions: Object::DIVISIONS,
                 casts_shadow: true,
             }
         })

@@ -60,6 +60,7 @@ pub fn alone(shape: Shape) -> Solids {
         material: 0,
         shape,
         patches: [1, 1],
+        divisions: Object::DIVISIONS,
         casts_shadow: true,
     };
     let scene = Scene {

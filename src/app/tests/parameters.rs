@@ -1,7 +1,7 @@
-//! Lights that the pointer drags.
+//! Lights that the pointer drags, and the card of parameters.
 
 use super::*;
-use crate::panels::{Panel, draw};
+use crate::panels::{Held, Panel, draw, vector_grip};
 use crate::replay::Run;
 use crate::scene::Light;
 use egui::Role;
@@ -15,7 +15,7 @@ fn ball() -> Screen {
             "camera": { "eye": [0, 1, 4], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 40 },
             "objects": [{ "name": "ball", "material": "chalk", "sphere": { "center": [0, 0, 0], "radius": 1 } }],
             "lights": [{ "point": { "position": [1, 2, 1] } }, { "point": { "position": [-2, 2, -2] } }] },
-        "method": "ray-tracing", "size": [24, 18], "focus": { "pixel": [12, 9] }, "panels": ["rays"], "movable_lights": [0],
+        "method": "ray-tracing", "size": [24, 18], "focus": { "pixel": [12, 9] }, "panels": ["rays"], "parameters": [{ "light": 0 }],
         "steps": [{ "at": { "kind": "Diffuse" }, "say": { "en": "Lit", "id": "Terang" } }] }"#;
     let lesson = Lesson::read(
         json.as_bytes(),
@@ -81,4 +81,64 @@ fn a_light_is_dragged_where_the_lesson_allows_it() {
 
     drag(&mut screen, fixed, egui::vec2(24.0, -12.0));
     assert_eq!(lights(&screen)[1], before[1]);
+}
+
+#[test]
+fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
+    let mut screen = ball();
+    let step = screen.session().step();
+    let before = lights(&screen);
+    let name = format!("{} 0, {}", words::LIGHT.en, words::DISTANCE.en);
+    let slider = screen.harness.get_by_role_and_label(Role::Slider, &name);
+    slider.focus();
+    screen.harness.run();
+    for _ in 0..3 {
+        screen.press(Modifiers::NONE, Key::ArrowRight);
+    }
+    let after = lights(&screen)[0];
+    assert!(after.length() > before[0].length(), "{after}");
+    let turned = after.normalize().angle_between(before[0].normalize());
+    assert!(turned < 1e-6, "it moves straight away from the target");
+    assert_eq!(screen.session().step(), step);
+    assert!(screen.session().is_changed());
+    screen.keep("parameters");
+
+    screen.click(words::PUT_BACK.en);
+    assert_eq!(lights(&screen), before);
+    screen.press(Modifiers::NONE, Key::ArrowRight);
+    assert_eq!(screen.session().step(), step + 1);
+}
+
+#[test]
+fn what_cannot_be_changed_has_no_card() {
+    let screen = triangle([]);
+    let title = screen.harness.query_by_label(words::PARAMETERS.en);
+    assert!(title.is_none());
+}
+
+#[test]
+fn the_eye_is_dragged_by_its_vector_and_stays_as_far_away() {
+    let narrated = [const { Command::NextNarrated }; 3];
+    let mut screen = screen("illumination-model", [1280, 800], 1.0, narrated);
+    let panel = screen
+        .harness
+        .get_by_role_and_label(Role::Image, words::VECTORS.en);
+    let rect = panel.rect();
+    let size = glam::Vec2::new(rect.width(), rect.height());
+    let places =
+        (0..rect.height() as u32).flat_map(|y| (0..rect.width() as u32).map(move |x| [x, y]));
+    let mut places = places.map(|at| glam::Vec2::from(at.map(|x| x as f32)));
+    let show = screen.session().show();
+    let held = |at| vector_grip(&show, size, at).is_some_and(|grip| grip.held == Held::Eye);
+    let at = places.find(|&at| held(at)).expect("the eye can be held");
+    let eye = |screen: &Screen| screen.session().stage().view.eye;
+    let target = DVec3::new(0.48, 0.64, 0.6);
+    let before = eye(&screen);
+    let from = rect.min + egui::vec2(at.x, at.y);
+    drag(&mut screen, from, egui::vec2(-12.0, 12.0));
+    let after = eye(&screen);
+    assert!(before.distance(after) > 0.1, "{before} {after}");
+    let distances = [before, after].map(|eye| eye.distance(target));
+    assert!((distances[0] - distances[1]).abs() < 1e-6, "{distances:?}");
+    assert!(screen.session().is_changed());
 }

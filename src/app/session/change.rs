@@ -1,16 +1,19 @@
-//! Lights that are moved while one looks: the part that is looked at is recorded again, and the whole picture begun anew.
+//! Parameters that are changed while one looks: the part that is looked at is recorded again, and the whole picture begun anew.
 
 use super::{Refused, Session};
 use crate::app::words;
+use crate::lesson::{Change, NotAllowed, Parameter};
 use crate::panels::words::Words;
-use crate::scene::{LARGEST, Light};
-use glam::DVec3;
+use crate::scene::Scene;
 use std::sync::Arc;
 
 impl Session {
-    /// Whether a light stands elsewhere than the lesson has it.
-    pub fn light_is_moved(&self) -> bool {
-        self.open.stage.scene.lights != self.open.lesson.scene.lights
+    /// Whether a parameter has another value than the lesson gives it.
+    pub fn is_changed(&self) -> bool {
+        let lesson = &self.open.lesson;
+        let (now, opened) = (&self.open.stage.scene, &lesson.scene);
+        let mut parameters = lesson.parameters.iter();
+        parameters.any(|parameter| parameter.value(now) != parameter.value(opened))
     }
 
     /// Whether the lesson falls silent because of that: something that it speaks of does not happen any more.
@@ -18,35 +21,50 @@ impl Session {
         self.follows_lesson() && self.narrated.is_empty()
     }
 
-    /// Why a light cannot be moved, if it cannot.
-    pub(super) fn cannot_move(&self, light: usize) -> Option<Words> {
-        let movable = self.open.lesson.movable_lights.contains(&light);
-        (!movable).then_some(words::LIGHT_STAYS)
+    /// Why a parameter cannot be changed, if it cannot.
+    pub(super) fn cannot_change(&self, parameter: Parameter) -> Option<Words> {
+        let may = self.open.lesson.parameters.contains(&parameter);
+        (!may).then_some(words::STAYS)
     }
 
-    pub(super) fn move_light(&mut self, light: usize, position: DVec3) -> Result<(), Refused> {
-        if let Some(words) = self.cannot_move(light) {
+    pub(super) fn change(&mut self, change: Change) -> Result<(), Refused> {
+        if let Some(words) = self.cannot_change(change.parameter()) {
             return Err(words.into());
         }
-        // Not a number is not allowed either.
-        if !position.to_array().iter().all(|x| x.abs() <= LARGEST) {
-            return Err(words::TOO_FAR.into());
+        if change.parameter().value(&self.open.stage.scene) == Some(change) {
+            return Ok(());
         }
-        let mut lights = self.open.stage.scene.lights.clone();
-        match lights.get_mut(light) {
-            Some(Light::Point { position: at, .. }) if *at != position => *at = position,
-            _ => return Ok(()),
-        }
-        self.light_up(lights);
+        let mut scene = self.open.stage.scene.clone();
+        let made = change.make(&mut scene, &self.open.lesson.scene);
+        made.map_err(|why| match why {
+            NotAllowed::TooFar => words::TOO_FAR,
+            NotAllowed::NoView => words::NO_VIEW,
+            NotAllowed::OutOfRange => words::OUT_OF_RANGE,
+        })?;
+        self.set_up(scene);
         Ok(())
     }
 
-    pub(super) fn put_lights_back(&mut self) {
-        self.light_up(self.open.lesson.scene.lights.clone());
+    pub(super) fn put_back(&mut self) {
+        self.set_up(self.open.lesson.scene.clone());
     }
 
-    fn light_up(&mut self, lights: Vec<Light>) {
-        let stage = Arc::new((*self.open.stage).clone().with_lights(lights));
+    /// Puts another scene on the stage; where only its lights are other ones, all that was made of the rest stays.
+    fn set_up(&mut self, scene: Scene) {
+        let old = &self.open.stage;
+        let lit = Scene {
+            lights: scene.lights.clone(),
+            ..old.scene.clone()
+        };
+        let stage = if lit == scene {
+            Some((**old).clone().with_lights(scene.lights))
+        } else {
+            self.open.lesson.stage(scene)
+        };
+        // A lesson that was opened has a camera.
+        let Some(stage) = stage.map(Arc::new) else {
+            return;
+        };
         self.preview
             .begin_anew(stage.clone(), super::methods(&self.open));
         self.open.stage = stage;
@@ -59,19 +77,23 @@ mod tests {
     use super::super::{Command, Session};
     use super::*;
     use crate::algorithms::focus::Focus;
+    use crate::color::Rgb;
+    use crate::lesson::Coefficient;
     use crate::lesson::{Answer, Lesson, builtin};
     use crate::panels::words::Language;
     use crate::panels::{Panel, draw};
     use crate::picture::Picture;
     use crate::record::Value;
     use crate::render::render;
+    use crate::scene::Light;
+    use glam::DVec3;
     use std::num::NonZeroUsize;
 
     const THERE: DVec3 = DVec3::new(-1.0, 2.0, 2.5);
 
     fn lesson() -> Lesson {
         let mut lesson = builtin("gouraud-triangle").unwrap().read().unwrap();
-        lesson.movable_lights = vec![0];
+        lesson.parameters = vec![Parameter::Light(0)];
         lesson
     }
 
@@ -82,7 +104,7 @@ mod tests {
     fn put(session: &mut Session, position: DVec3) {
         let light = 0;
         session
-            .update(Command::MoveLight { light, position })
+            .update(Command::Change(Change::Light { light, position }))
             .unwrap();
     }
 
@@ -113,7 +135,7 @@ mod tests {
         };
         let before = (intensity(&session), said(&session), picture(&mut session));
         put(&mut session, THERE);
-        assert!(session.light_is_moved() && session.recording() > recording);
+        assert!(session.is_changed() && session.recording() > recording);
         assert_eq!(
             (session.step(), session.walk().kind(step)),
             (step, "VertexLit")
@@ -146,27 +168,138 @@ mod tests {
         let mut session = session();
         let far = DVec3::new(0.0, 2e75, 0.0);
         for (light, position, why) in [
-            (1, THERE, words::LIGHT_STAYS),
-            (usize::MAX, THERE, words::LIGHT_STAYS),
+            (1, THERE, words::STAYS),
+            (usize::MAX, THERE, words::STAYS),
             (0, DVec3::NAN, words::TOO_FAR),
             (0, DVec3::NEG_INFINITY, words::TOO_FAR),
             (0, far, words::TOO_FAR),
         ] {
-            let command = Command::MoveLight { light, position };
+            let command = Command::Change(Change::Light { light, position });
             assert_eq!(
                 session.update(command),
                 Err(why.into()),
                 "{light} {position}"
             );
         }
-        assert!(!session.light_is_moved() && session.recording() == 1);
-        session.open.lesson.movable_lights.clear();
-        let command = Command::MoveLight {
+        assert!(!session.is_changed() && session.recording() == 1);
+        session.open.lesson.parameters.clear();
+        let command = Command::Change(Change::Light {
             light: 0,
             position: THERE,
+        });
+        assert_eq!(session.allows(&command), Err(words::STAYS.into()));
+        assert_eq!(session.update(command), Err(words::STAYS.into()));
+    }
+
+    #[test]
+    fn every_parameter_changes_run_and_picture_as_a_scene_with_that_value_would() {
+        let mut lesson = builtin("gouraud-triangle").unwrap().read().unwrap();
+        let red = |coefficient| Parameter::Coefficient(0, coefficient);
+        lesson.parameters = vec![
+            red(Coefficient::Ambient),
+            red(Coefficient::Diffuse),
+            red(Coefficient::Specular),
+            red(Coefficient::Shininess),
+            Parameter::Eye,
+        ];
+        let of_material = |coefficient, value| Change::Coefficient {
+            material: 0,
+            coefficient,
+            value,
         };
-        assert_eq!(session.allows(&command), Err(words::LIGHT_STAYS.into()));
-        assert_eq!(session.update(command), Err(words::LIGHT_STAYS.into()));
+        let eye = Change::Eye {
+            position: DVec3::new(1.0, -0.5, 4.0),
+        };
+        for change in [
+            of_material(Coefficient::Ambient, 0.3),
+            of_material(Coefficient::Diffuse, 0.0),
+            of_material(Coefficient::Specular, 0.9),
+            of_material(Coefficient::Shininess, 3.0),
+            eye,
+        ] {
+            let mut session = Session::new(lesson.clone()).unwrap();
+            let before = picture(&mut session);
+            session.update(Command::Change(change)).unwrap();
+            assert!(session.is_changed() && session.recording() == 2);
+            assert_eq!(
+                change.parameter().value(&session.stage().scene),
+                Some(change)
+            );
+            assert!(picture(&mut session) != before, "{change:?}");
+
+            let mut written = lesson.clone();
+            let opened = written.scene.clone();
+            change.make(&mut written.scene, &opened).unwrap();
+            let mut afresh = Session::new(written).unwrap();
+            assert!(picture(&mut session) == picture(&mut afresh), "{change:?}");
+            assert_eq!(session.walk().len(), afresh.walk().len());
+
+            session.update(Command::Reset).unwrap();
+            assert!(!session.is_changed() && picture(&mut session) == before);
+        }
+    }
+
+    /// A ball of four divisions, drawn flat.
+    fn ball() -> Lesson {
+        let json = r#"{ "schema": 1, "id": "ball", "number": 1, "topics": [],
+            "title": { "en": "T", "id": "T" }, "summary": { "en": "S", "id": "S" },
+            "scene": { "schema": 1, "materials": { "chalk": { "diffuse": [0.8, 0.4, 0.2] } },
+                "camera": { "eye": [0, 0, 4], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 40 },
+                "objects": [{ "name": "ball", "material": "chalk", "sphere": { "center": [0, 0, 0], "radius": 1 }, "divisions": 4 }] },
+            "method": "flat", "size": [24, 18], "focus": "frame", "panels": ["image"], "parameters": [{ "divisions": "ball" }],
+            "steps": [{ "at": { "kind": "Frame" }, "say": { "en": "Begin", "id": "Mulai" } }] }"#;
+        let lesson = Lesson::read(
+            json.as_bytes(),
+            &Default::default(),
+            &mut |_| unreachable!(),
+        );
+        lesson.unwrap()
+    }
+
+    #[test]
+    fn a_colour_keeps_its_hue_and_comes_back_from_black() {
+        let clay = Rgb::new(0.8, 0.4, 0.2);
+        let mut lesson = ball();
+        lesson.parameters = vec![Parameter::Coefficient(0, Coefficient::Diffuse)];
+        let mut session = Session::new(lesson).unwrap();
+        for (value, color) in [(0.4, clay * 0.5), (0.0, Rgb::BLACK), (0.8, clay)] {
+            let change = Change::Coefficient {
+                material: 0,
+                coefficient: Coefficient::Diffuse,
+                value,
+            };
+            session.update(Command::Change(change)).unwrap();
+            assert_eq!(session.stage().scene.materials[0].diffuse, color);
+        }
+        assert!(!session.is_changed());
+    }
+
+    #[test]
+    fn a_ball_is_divided_as_finely_as_is_asked() {
+        let mut session = Session::new(ball()).unwrap();
+        let polygons = |session: &Session| session.stage().tessellation.polygon_count();
+        assert_eq!(polygons(&session), 2 * 4 * 4);
+        let mut divide = |divisions| {
+            let object = 0;
+            let change = Change::Divisions { object, divisions };
+            let done = session.update(Command::Change(change));
+            done.map(|()| polygons(&session))
+        };
+        assert_eq!(divide(9), Ok(2 * 9 * 9));
+        assert_eq!(divide(1), Err(words::OUT_OF_RANGE.into()));
+        assert_eq!(divide(u32::MAX), Err(words::OUT_OF_RANGE.into()));
+    }
+
+    #[test]
+    fn the_eye_goes_where_there_is_a_view() {
+        let mut lesson = lesson();
+        lesson.parameters = vec![Parameter::Eye];
+        let mut session = Session::new(lesson).unwrap();
+        let mut eye = |position| session.update(Command::Change(Change::Eye { position }));
+        assert_eq!(eye(DVec3::ZERO), Err(words::NO_VIEW.into()));
+        assert_eq!(eye(DVec3::new(0.0, 5.0, 0.0)), Err(words::NO_VIEW.into()));
+        assert_eq!(eye(DVec3::INFINITY), Err(words::TOO_FAR.into()));
+        assert_eq!(eye(DVec3::new(0.0, 5.0, 0.1)), Ok(()));
     }
 
     #[test]
@@ -176,12 +309,12 @@ mod tests {
         put(&mut session, THERE);
         assert_eq!(
             session.update(Command::Share),
-            Err(words::SHARE_AS_LIT_ONLY.into())
+            Err(words::SHARE_UNCHANGED_ONLY.into())
         );
         session.update(Command::Focus(Focus::Frame)).unwrap();
         session.update(Command::Forward(9)).unwrap();
         session.update(Command::Reset).unwrap();
-        assert!(!session.light_is_moved() && session.follows_lesson());
+        assert!(!session.is_changed() && session.follows_lesson());
         assert_eq!(session.step(), 0);
         assert!(picture(&mut session) == as_opened);
         session.update(Command::Share).unwrap();
@@ -246,7 +379,7 @@ mod tests {
                 "camera": { "eye": [0, 0, 4], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 40 },
                 "objects": [{ "name": "page", "material": "chalk", "polygon": { "vertices": [[-1, -1, 0], [1, -1, 0], [0, 1, 0]] } }],
                 "lights": [{ "directional": { "toward": [0, 0, -1], "color": [0.1, 0.1, 0.1] } }, { "point": { "position": [0, 0, 3] } }] },
-            "method": "gouraud", "size": [24, 18], "focus": "frame", "panels": ["image"], "movable_lights": [1],
+            "method": "gouraud", "size": [24, 18], "focus": "frame", "panels": ["image"], "parameters": [{ "light": 1 }],
             "steps": [{ "at": { "kind": "VertexLit", "where": { "I_v.r": { "above": 0.5 } } }, "say": { "en": "Lit", "id": "Terang" } }] }"#;
         let lesson = Lesson::read(
             json.as_bytes(),
@@ -259,7 +392,7 @@ mod tests {
         let mut put = |z: f64| {
             let position = DVec3::new(0.0, 0.0, z);
             session
-                .update(Command::MoveLight { light: 1, position })
+                .update(Command::Change(Change::Light { light: 1, position }))
                 .unwrap();
             (
                 session.is_unsaid(),

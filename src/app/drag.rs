@@ -1,0 +1,76 @@
+//! How a light or the eye is moved by the pointer.
+
+use super::session::{Command, Session};
+use super::words;
+use crate::lesson::Change;
+use crate::panels::{Grip, Held, Panel, PlaneGrip, grip, vector_grip};
+use egui::{CursorIcon, Pos2, Response, Ui};
+use glam::Vec2;
+
+/// What the pointer holds, and in which panel.
+#[derive(Clone, Copy)]
+enum Hold {
+    Rays(Grip),
+    Vectors(PlaneGrip),
+}
+
+impl Hold {
+    fn at(session: &Session, panel: Panel, size: Vec2, at: Vec2) -> Option<Self> {
+        let show = session.show();
+        match panel {
+            Panel::Rays => grip(&show, size, at).map(Hold::Rays),
+            Panel::Vectors => vector_grip(&show, size, at).map(Hold::Vectors),
+            _ => None,
+        }
+    }
+
+    /// Once the pointer is at `at`.
+    fn change(&self, at: Vec2) -> Change {
+        let (held, position) = match self {
+            Hold::Rays(grip) => (Held::Light(grip.light), grip.position(at)),
+            Hold::Vectors(grip) => (grip.held, grip.position(at)),
+        };
+        match held {
+            Held::Light(light) => Change::Light { light, position },
+            Held::Eye => Change::Eye { position },
+        }
+    }
+}
+
+/// Moves what the pointer holds in a panel, once a frame; over something that it could hold, says so.
+pub fn dragged(session: &Session, panel: Panel, response: &Response, ui: &Ui) -> Option<Command> {
+    let id = response.id.with("grip");
+    let size = Vec2::new(response.rect.width(), response.rect.height());
+    let place = |at: Pos2| {
+        let at = at - response.rect.min;
+        Vec2::new(at.x, at.y)
+    };
+    let movable = |at: Pos2| {
+        let hold = Hold::at(session, panel, size, place(at))?;
+        let moved = Command::Change(hold.change(place(at)));
+        session.allows(&moved).is_ok().then_some(hold)
+    };
+    if response.drag_started() {
+        let origin = ui.input(|input| input.pointer.press_origin());
+        let held = origin.and_then(movable);
+        ui.data_mut(|data| data.insert_temp(id, held));
+    }
+    let held = ui.data(|data| data.get_temp::<Option<Hold>>(id)).flatten();
+    if response.drag_stopped() {
+        ui.data_mut(|data| data.remove::<Option<Hold>>(id));
+    }
+    if let (Some(hold), Some(at)) = (held, response.interact_pointer_pos()) {
+        ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
+        let moved = response.drag_delta() != egui::Vec2::ZERO;
+        return moved.then(|| Command::Change(hold.change(place(at))));
+    }
+    if let Some((at, hold)) = response.hover_pos().and_then(|at| Some((at, movable(at)?))) {
+        ui.ctx().set_cursor_icon(CursorIcon::Grab);
+        let words = match hold.change(place(at)) {
+            Change::Eye { .. } => words::DRAG_THE_EYE,
+            _ => words::DRAG_THE_LIGHT,
+        };
+        response.show_tooltip_text(session.say(words));
+    }
+    None
+}

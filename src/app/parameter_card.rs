@@ -1,0 +1,287 @@
+//! The parameters that the lesson lets be changed, each with a slider and its value, on a card over the panels.
+
+use super::session::{Command, Session};
+use super::window::button;
+use super::{narration, style, words};
+use crate::lesson::{Change, Coefficient, DIVISIONS, Parameter};
+use crate::picture::Ink;
+use crate::scene::Scene;
+use egui::{Button, DragValue, FontId, Id, Rect, Response, RichText, Slider, Ui, WidgetInfo};
+use glam::DVec3;
+use std::ops::RangeInclusive;
+
+const TITLE: f32 = 32.0;
+const ROW: f32 = 28.0;
+const MARGIN: f32 = 12.0;
+/// The least width of a parameter.
+const CELL: f32 = 272.0;
+/// Of the name in it, of its number, and at least of its slider.
+const NAME: f32 = 112.0;
+const NUMBER: f32 = 72.0;
+const RAIL: f32 = 60.0;
+const SHININESS: RangeInclusive<f64> = 1.0..=1000.0;
+
+/// One place on the card.
+#[derive(Clone, Copy)]
+enum Cell {
+    /// A slider.
+    Value(Parameter),
+    /// Of a light or the eye: x, y and z.
+    Place(Parameter),
+}
+
+fn cells(session: &Session) -> Vec<Cell> {
+    let parameters = session.lesson().parameters.iter();
+    parameters
+        .flat_map(|&parameter| {
+            let has_place = matches!(parameter, Parameter::Light(_) | Parameter::Eye);
+            let place = has_place.then_some(Cell::Place(parameter));
+            std::iter::once(Cell::Value(parameter)).chain(place)
+        })
+        .collect()
+}
+
+fn columns(width: f32) -> usize {
+    (((width - MARGIN) / CELL) as usize).max(1)
+}
+
+/// How high the card is; none where the lesson lets nothing be changed.
+pub fn height(session: &Session, width: f32) -> Option<f32> {
+    let count = cells(session).len();
+    let rows = count.div_ceil(columns(width)) as f32;
+    (count > 0).then_some(TITLE + rows * ROW + 0.5 * MARGIN)
+}
+
+/// Shows the card in `rect`.
+pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut Ui) {
+    style::card(session.look.theme, rect, ui);
+    let title = Rect::from_min_size(rect.min, egui::vec2(rect.width(), TITLE))
+        .shrink2(egui::vec2(MARGIN, 4.0));
+    let mut top = ui.new_child(inside(title));
+    top.label(style::strong(session.say(words::PARAMETERS), 15.0));
+    top.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        let put_back = Button::new(RichText::new(session.say(words::PUT_BACK_ALL)).size(13.0));
+        let name = session.say(words::PUT_BACK);
+        ui.add_enabled_ui(session.is_changed(), |ui| {
+            button(session, put_back, name, Command::Reset, commands, ui);
+        });
+    });
+    let cells = cells(session);
+    let columns = columns(rect.width());
+    let width = (rect.width() - MARGIN) / columns as f32;
+    let mut on_slider = false;
+    for (index, &cell) in cells.iter().enumerate() {
+        let (row, column) = (index / columns, index % columns);
+        let corner = egui::vec2(MARGIN + column as f32 * width, TITLE + row as f32 * ROW);
+        let size = egui::vec2(width - MARGIN, ROW);
+        let place = Rect::from_min_size(rect.min + corner, size);
+        let mut ui = ui.new_child(inside(place).id_salt(index));
+        let change = match cell {
+            Cell::Value(parameter) => value(session, parameter, &mut on_slider, &mut ui),
+            Cell::Place(parameter) => coordinates(session, parameter, &mut ui),
+        };
+        commands.extend(change.map(Command::Change));
+    }
+    ui.data_mut(|data| data.insert_temp(slider_id(), on_slider));
+}
+
+fn inside(rect: Rect) -> egui::UiBuilder {
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    egui::UiBuilder::new().max_rect(rect).layout(layout)
+}
+
+fn slider_id() -> Id {
+    Id::unique("a slider has the focus")
+}
+
+/// Whether a slider has the focus: the arrows are its own then.
+pub fn keeps_arrows(ctx: &egui::Context) -> bool {
+    ctx.data(|data| data.get_temp(slider_id())).unwrap_or(false)
+}
+
+/// A slider with its name, and what it changes.
+fn value(
+    session: &Session,
+    parameter: Parameter,
+    on_slider: &mut bool,
+    ui: &mut Ui,
+) -> Option<Change> {
+    let scene = &session.stage().scene;
+    let rail = Rail::of(session, parameter)?;
+    let name = name(session, parameter);
+    let (_, place) = ui.allocate_space(egui::vec2(NAME, ROW));
+    let text = narration::set(session, &name, FontId::proportional(13.0), Ink::Text);
+    let label = egui::Label::new(text).truncate().selectable(false);
+    ui.new_child(inside(place)).add(label);
+    ui.spacing_mut().slider_width = (ui.available_width() - NUMBER).max(RAIL);
+    let mut value = rail.value;
+    let mut slider = Slider::new(&mut value, rail.range.clone())
+        .logarithmic(rail.logarithmic)
+        .clamping(egui::SliderClamping::Edits)
+        .show_value(false);
+    if rail.whole {
+        slider = slider.step_by(1.0);
+    }
+    let response = ui.add(slider);
+    named(&response, &name, rail.value);
+    *on_slider |= response.has_focus();
+    if matches!(parameter, Parameter::Light(_) | Parameter::Eye) {
+        response.on_hover_text(session.say(words::FROM_THE_TARGET));
+    }
+    let speed = (0.01 * value).max(0.01);
+    let number = DragValue::new(&mut value)
+        .speed(if rail.whole { 0.1 } else { speed })
+        .range(rail.range.clone())
+        .clamp_existing_to_range(false)
+        .max_decimals(if rail.whole { 0 } else { 3 });
+    let response = ui.add(number);
+    let as_number = format!("{name} ({})", session.say(words::AS_A_NUMBER));
+    named(&response, &as_number, rail.value);
+    let moved = value != rail.value;
+    let change = moved.then(|| change_to(session, scene, parameter, value));
+    change.flatten()
+}
+
+fn named(response: &Response, name: &str, value: f64) {
+    response.widget_info(|| WidgetInfo::slider(true, value, name));
+}
+
+/// Where a slider's knob is, and between what it moves.
+struct Rail {
+    value: f64,
+    range: RangeInclusive<f64>,
+    logarithmic: bool,
+    whole: bool,
+}
+
+impl Rail {
+    fn of(session: &Session, parameter: Parameter) -> Option<Self> {
+        let opened = &session.lesson().scene;
+        let now = parameter.value(&session.stage().scene)?;
+        let (value, range, logarithmic) = match now {
+            Change::Light { position, .. } | Change::Eye { position } => {
+                let at_first = match parameter.value(opened)? {
+                    Change::Light { position, .. } | Change::Eye { position } => position,
+                    _ => position,
+                };
+                let decade = distance(opened, at_first).log10().floor();
+                let range = 10_f64.powf(decade - 1.0)..=10_f64.powf(decade + 2.0);
+                (distance(opened, position), range, true)
+            }
+            Change::Coefficient {
+                coefficient: Coefficient::Shininess,
+                value,
+                ..
+            } => (value, SHININESS, true),
+            Change::Coefficient { value, .. } => (value, 0.0..=1.0, false),
+            Change::Divisions { divisions, .. } => {
+                let [least, most] = [DIVISIONS.start(), DIVISIONS.end()].map(|&n| f64::from(n));
+                (f64::from(divisions), least..=most, true)
+            }
+        };
+        Some(Rail {
+            value,
+            range,
+            logarithmic,
+            whole: matches!(now, Change::Divisions { .. }),
+        })
+    }
+}
+
+/// From what the camera looks at.
+fn distance(scene: &Scene, position: DVec3) -> f64 {
+    let target = scene.camera.map_or(DVec3::ZERO, |camera| camera.target);
+    position.distance(target)
+}
+
+/// The parameter with the value of its slider. A light or the eye moves straight to or from what the camera looks at.
+fn change_to(session: &Session, scene: &Scene, parameter: Parameter, value: f64) -> Option<Change> {
+    let camera = session.lesson().scene.camera?;
+    let along = |position: DVec3| {
+        let away = (position - camera.target).try_normalize();
+        camera.target + value * away.unwrap_or(camera.up.normalize_or_zero())
+    };
+    Some(match parameter.value(scene)? {
+        Change::Light { light, position } => Change::Light {
+            light,
+            position: along(position),
+        },
+        Change::Eye { position } => Change::Eye {
+            position: along(position),
+        },
+        Change::Coefficient {
+            material,
+            coefficient,
+            ..
+        } => Change::Coefficient {
+            material,
+            coefficient,
+            value,
+        },
+        Change::Divisions { object, .. } => Change::Divisions {
+            object,
+            divisions: value.round() as u32,
+        },
+    })
+}
+
+/// x, y and z, to be dragged or typed.
+fn coordinates(session: &Session, parameter: Parameter, ui: &mut Ui) -> Option<Change> {
+    let now = parameter.value(&session.stage().scene)?;
+    let (Change::Light { position, .. } | Change::Eye { position }) = now else {
+        return None;
+    };
+    let speed = 0.01 * distance(&session.lesson().scene, position).max(0.1);
+    let who = match parameter {
+        Parameter::Light(light) => light_name(session, light),
+        _ => session.say(words::EYE).to_owned(),
+    };
+    let mut place = position;
+    ui.spacing_mut().item_spacing.x = 4.0;
+    ui.label(RichText::new(who.as_str()).size(13.0));
+    for (axis, x) in ["x", "y", "z"].into_iter().zip(place.as_mut()) {
+        let before = *x;
+        ui.label(RichText::new(axis).size(13.0));
+        let response = ui.add(DragValue::new(x).speed(speed).max_decimals(3));
+        named(&response, &format!("{who}, {axis}"), before);
+    }
+    (place != position).then_some(match now {
+        Change::Light { light, .. } => Change::Light {
+            light,
+            position: place,
+        },
+        _ => Change::Eye { position: place },
+    })
+}
+
+/// What a parameter is called.
+fn name(session: &Session, parameter: Parameter) -> String {
+    let scene = &session.stage().scene;
+    let distance = session.say(words::DISTANCE);
+    match parameter {
+        Parameter::Light(light) => format!("{}, {distance}", light_name(session, light)),
+        Parameter::Eye => format!("{}, {distance}", session.say(words::EYE)),
+        Parameter::Coefficient(material, coefficient) => {
+            format!(
+                "{} {}",
+                coefficient.symbol(),
+                scene.materials[material].name
+            )
+        }
+        Parameter::Divisions(object) => {
+            format!(
+                "{} {}",
+                session.say(words::DIVISIONS),
+                scene.objects[object].name
+            )
+        }
+    }
+}
+
+fn light_name(session: &Session, light: usize) -> String {
+    let name = session.say(words::LIGHT);
+    match session.stage().scene.lights.len() {
+        1 => name.to_owned(),
+        _ => format!("{name} {light}"),
+    }
+}

@@ -1,0 +1,317 @@
+//! The illumination model at the point in hand: its terms as bars, the standard factor f_att·N·L of the light in hand beside
+//! the slide's, and both against the distance of the light.
+
+use super::Show;
+use super::log_axes::LogAxes;
+use super::message::{NO_STEPS, message};
+use super::values::{short, told_in_words};
+use super::words::{Language, Words};
+use crate::algorithms::illumination::{attenuation, slide_factor};
+use crate::algorithms::stage::Stage;
+use crate::color::Rgb;
+use crate::picture::{Ink, Picture, Rect, Style, Tag, symbol};
+use crate::record::Value;
+use crate::replay::shading::{LightInHand, PointInHand};
+use crate::scene::Light;
+use glam::Vec2;
+
+const NOTHING: Words = Words::new(
+    "While a point is being lit, this panel shows the terms of its intensity. At this step none is.",
+    "Saat sebuah titik diberi pencahayaan, panel ini menampilkan suku-suku intensitasnya. Pada langkah ini tidak ada.",
+);
+const NO_LIGHT: Words = Words::new(
+    "This run lights no points. Open a lesson on illumination.",
+    "Proses ini tidak memberi pencahayaan pada titik. Buka pelajaran tentang pencahayaan.",
+);
+const STANDARD: Words = Words::new("standard", "baku");
+const SLIDE: Words = Words::new("slide", "salindia");
+const RATIO: Words = Words::new("slide : standard", "salindia : baku");
+const FACTOR: Words = Words::new("factor", "faktor");
+const DISTANCE: Words = Words::new("distance d", "jarak d");
+
+const TEXT: f32 = 12.0;
+const ROW: f32 = 18.0;
+const MARGIN: f32 = 8.0;
+/// The least size at which the curves can be read.
+const PLOT: Vec2 = Vec2::new(180.0, 110.0);
+/// Between these distances the curves are drawn, in so many parts.
+const DISTANCES: [f64; 2] = [0.1, 100.0];
+const PARTS: u32 = 60;
+const OF_STANDARD: Ink = Ink::Series(0);
+const OF_SLIDE: Ink = Ink::Series(1);
+
+pub fn draw(show: &Show, size: Vec2) -> Picture {
+    if show.run.walk().is_empty() {
+        return message(NO_STEPS, show.language, size);
+    }
+    let (Some(stage), point) = show.run.lit() else {
+        return message(NO_LIGHT, show.language, size);
+    };
+    let Some(point) = point else {
+        return message(NOTHING, show.language, size);
+    };
+    let mut picture = Picture::new(size.x, size.y);
+    let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-MARGIN);
+    let rows = rows(point, show.language);
+    let height = rows.len() as f32 * ROW;
+    let beside = whole.width >= 2.0 * PLOT.x + 60.0 && whole.height < height + PLOT.y;
+    let (list, plot) = if beside {
+        let width = 0.5 * whole.width;
+        let left = Rect { width, ..whole };
+        (
+            left,
+            Rect::between(
+                (left.right() + MARGIN, whole.y),
+                (whole.right(), whole.bottom()),
+            ),
+        )
+    } else {
+        let top = Rect {
+            height: height.min(whole.height),
+            ..whole
+        };
+        (
+            top,
+            Rect::between(
+                (whole.x, top.bottom() + MARGIN),
+                (whole.right(), whole.bottom()),
+            ),
+        )
+    };
+    let walk = show.run.walk();
+    let kind = walk.kind(walk.position());
+    let fitting = (list.height / ROW) as usize;
+    for (i, row) in rows.iter().take(fitting).enumerate() {
+        let y = list.y + i as f32 * ROW;
+        row.draw(&mut picture, kind, Rect::new(list.x, y, list.width, ROW));
+    }
+    if plot.width >= PLOT.x && plot.height >= PLOT.y {
+        curves(&mut picture, stage, point, show.language, plot);
+    }
+    let told: Vec<String> = rows.iter().map(Row::in_words).collect();
+    picture.alt = format!("{} {}.", told_in_words(show), told.join("; "));
+    picture
+}
+
+/// A name with its value; a term has a bar, a factor a line that stands for its curve.
+struct Row {
+    name: String,
+    value: String,
+    tag: Tag,
+    told_by: &'static str,
+    ink: Ink,
+    /// Share of the longest bar.
+    bar: Option<f32>,
+}
+
+fn rows(point: &PointInHand, language: Language) -> Vec<Row> {
+    let light = point.lights.last();
+    let terms = [
+        ("I_a", point.ambient, "Ambient", Ink::Series(0)),
+        (
+            "I_d",
+            light.and_then(|light| light.diffuse),
+            "Diffuse",
+            Ink::Series(1),
+        ),
+        (
+            "I_s",
+            light.and_then(|light| light.specular),
+            "Specular",
+            Ink::Series(2),
+        ),
+        ("I", point.intensity, "Illuminated", Ink::Muted),
+    ];
+    let told = terms.iter().filter_map(|(_, term, ..)| *term);
+    let longest = told.map(Rgb::max_channel).fold(1.0, f64::max);
+    let mut rows: Vec<Row> = terms
+        .into_iter()
+        .map(|(name, term, told_by, ink)| Row {
+            name: symbol(name),
+            value: term.map_or("–".into(), |term| short(Value::from(term), 3)),
+            tag: Tag::Field(name),
+            told_by,
+            ink,
+            bar: Some(term.map_or(0.0, |term| (term.max_channel() / longest) as f32)),
+        })
+        .collect();
+    let Some((light, (_, n_dot_l))) = light.and_then(|light| Some((light, light.to_light?))) else {
+        return rows;
+    };
+    let standard = standard(light, n_dot_l);
+    let words = |words: Words| words.in_language(language);
+    let mut factor = |name: String, value: f64, tag, ink| {
+        rows.push(Row {
+            name,
+            value: short(Value::Number(value), 4),
+            tag: Tag::Field(tag),
+            told_by: "ToLight",
+            ink,
+            bar: None,
+        });
+    };
+    let name = format!("{}: {} · N·L", words(STANDARD), symbol("f_att"));
+    factor(name, standard, "f_att", OF_STANDARD);
+    let name = format!("{}: d · cos φ / √d", words(SLIDE));
+    factor(name, light.slide_factor, "slide_factor", OF_SLIDE);
+    if standard > 0.0 && light.distance.is_finite() {
+        let ratio = light.slide_factor / standard;
+        factor(words(RATIO).into(), ratio, "slide_factor", Ink::Text);
+    }
+    rows
+}
+
+fn standard(light: &LightInHand, n_dot_l: f64) -> f64 {
+    light.attenuation * n_dot_l.max(0.0)
+}
+
+impl Row {
+    fn draw(&self, picture: &mut Picture, kind: &str, place: Rect) {
+        let here = self.told_by == kind;
+        let value = Style::Mono
+            .size(TEXT)
+            .ink(if here { Ink::This } else { Ink::Text });
+        let name = Style::Label.size(TEXT).ink(Ink::Muted);
+        picture.tagged(self.tag, |picture| {
+            let y = place.center().y;
+            let mut x = place.x;
+            match self.bar {
+                Some(_) => {
+                    let mark = Rect::new(x, y - 4.5, 9.0, 9.0);
+                    picture.rect(mark, self.ink.fill().outlined(Ink::Muted.stroke(1.0)));
+                }
+                None => {
+                    picture.line((x, y), (x + 12.0, y), self.ink.stroke(2.5));
+                }
+            }
+            x += 18.0;
+            let names = Rect::between((x, place.y), (place.right(), place.bottom()));
+            picture.text_in(names, self.name.as_str(), name);
+            x += match self.bar {
+                Some(_) => 26.0,
+                None => name.width(&self.name) + 10.0,
+            };
+            let shown = value.width(&self.value);
+            if x + shown <= place.right() {
+                let numbers = Rect::new(x, place.y, shown, place.height);
+                picture.text_in(numbers, self.value.as_str(), value);
+            }
+            // Bars begin in one line, behind the longest number that there may be.
+            let start = x + value.width("0.000, 0.000, 0.000") + 10.0;
+            if let Some(share) = self.bar.filter(|_| start + 30.0 < place.right()) {
+                let all = Rect::between((start, y - 5.0), (place.right(), y + 5.0));
+                picture.rect(all, Ink::Faint);
+                let width = share * all.width;
+                picture.rect(Rect { width, ..all }, self.ink);
+            }
+        });
+    }
+
+    fn in_words(&self) -> String {
+        format!("{} {}", self.name, self.value)
+    }
+}
+
+/// Both factors against the distance, at the angle of the light in hand; none where it is behind the surface or far away.
+fn curves(
+    picture: &mut Picture,
+    stage: &Stage,
+    point: &PointInHand,
+    language: Language,
+    place: Rect,
+) {
+    let Some(light) = point.lights.last() else {
+        return;
+    };
+    let Some((_, n_dot_l)) = light.to_light.filter(|&(_, n_dot_l)| n_dot_l > 0.0) else {
+        return;
+    };
+    let Some(&Light::Point {
+        attenuation: coefficients,
+        ..
+    }) = stage.scene.lights.get(light.light as usize)
+    else {
+        return;
+    };
+    let [near, far] = DISTANCES;
+    let distances: Vec<f64> = (0..=PARTS)
+        .map(|i| near * (far / near).powf(f64::from(i) / f64::from(PARTS)))
+        .collect();
+    let of_standard = |d: f64| attenuation(coefficients, d) * n_dot_l;
+    let of_slide = |d: f64| slide_factor(d, n_dot_l);
+    let values = distances
+        .iter()
+        .flat_map(|&d| [of_standard(d), of_slide(d)]);
+    let axes = LogAxes::new(DISTANCES, values, place);
+    let words = |words: Words| words.in_language(language);
+    axes.draw(picture, words(FACTOR), words(DISTANCE));
+    let x = axes.point(light.distance, 1.0).x;
+    let (top, bottom) = (axes.place.y, axes.place.bottom());
+    picture.line((x, top), (x, bottom), Ink::This.stroke(1.5).dashed());
+    let mut curve = |factor: &dyn Fn(f64) -> f64, here: f64, ink: Ink, field| {
+        let points = distances.iter().map(|&d| axes.point(d, factor(d)));
+        picture.tagged(Tag::Field(field), |picture| {
+            picture.polyline(points, ink.stroke(2.5));
+            let at = axes.point(light.distance, here);
+            picture.circle(at, 4.0, ink.fill().outlined(Ink::Surface.stroke(1.5)));
+        });
+    };
+    curve(&of_standard, standard(light, n_dot_l), OF_STANDARD, "f_att");
+    curve(&of_slide, light.slide_factor, OF_SLIDE, "slide_factor");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::crowd::{SIZES, crowd, texts};
+    use super::super::sample::Sample;
+    use super::*;
+    use crate::render::Method;
+
+    #[test]
+    fn nothing_overlaps_or_is_cut_at_any_step_and_size() {
+        for mut sample in [
+            crowd(Method::Flat),
+            crowd(Method::Phong),
+            crowd(Method::RayTracing),
+        ] {
+            for step in sample.some_steps(2003) {
+                for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
+                    let picture = draw(&sample.seek(step).show_in(language), size);
+                    let texts = texts(&picture);
+                    for (i, (text, place)) in texts.iter().enumerate() {
+                        let inside = picture.bounds().encloses(place);
+                        assert!(inside, "step {step}, {size}: “{text}” is cut");
+                        for (other, other_place) in &texts[..i] {
+                            let common = place.intersection(other_place);
+                            let apart = common.width < 0.5 || common.height < 0.5;
+                            assert!(apart, "step {step}, {size}: “{text}” covers “{other}”");
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn both_factors_stand_side_by_side_with_their_ratio() {
+        let mut sample = Sample::pyramid(Method::Gouraud);
+        sample.go_to("ToLight", 0);
+        let walk = sample.run.walk();
+        let fields = walk.fields(walk.position());
+        let told = |name| match fields.get(name) {
+            Some(Value::Number(value)) => value,
+            other => panic!("{name}: {other:?}"),
+        };
+        let standard = told("f_att") * told("N_dot_L");
+        let slide = told("slide_factor");
+        let picture = draw(&sample.show(), Vec2::new(420.0, 400.0));
+        for value in [standard, slide, slide / standard] {
+            let shown = short(Value::Number(value), 4);
+            let found = texts(&picture).iter().any(|(text, _)| *text == shown);
+            assert!(found, "{shown}");
+        }
+        let dots = picture.items.iter();
+        let dots = dots.filter(|item| matches!(item.shape, crate::picture::Shape::Circle { .. }));
+        assert_eq!(dots.count(), 2);
+    }
+}
