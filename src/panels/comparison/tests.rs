@@ -43,7 +43,7 @@ fn compared(sample: &Sample) -> Vec<Compared> {
 fn every_step_is_legible_at_every_size() {
     // Of the large one a few steps are enough.
     for (mut sample, stride) in [
-        (Sample::triangle(Method::Gouraud), 97),
+        (Sample::triangle(Method::Gouraud), 1499),
         (Sample::pyramid(Method::Phong), 300_007),
     ] {
         let compared = compared(&sample);
