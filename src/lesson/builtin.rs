@@ -30,6 +30,14 @@ const BUILTINS: &[Builtin] = &[
         include_str!("../../lessons/05-gouraud-teapot.json"),
     ),
     lesson(
+        "fast-phong",
+        include_str!("../../lessons/09-fast-phong.json"),
+    ),
+    lesson(
+        "side-by-side",
+        include_str!("../../lessons/10-side-by-side.json"),
+    ),
+    lesson(
         "ray-casting",
         include_str!("../../lessons/11-ray-casting.json"),
     ),
@@ -73,6 +81,7 @@ const BUILTINS: &[Builtin] = &[
         "cornell-box",
         include_str!("../../lessons/24-cornell-box.json"),
     ),
+    lesson("extremes", include_str!("../../lessons/28-extremes.json")),
 ];
 
 /// What those lessons name, by its path relative to them.
