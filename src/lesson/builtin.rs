@@ -21,6 +21,10 @@ const BUILTINS: &[Builtin] = &[
         include_str!("../../lessons/05-gouraud-teapot.json"),
     ),
     lesson(
+        "mach-bands",
+        include_str!("../../lessons/06-mach-bands.json"),
+    ),
+    lesson(
         "ray-casting",
         include_str!("../../lessons/11-ray-casting.json"),
     ),

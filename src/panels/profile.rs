@@ -20,9 +20,14 @@ const ROW: f32 = 16.0;
 const AROUND: u32 = 4;
 /// With more points some are passed over.
 const MOST_POINTS: usize = 160;
+/// The share of slopes that the strip of the slope has room for. The rest are jumps of the value, steeper than any slope.
+const SLOPES: f64 = 0.95;
 
 const INTENSITY: Words = Words::new("intensity", "intensitas");
-const SLOPE: Words = Words::new("its slope, a pixel", "kemiringannya, per piksel");
+const SLOPE: Words = Words::new(
+    "its slope, a pixel (jumps of the value are cut off)",
+    "kemiringannya, per piksel (lompatan nilai dipotong)",
+);
 const SEEN: Words = Words::new(
     "as it looks (lateral inhibition)",
     "seperti terlihat (inhibisi lateral)",
@@ -61,13 +66,13 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         },
     );
 
-    let fields: [(Words, Values); 3] = [
-        (INTENSITY, |profile| &profile.intensity),
-        (SLOPE, |profile| &profile.slope),
-        (SEEN, |profile| &profile.seen),
+    let fields: [(Words, Values, f64); 3] = [
+        (INTENSITY, |profile| &profile.intensity, 1.0),
+        (SLOPE, |profile| &profile.slope, SLOPES),
+        (SEEN, |profile| &profile.seen, 1.0),
     ];
     let height = (whole.height - 2.0 * ROW) / fields.len() as f32;
-    for (number, (words, values)) in fields.into_iter().enumerate() {
+    for (number, (words, values, share)) in fields.into_iter().enumerate() {
         let place = Rect::new(
             whole.x,
             whole.y + ROW + height * number as f32,
@@ -75,7 +80,8 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
             height,
         );
         let curves = profiles.iter().map(|profile| (profile, values(profile)));
-        let field = Field::new(curves.clone().map(|(_, values)| values), &columns, place);
+        let drawn = curves.clone().map(|(_, values)| values);
+        let field = Field::new(drawn, &columns, share, place);
         field.frame(&mut picture, say(words), cursor.x);
         for (profile, values) in curves {
             field.curve(&mut picture, profile, values);
@@ -197,19 +203,26 @@ struct Field {
 }
 
 impl Field {
+    /// With room for so large a share of the values; those farthest from 0 are cut off.
     fn new<'a>(
         curves: impl Iterator<Item = &'a [f64]>,
         columns: &Range<u32>,
+        share: f64,
         whole: Rect,
     ) -> Field {
         let part = |values: &'a [f64]| {
             let end = (columns.end as usize).min(values.len());
             &values[(columns.start as usize).min(end)..end]
         };
-        let values = curves.flat_map(part).filter(|value| value.is_finite());
-        let (low, high) = values.fold((0.0_f64, 0.0_f64), |(low, high), &value| {
-            (low.min(value), high.max(value))
-        });
+        let values = curves.flat_map(part).copied();
+        let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
+        values.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+        values.truncate((share * values.len() as f64).ceil() as usize);
+        let (low, high) = values
+            .iter()
+            .fold((0.0_f64, 0.0_f64), |(low, high), value| {
+                (low.min(*value), high.max(*value))
+            });
         let style = Style::Body.size(TEXT);
         let ends = [low, high].map(|end| style.width(&number(three(end))));
         let left = ends[0].max(ends[1]) + 8.0;
