@@ -25,6 +25,14 @@ const BUILTINS: &[Builtin] = &[
         include_str!("../../lessons/06-mach-bands.json"),
     ),
     lesson(
+        "incremental-drift",
+        include_str!("../../lessons/07-incremental-drift.json"),
+    ),
+    lesson(
+        "phong-highlight",
+        include_str!("../../lessons/08-phong-highlight.json"),
+    ),
+    lesson(
         "ray-casting",
         include_str!("../../lessons/11-ray-casting.json"),
     ),

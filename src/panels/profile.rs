@@ -20,8 +20,8 @@ const ROW: f32 = 16.0;
 const AROUND: u32 = 4;
 /// With more points some are passed over.
 const MOST_POINTS: usize = 160;
-/// The share of slopes that the strip of the slope has room for. The rest are jumps of the value, steeper than any slope.
-const SLOPES: f64 = 0.95;
+/// A slope so many times as steep as those on both sides of it is a jump of the value.
+const JUMP: f64 = 2.0;
 
 const INTENSITY: Words = Words::new("intensity", "intensitas");
 const SLOPE: Words = Words::new(
@@ -66,13 +66,18 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         },
     );
 
-    let fields: [(Words, Values, f64); 3] = [
-        (INTENSITY, |profile| &profile.intensity, 1.0),
-        (SLOPE, |profile| &profile.slope, SLOPES),
-        (SEEN, |profile| &profile.seen, 1.0),
+    // What is drawn, and what the strip has room for
+    let fields: [(Words, Values, Values); 3] = [
+        (
+            INTENSITY,
+            |profile| &profile.intensity,
+            |profile| &profile.intensity,
+        ),
+        (SLOPE, |profile| &profile.slope, |profile| &profile.gentle),
+        (SEEN, |profile| &profile.seen, |profile| &profile.seen),
     ];
     let height = (whole.height - 2.0 * ROW) / fields.len() as f32;
-    for (number, (words, values, share)) in fields.into_iter().enumerate() {
+    for (number, (words, values, room)) in fields.into_iter().enumerate() {
         let place = Rect::new(
             whole.x,
             whole.y + ROW + height * number as f32,
@@ -80,8 +85,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
             height,
         );
         let curves = profiles.iter().map(|profile| (profile, values(profile)));
-        let drawn = curves.clone().map(|(_, values)| values);
-        let field = Field::new(drawn, &columns, share, place);
+        let field = Field::new(profiles.iter().map(room), &columns, place);
         field.frame(&mut picture, say(words), cursor.x);
         for (profile, values) in curves {
             field.curve(&mut picture, profile, values);
@@ -140,6 +144,8 @@ struct Profile {
     intensity: Vec<f64>,
     /// Between a pixel and the next.
     slope: Vec<f64>,
+    /// The slope, with 0 in place of jumps of the value.
+    gentle: Vec<f64>,
     seen: Vec<f64>,
     /// The largest jump of the slope between neighbours on one surface.
     jump: f64,
@@ -163,6 +169,7 @@ impl Profile {
             method: compared.method,
             seen: perceived(&intensity),
             intensity,
+            gentle: gentle(&slope),
             slope,
             jump,
         }
@@ -176,6 +183,16 @@ impl Profile {
             _ => stroke.dotted(),
         }
     }
+}
+
+fn gentle(slope: &[f64]) -> Vec<f64> {
+    let steepness = |at: usize| slope.get(at).map_or(0.0, |slope| slope.abs());
+    let beside = |at: usize| steepness(at + 1).max(at.checked_sub(1).map_or(0.0, steepness));
+    let of = |at: usize| match steepness(at) > JUMP * beside(at) {
+        true => 0.0,
+        false => slope[at],
+    };
+    (0..slope.len()).map(of).collect()
 }
 
 fn legend(picture: &mut Picture, profiles: &[Profile], row: Rect) {
@@ -203,26 +220,20 @@ struct Field {
 }
 
 impl Field {
-    /// With room for so large a share of the values; those farthest from 0 are cut off.
+    /// With room for these values.
     fn new<'a>(
         curves: impl Iterator<Item = &'a [f64]>,
         columns: &Range<u32>,
-        share: f64,
         whole: Rect,
     ) -> Field {
         let part = |values: &'a [f64]| {
             let end = (columns.end as usize).min(values.len());
             &values[(columns.start as usize).min(end)..end]
         };
-        let values = curves.flat_map(part).copied();
-        let mut values: Vec<f64> = values.filter(|value| value.is_finite()).collect();
-        values.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
-        values.truncate((share * values.len() as f64).ceil() as usize);
-        let (low, high) = values
-            .iter()
-            .fold((0.0_f64, 0.0_f64), |(low, high), value| {
-                (low.min(*value), high.max(*value))
-            });
+        let values = curves.flat_map(part).filter(|value| value.is_finite());
+        let (low, high) = values.fold((0.0_f64, 0.0_f64), |(low, high), &value| {
+            (low.min(value), high.max(value))
+        });
         let style = Style::Body.size(TEXT);
         let ends = [low, high].map(|end| style.width(&number(three(end))));
         let left = ends[0].max(ends[1]) + 8.0;
@@ -327,4 +338,18 @@ impl Field {
 /// To three digits.
 fn three(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::gentle;
+
+    #[test]
+    fn a_jump_of_the_value_is_no_slope() {
+        let stairs = [0.0, 0.0, 0.3, 0.0, 0.0, -0.2, 0.0];
+        assert_eq!(gentle(&stairs), [0.0; 7]);
+        let roof = [0.1, 0.1, 0.1, -0.2, -0.2];
+        assert_eq!(gentle(&roof), roof);
+        assert!(gentle(&[]).is_empty());
+    }
 }
