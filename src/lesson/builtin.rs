@@ -30,6 +30,18 @@ const BUILTINS: &[Builtin] = &[
         include_str!("../../lessons/05-gouraud-teapot.json"),
     ),
     lesson(
+        "mach-bands",
+        include_str!("../../lessons/06-mach-bands.json"),
+    ),
+    lesson(
+        "incremental-drift",
+        include_str!("../../lessons/07-incremental-drift.json"),
+    ),
+    lesson(
+        "phong-highlight",
+        include_str!("../../lessons/08-phong-highlight.json"),
+    ),
+    lesson(
         "fast-phong",
         include_str!("../../lessons/09-fast-phong.json"),
     ),

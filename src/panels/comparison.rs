@@ -9,6 +9,7 @@ use super::message::{NOT_COMPARED, message};
 use super::values::told_in_words;
 use super::words::Words;
 use crate::picture::{Image, Ink, Picture, Rect, Style, elide, fixed, number};
+use crate::render::Method;
 use crate::render::compare::Compared;
 use cells::{Cell, cells};
 use cursor::Cursor;
@@ -44,7 +45,11 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         let image = Image::new(frame.width, frame.rows.len() as u32, bytes);
         picture.pixels(cell.image, image, (0, 0));
         cell.frame(&mut picture, &cursor);
-        let here = cursor.value(frame).map_or_else(String::new, |color| {
+        // Wires carry no intensity.
+        let shown = cursor
+            .value(frame)
+            .filter(|_| compared.method != Method::Wireframe);
+        let here = shown.map_or_else(String::new, |color| {
             let [r, g, b] = color.channels();
             match r == g && g == b {
                 true => format!("I = {}", fixed(r, 3)),

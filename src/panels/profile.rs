@@ -20,9 +20,14 @@ const ROW: f32 = 16.0;
 const AROUND: u32 = 4;
 /// With more points the least and the most of several stand for all.
 const MOST_POINTS: usize = 220;
+/// A slope so many times as steep as those on both sides of it is a jump of the value.
+const JUMP: f64 = 2.0;
 
 const INTENSITY: Words = Words::new("intensity", "intensitas");
-const SLOPE: Words = Words::new("its slope, a pixel", "kemiringannya, per piksel");
+const SLOPE: Words = Words::new(
+    "its slope, a pixel (jumps of the value are cut off)",
+    "kemiringannya, per piksel (lompatan nilai dipotong)",
+);
 const SEEN: Words = Words::new(
     "as it looks (lateral inhibition)",
     "seperti terlihat (inhibisi lateral)",
@@ -50,30 +55,41 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     let caption = format!("{} y = {row}", say(LINE));
     let style = Style::Bold.size(TEXT).ink(Ink::This);
     picture.text_in(title, caption.clone(), style);
-    let left = title.x + style.width(&caption) + 14.0;
-    legend(
+    let beside = title.x + style.width(&caption) + 14.0;
+    let below = legend(
         &mut picture,
         &profiles,
         Rect {
-            x: left,
-            width: whole.right() - left,
+            x: beside,
+            width: whole.right() - beside,
             ..title
         },
+        whole.x,
     );
+    let whole = Rect {
+        y: below - ROW,
+        height: whole.bottom() - below + ROW,
+        ..whole
+    };
 
-    let fields: [(Words, Values); 3] = [
-        (INTENSITY, |profile| &profile.intensity),
-        (SLOPE, |profile| &profile.slope),
-        (SEEN, |profile| &profile.seen),
+    // What is drawn, and what the strip has room for
+    let fields: [(Words, Values, Values); 3] = [
+        (
+            INTENSITY,
+            |profile| &profile.intensity,
+            |profile| &profile.intensity,
+        ),
+        (SLOPE, |profile| &profile.slope, |profile| &profile.gentle),
+        (SEEN, |profile| &profile.seen, |profile| &profile.seen),
     ];
     let height = (whole.height - 2.0 * ROW) / fields.len() as f32;
-    let ranges = fields.map(|(_, values)| range(profiles.iter().map(values), &columns));
+    let ranges = fields.map(|(_, _, room)| range(profiles.iter().map(room), &columns));
     // One margin for all, so that the same column stands above itself.
     let numbers = ranges.iter().flat_map(|&(low, high)| [low, high]);
     let style = Style::Body.size(TEXT);
     let widths = numbers.map(|end| style.width(&number(three(end))));
     let left = widths.fold(0.0, f32::max) + 8.0;
-    for (strip, ((words, values), (low, high))) in fields.into_iter().zip(ranges).enumerate() {
+    for (strip, ((words, values, _), (low, high))) in fields.into_iter().zip(ranges).enumerate() {
         let field = Field {
             place: Rect::new(
                 whole.x + left,
@@ -149,6 +165,8 @@ struct Profile {
     intensity: Vec<f64>,
     /// Between a pixel and the next on one surface; not a number across an outline.
     slope: Vec<f64>,
+    /// The slope, with 0 in place of jumps of the value.
+    gentle: Vec<f64>,
     seen: Vec<f64>,
     /// The largest jump of the slope between neighbours on one surface.
     jump: f64,
@@ -176,6 +194,7 @@ impl Profile {
             method: compared.method,
             seen: perceived(&intensity),
             intensity,
+            gentle: gentle(&slope),
             slope,
             jump,
         }
@@ -191,20 +210,41 @@ impl Profile {
     }
 }
 
-fn legend(picture: &mut Picture, profiles: &[Profile], row: Rect) {
+fn gentle(slope: &[f64]) -> Vec<f64> {
+    let steepness = |at: usize| slope.get(at).map_or(0.0, |slope| slope.abs());
+    let beside = |at: usize| steepness(at + 1).max(at.checked_sub(1).map_or(0.0, steepness));
+    let of = |at: usize| match steepness(at) > JUMP * beside(at) {
+        true => 0.0,
+        false => slope[at],
+    };
+    (0..slope.len()).map(of).collect()
+}
+
+/// The methods with their lines, from `row` on; what does not fit stands in rows below it that begin at `left`. Returns where they
+/// end.
+fn legend(picture: &mut Picture, profiles: &[Profile], row: Rect, left: f32) -> f32 {
     let style = Style::Body.size(TEXT);
-    let mut x = row.x;
+    let (mut x, mut y) = (row.x, row.y);
     for profile in profiles {
         let name = profile.method.name();
         let width = 22.0 + style.width(name);
-        if x + width > row.right() {
-            return;
+        if x + width > row.right() && x > left {
+            (x, y) = (left, y + ROW);
         }
-        let y = row.center().y;
-        picture.line((x, y), (x + 18.0, y), profile.stroke());
-        picture.text_in(Rect { x: x + 22.0, ..row }, name, style);
+        let place = Rect { x, y, ..row };
+        let middle = place.center().y;
+        picture.line((x, middle), (x + 18.0, middle), profile.stroke());
+        picture.text_in(
+            Rect {
+                x: x + 22.0,
+                ..place
+            },
+            name,
+            style,
+        );
         x += width + 12.0;
     }
+    y + ROW
 }
 
 /// The least and the most of all values in some columns, and 0.
@@ -335,4 +375,18 @@ impl Field {
 /// To three digits.
 fn three(value: f64) -> f64 {
     format!("{value:.2e}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::gentle;
+
+    #[test]
+    fn a_jump_of_the_value_is_no_slope() {
+        let stairs = [0.0, 0.0, 0.3, 0.0, 0.0, -0.2, 0.0];
+        assert_eq!(gentle(&stairs), [0.0; 7]);
+        let roof = [0.1, 0.1, 0.1, -0.2, -0.2];
+        assert_eq!(gentle(&roof), roof);
+        assert!(gentle(&[]).is_empty());
+    }
 }

@@ -9,6 +9,8 @@ use glam::Vec2;
 /// Height of a line of text.
 pub const ROW: f32 = 15.0;
 const TITLE: f32 = 18.0;
+/// Width of a cell that is not alone in its row.
+const NARROWEST: f32 = 115.0;
 const MARGIN: f32 = 6.0;
 const TEXT: f32 = 12.0;
 
@@ -36,7 +38,9 @@ pub fn cells(like: &Frame, count: usize, lines: usize, size: Vec2) -> Vec<Cell> 
         let room = Vec2::new(cell.x - MARGIN, cell.y - MARGIN - TITLE - text).max(Vec2::ZERO);
         ((room / picture).min_element(), columns, cell)
     });
-    let (scale, columns, cell) = arranged
+    // Narrow cells would cut off their text.
+    let wide = arranged.filter(|(_, columns, cell)| cell.x >= NARROWEST || *columns == 1);
+    let (scale, columns, cell) = wide
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .unwrap_or((0.0, 1, size));
     (0..count)
