@@ -63,7 +63,7 @@ pub struct Lesson {
     /// Indices into the scene's lights: point lights that may be moved.
     pub movable_lights: Vec<usize>,
     pub panels: Vec<Panel>,
-    steps: Vec<StepFile>,
+    pub(super) steps: Vec<StepFile>,
 }
 
 /// A lesson that was run, with every narrated step found in the run.

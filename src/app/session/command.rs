@@ -1,5 +1,6 @@
 //! What a user can ask of a session, and why it may be refused.
 
+use super::StudyCommand;
 use crate::algorithms::focus::Focus;
 use crate::panels::TreeView;
 use crate::panels::words::{Language, Words};
@@ -67,6 +68,8 @@ pub enum Command {
     },
     /// The lesson as it was when it was opened.
     Reset,
+    /// Error against run time.
+    Study(StudyCommand),
     /// A built-in lesson by its id.
     Open(String),
     Speak(Language),

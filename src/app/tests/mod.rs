@@ -3,6 +3,7 @@
 mod lights;
 mod painter;
 mod ray_tree;
+mod studies;
 
 use super::question_card::rounded;
 use super::session::{Command, Session, Standing};
