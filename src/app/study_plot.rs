@@ -127,8 +127,13 @@ pub fn show(session: &Session, part: &Part, lit: Option<PointAt>, ui: &mut Ui) -
 /// The steps between what is reached: to the right and then down.
 fn front(mut places: Vec<[f64; 2]>, color: Color32, plot: &mut egui_plot::PlotUi) {
     places.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let corner = |pair: &[[f64; 2]]| [pair[0], [pair[1][0], pair[0][1]], pair[1]];
-    let steps: Vec<[f64; 2]> = places.windows(2).flat_map(corner).collect();
+    // No point twice in a row, or the line would have no direction there.
+    let mut steps: Vec<[f64; 2]> = Vec::new();
+    for pair in places.windows(2) {
+        steps.extend([pair[0], [pair[1][0], pair[0][1]]]);
+    }
+    steps.extend(places.last());
+    steps.dedup();
     let line = Line::new("front", steps).color(color.gamma_multiply(0.3));
     plot.line(line.width(6.0).allow_hover(false));
     let rings = Points::new("on front", places).color(color).filled(false);
@@ -249,7 +254,9 @@ fn ticks(input: GridInput) -> Vec<GridMark> {
             step_size: if times == 1 { 1.0 } else { 0.1 },
         })
     });
-    ticks.collect()
+    ticks
+        .filter(|tick| (low..=high).contains(&tick.value))
+        .collect()
 }
 
 /// What is written at a tick: of every decade, and of what lies between where there is hardly one to be seen.

@@ -125,14 +125,15 @@ fn found(session: &Session, part: &Part, commands: &mut Vec<Command>, ui: &mut U
     let height = (room.y - TOLD).max(160.0);
     ui.horizontal_top(|ui| {
         let width = (room.x - LIST - 12.0).max(240.0);
-        ui.allocate_ui(egui::vec2(width, height), |ui| {
+        let down = egui::Layout::top_down(egui::Align::Min);
+        ui.allocate_ui_with_layout(egui::vec2(width, height), down, |ui| {
             let pointed = study_plot::show(session, part, shown, ui);
             now_lit = pointed.at;
             if let Some(at) = pointed.at.filter(|_| pointed.clicked) {
                 commands.push(Command::Study(StudyCommand::Pick(at)));
             }
         });
-        ui.allocate_ui(egui::vec2(LIST, height), |ui| {
+        ui.allocate_ui_with_layout(egui::vec2(LIST, height), down, |ui| {
             ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
                 now_lit = points(session, part, commands, ui).or(now_lit);
             });
