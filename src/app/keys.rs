@@ -1,7 +1,7 @@
 //! The keys: one table, which the handler obeys and the sheet of keys prints.
 
 use super::parameter_card;
-use super::session::{Command, Session};
+use super::session::{Command, Session, StudyCommand};
 use crate::panels::words::Words;
 use egui::{Event, Key, Modifiers, Popup};
 
@@ -44,7 +44,7 @@ const fn bind(
 
 use With::{Ctrl, Nothing, Shift, Sign};
 
-pub const BINDINGS: [Binding; 37] = [
+pub const BINDINGS: [Binding; 38] = [
     bind(
         Key::ArrowRight,
         Nothing,
@@ -319,6 +319,14 @@ pub const BINDINGS: [Binding; 37] = [
         "lewati pertanyaan",
     ),
     bind(
+        Key::E,
+        Nothing,
+        "e",
+        || Command::Study(StudyCommand::View),
+        "error against run time",
+        "galat terhadap waktu jalan",
+    ),
+    bind(
         Key::Questionmark,
         Sign,
         "?",
@@ -391,6 +399,10 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
         // Over the sheet of keys, only what closes it.
         commands
             .filter(|command| !session.look.keys || *command == Command::Keys)
+            .filter_map(|command| match session.studying().is_open {
+                true => over_study(command),
+                false => Some(command),
+            })
             .collect()
     });
     if !commands.is_empty() {
@@ -401,6 +413,22 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
         ctx.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
     }
     commands
+}
+
+/// Over a study, a key means what it says of the whole window; escape closes the study.
+fn over_study(command: Command) -> Option<Command> {
+    match command {
+        Command::StopPresenting => Some(Command::Study(StudyCommand::View)),
+        Command::Study(_)
+        | Command::Keys
+        | Command::OtherLanguage
+        | Command::NextTheme
+        | Command::Present
+        | Command::LargerText
+        | Command::SmallerText
+        | Command::NormalText => Some(command),
+        _ => None,
+    }
 }
 
 /// The key of a command, for the hint on its button.

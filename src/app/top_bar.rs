@@ -1,6 +1,6 @@
 //! The bar on top: which lesson this is, and how things are shown.
 
-use super::session::{Command, Session};
+use super::session::{Command, Session, StudyCommand};
 use super::{left_out, style, words};
 use crate::panels::words::{Language, Words};
 use crate::picture::Theme;
@@ -156,6 +156,9 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             commands.push(Command::Inspector);
         }
         ui.separator();
+        let studies = session.say(words::STUDIES);
+        let view = Command::Study(StudyCommand::View);
+        super::window::button(session, Button::new(studies), studies, view, commands, ui);
         for (words, command) in [
             (words::PRESENT, Command::Present),
             (words::SHARE, Command::Share),

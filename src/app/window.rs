@@ -3,7 +3,9 @@
 use super::panel_view::PanelView;
 use super::session::{Command, Session};
 use super::tiles::{Arrangement, GAP, panel_on};
-use super::{key_sheet, keys, narration, parameter_card, style, top_bar, transport, words};
+use super::{
+    key_sheet, keys, narration, parameter_card, study_view, style, top_bar, transport, words,
+};
 use crate::panels::Panel;
 use crate::picture::Theme;
 use egui::{CursorIcon, Frame, Id, Margin, Popup, Rect, Sense, Stroke, Ui, ViewportCommand};
@@ -44,6 +46,7 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     close_menus(&ctx);
     window.play_on(session, &ctx);
     session.take_picture();
+    session.take_findings();
     if session.awaits_picture() {
         ctx.request_repaint_after(LOOK_AGAIN);
     }
@@ -53,6 +56,10 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     let mut under_pointer = None;
     let size = ui.available_size();
     top_bar::show(session, &mut commands, ui);
+    if session.studying().is_open {
+        study_view::show(session, &mut commands, ui);
+        return window.finish(session, commands, &ctx);
+    }
     let margin = Margin::same(GAP as i8);
 
     let height = (0.24 * size.y).clamp(150.0, 210.0);
@@ -112,23 +119,27 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     if let Some(width) = dragged_border(column.response.rect, ui) {
         window.column = Some(width.clamp(*limits.start(), *limits.end()));
     }
-    if session.look.keys {
-        key_sheet::show(session, &mut commands, &ctx);
-    }
-
     if under_pointer != session.hovered() {
         commands.push(Command::Hover(under_pointer));
     }
-    let acted = !commands.is_empty();
-    for command in commands {
-        window.carry_out(session, command);
-    }
-    if acted {
-        ctx.request_repaint();
-    }
+    window.finish(session, commands, &ctx);
 }
 
 impl Window {
+    /// Shows what lies over everything, and carries out what the user did.
+    fn finish(&mut self, session: &mut Session, mut commands: Vec<Command>, ctx: &egui::Context) {
+        if session.look.keys {
+            key_sheet::show(session, &mut commands, ctx);
+        }
+        let acted = !commands.is_empty();
+        for command in commands {
+            self.carry_out(session, command);
+        }
+        if acted {
+            ctx.request_repaint();
+        }
+    }
+
     fn carry_out(&mut self, session: &mut Session, command: Command) {
         let quiet = matches!(command, Command::Hover(_));
         let step = (session.recording(), session.step());

@@ -1,6 +1,8 @@
 //! The window's words, in both languages.
 
 use crate::panels::words::Words;
+use crate::study::harness::Point;
+use crate::study::report::words as report;
 
 macro_rules! words {
     ($($name:ident: $en:literal, $id:literal;)*) => {
@@ -24,6 +26,33 @@ words! {
     CLOSE: "Close", "Tutup";
     MENU: "More", "Lainnya";
     QUESTIONS: "Ask me questions", "Ajukan pertanyaan";
+    STUDIES: "Error against run time", "Galat terhadap waktu jalan";
+    STUDY: "Study", "Studi";
+    QUICK: "few and small settings", "pengaturan sedikit dan kecil";
+    MEASURE: "Measure", "Ukur";
+    CALL_OFF: "Call off", "Batalkan";
+    BACK_TO_THE_RUN: "Back to the lesson", "Kembali ke pelajaran";
+    MEASURING: "measuring", "mengukur";
+    CALLED_OFF: "Called off; what had come stays.", "Dibatalkan; yang sudah masuk tetap ada.";
+    NO_FINDINGS: "No result:", "Tidak ada hasil:";
+    NOTHING_MEASURED: "Choose a study and measure it. It runs in the background, on one thread.", "Pilih sebuah studi lalu ukur. Studi berjalan di latar belakang, pada satu utas.";
+    DEBUG_BUILD: "This is a debug build: its times say nothing about the algorithms.", "Ini build debug: waktunya tidak mengatakan apa-apa tentang algoritme.";
+    STUDY_PLOT: "plot of the study", "grafik studi";
+    TIME_OF_A_RUN: "time of a run (median)", "waktu satu kali jalan (median)";
+    RMS_ERROR_OF: "rms error of", "galat rms dari";
+    ON_THE_FRONT: "On the Pareto front: no other setting is as quick and as exact.", "Di front Pareto: tidak ada pengaturan lain yang secepat dan seteliti ini.";
+    ERROR_IS: "error", "galat";
+    TIME_IS: "time", "waktu";
+    QUARTILES: "quartiles", "kuartil";
+    MEMORY_IS: "memory", "memori";
+    ERROR_FALLS: "error", "galat";
+    TIME_GROWS: "time", "waktu";
+    NO_LAW: "no clean law", "tidak ada hukum yang jelas";
+    CLICK_OPENS_IT: "A click opens its picture and its run.", "Klik membuka gambar dan jalannya.";
+    MEASURED_AGAIN_BY: "It draws no picture. Measured again, with a row of its own in the table, by", "Tidak menghasilkan gambar. Diukur lagi, dengan baris tersendiri di tabel, oleh";
+    REFERENCE: "Reference", "Acuan";
+    PARETO: "Ringed, on the grey line: the Pareto front. Bars: quartiles.", "Berlingkar, pada garis abu-abu: front Pareto. Batang: kuartil.";
+
     TEXT_SIZE: "Text size", "Ukuran teks";
 
     AT_THE_START_NAME: "first step", "langkah pertama";
@@ -140,11 +169,41 @@ words! {
     SMALLEST: "The text is as small as it gets.", "Teks sudah terkecil.";
     NO_SUCH_LESSON: "There is no such lesson.", "Tidak ada pelajaran itu.";
     STAYS: "The lesson keeps this as it is.", "Pelajaran ini membiarkannya seperti adanya.";
+    STILL_MEASURING: "A study is being measured; call it off first.", "Sebuah studi sedang diukur; batalkan dahulu.";
+    NOTHING_IS_MEASURED: "Nothing is being measured.", "Tidak ada yang sedang diukur.";
+    NO_SUCH_STUDY: "There is no such study.", "Tidak ada studi itu.";
+    NO_SUCH_POINT: "There is no such point.", "Tidak ada titik itu.";
+    SHARE_NO_STUDY: "A point of a study can only be opened from the study.", "Titik sebuah studi hanya dapat dibuka dari studinya.";
     TOO_FAR: "That is too far away.", "Itu terlalu jauh.";
     NO_VIEW: "From there, what is up in the picture would not be known.", "Dari sana tidak diketahui mana yang atas pada gambar.";
     OUT_OF_RANGE: "That value cannot be had.", "Nilai itu tidak diperbolehkan.";
     SHARE_UNCHANGED_ONLY: "A parameter was changed: r puts it back, and then this step can be shared.", "Sebuah parameter diubah: r mengembalikannya, lalu langkah ini dapat dibagikan.";
     SHARE_LESSON_ONLY: "Only steps of the lesson itself can be shared; r leads back to it.", "Hanya langkah pelajaran yang dapat dibagikan; r kembali ke pelajaran.";
+}
+
+/// What is said where the picture of a study's point is opened, by language.
+pub fn said_of_a_point(point: &Point) -> [String; 2] {
+    let time = report::seconds(point.seconds.median);
+    let error = point.errors.map(|errors| report::error(errors.rms));
+    let [en, id] = match error {
+        Some(error) => [
+            format!("an rms error of {error} in {time}"),
+            format!("galat rms {error} dalam {time}"),
+        ],
+        None => [
+            format!("a picture in {time}"),
+            format!("satu gambar dalam {time}"),
+        ],
+    };
+    let setting = &point.setting;
+    [
+        format!(
+            "A point of a study: {setting} came to {en} on one thread. Here is the run behind it; the list of lessons leads back, and the menu to the study."
+        ),
+        format!(
+            "Sebuah titik studi: {setting} mencapai {id} pada satu utas. Inilah jalannya; daftar pelajaran membawa kembali, dan menu membuka studi."
+        ),
+    ]
 }
 
 #[cfg(test)]

@@ -51,16 +51,21 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let (mut found, mut left_out) = (Vec::new(), Vec::new());
     for &study in families::ALL.iter().filter(wanted) {
         let progress = Progress::new(study.name);
-        let measured = study.measure(&request, &|done, all| progress.show(done, all));
+        let told = |done, all| {
+            progress.show(done, all);
+            Ok(())
+        };
+        let measured = study.measure(&request, &told, &|_| ());
         drop(progress);
         match measured {
-            Ok(findings) => {
+            Ok(mut findings) => {
                 write(&findings, &machine, &arguments)?;
+                findings.forget_pictures();
                 found.push(findings);
             }
             Err(why) => {
                 super::tell(format_args!("lightwalk: {} is left out: {why}", study.name));
-                left_out.push((study.name, why));
+                left_out.push((study.name, why.to_string()));
             }
         }
     }

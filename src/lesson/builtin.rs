@@ -93,6 +93,14 @@ const BUILTINS: &[Builtin] = &[
         "cornell-box",
         include_str!("../../lessons/24-cornell-box.json"),
     ),
+    lesson(
+        "stiff-room",
+        include_str!("../../lessons/25-stiff-room.json"),
+    ),
+    lesson(
+        "error-against-time",
+        include_str!("../../lessons/26-error-against-time.json"),
+    ),
     lesson("extremes", include_str!("../../lessons/28-extremes.json")),
 ];
 

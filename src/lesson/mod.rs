@@ -5,6 +5,7 @@
 
 mod builtin;
 mod file;
+mod made;
 mod narrate;
 mod parameters;
 mod resolve;

@@ -64,7 +64,7 @@ pub struct Lesson {
     /// What may be changed while one looks.
     pub parameters: Vec<Parameter>,
     pub panels: Vec<Panel>,
-    steps: Vec<StepFile>,
+    pub(super) steps: Vec<StepFile>,
 }
 
 /// A lesson that was run, with every narrated step found in the run.

@@ -2,8 +2,12 @@
 
 use super::fit::Law;
 use crate::algorithms::frame::Frame;
+use crate::algorithms::primary::Settings;
+use crate::algorithms::stage::Stage;
+use crate::render::Method;
 use crate::scene::Scene;
 use std::rc::Rc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// A question about the algorithms that measuring answers.
 pub struct Study {
@@ -108,8 +112,35 @@ pub struct Rung {
     pub operations: Vec<Operations>,
     /// What is right; a NaN stands where nothing is compared. Without one there is no error.
     pub truth: Option<Rc<[f64]>>,
+    /// What it draws, if anything.
+    pub drawn: Option<Drawn>,
     /// The work that is timed. Errors: why there is no result.
     pub run: Box<Run>,
+}
+
+/// A picture that a setting draws, so that it can be walked through.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    pub stage: Shared,
+    pub method: Method,
+    /// Those of the setting; the stage's own are those of whoever used it last.
+    pub settings: Settings,
+}
+
+/// A stage that many settings share, each with ray settings of its own.
+#[derive(Clone, Debug)]
+pub struct Shared(Arc<Mutex<Stage>>);
+
+impl Shared {
+    pub fn new(stage: Stage) -> Self {
+        Shared(Arc::new(Mutex::new(stage)))
+    }
+
+    /// The stage, for one at a time.
+    pub fn lock(&self) -> MutexGuard<'_, Stage> {
+        // Whoever panicked had changed its settings at most, and everybody sets those first.
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
 }
 
 pub type Run = dyn Fn() -> Result<Values, String>;

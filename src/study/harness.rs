@@ -2,9 +2,10 @@
 
 use super::errors::Errors;
 use super::fit::{Fit, Law};
-use super::form::{Axes, Ladder, Operations, Reference, Request, Rung, Study};
+use super::form::{Axes, Drawn, Ladder, Operations, Reference, Request, Rung, Study};
 use super::pareto::front;
-use super::timing::{Patience, Timing, time};
+use super::timing::{Patience, Progress, Timing, time};
+use crate::render::Cancelled;
 use crate::scene::Tessellation;
 
 /// What a study found.
@@ -50,45 +51,67 @@ pub struct Point {
     pub seconds: Timing,
     pub bytes: u64,
     pub operations: Vec<Operations>,
+    /// What the setting draws, if anything.
+    pub drawn: Option<Drawn>,
     /// Whether no other setting of the part is as quick and as exact.
     pub on_front: bool,
+}
+
+impl Findings {
+    /// Lets go of the scenes that points can show, which may be large.
+    pub fn forget_pictures(&mut self) {
+        let lines = self.parts.iter_mut().flat_map(|part| &mut part.lines);
+        for point in lines.flat_map(|line| &mut line.points) {
+            point.drawn = None;
+        }
+    }
 }
 
 /// Of a scene that is measured, so that a study takes no more than some GB.
 const MOST_POLYGONS: u64 = 1_000_000;
 
+/// Why a study has no findings.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Unmeasured {
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// It says nothing about the scene that was given.
+    #[error("{0}")]
+    Because(String),
+}
+
 impl Study {
-    /// Measures every ladder. Errors: why the study says nothing about the scene that was given.
+    /// Measures every ladder, and tells of each as soon as it is `done`.
     pub fn measure(
         &'static self,
         request: &Request,
-        progress: &dyn Fn(usize, usize),
-    ) -> Result<Findings, String> {
+        progress: &Progress,
+        done: &dyn Fn(&Part),
+    ) -> Result<Findings, Unmeasured> {
         let polygons = request.scene.map_or(0, Tessellation::count);
         if polygons > MOST_POLYGONS {
-            return Err(format!(
+            return Err(Unmeasured::Because(format!(
                 "the scene divides into {polygons} polygons; at most {MOST_POLYGONS} are measured, since a study holds it several times"
-            ));
+            )));
         }
-        let ladders = (self.ladders)(request)?;
+        let ladders = (self.ladders)(request).map_err(Unmeasured::Because)?;
         let patience = request.either(Patience::QUICK, Patience::THOROUGH);
         let count = ladders.len();
-        let parts = ladders.into_iter().enumerate().map(|(index, ladder)| {
-            ladder.measure(patience, &|done, all| {
-                progress(index * all + done, count * all);
-            })
-        });
-        Ok(Findings {
-            study: self,
-            parts: parts.collect(),
-        })
+        let mut parts = Vec::with_capacity(count);
+        for (index, ladder) in ladders.into_iter().enumerate() {
+            let progress = |done, all| progress(index * all + done, count * all);
+            let part = ladder.measure(patience, &progress)?;
+            done(&part);
+            parts.push(part);
+        }
+        Ok(Findings { study: self, parts })
     }
 }
 
 impl Ladder {
-    pub fn measure(self, patience: Patience, progress: &dyn Fn(usize, usize)) -> Part {
+    pub fn measure(self, patience: Patience, progress: &Progress) -> Result<Part, Cancelled> {
         let curves: Vec<&[Rung]> = self.curves.iter().map(|curve| &*curve.rungs).collect();
-        let mut timed = time(&curves, patience, progress).into_iter();
+        let mut timed = time(&curves, patience, progress)?.into_iter();
         let (mut lines, mut failed) = (Vec::new(), Vec::new());
         for curve in self.curves {
             let mut points = Vec::new();
@@ -105,6 +128,7 @@ impl Ladder {
                             seconds,
                             bytes: rung.bytes,
                             operations: rung.operations,
+                            drawn: rung.drawn,
                             on_front: false,
                         });
                     }
@@ -127,7 +151,7 @@ impl Ladder {
         for (point, on_front) in points.iter_mut().zip(front(&places)) {
             point.on_front = on_front;
         }
-        Part {
+        Ok(Part {
             title: self.title,
             axes: self.axes,
             size: self.size,
@@ -136,7 +160,7 @@ impl Ladder {
             memory: self.memory,
             lines,
             failed,
-        }
+        })
     }
 }
 
@@ -213,6 +237,7 @@ mod tests {
             bytes: 8 * n as u64,
             operations: Vec::new(),
             truth: None,
+            drawn: None,
             run: Box::new(move || {
                 let work: f64 = (0..4000 * n as u32).map(f64::from).map(f64::sqrt).sum();
                 std::hint::black_box(work);
@@ -244,7 +269,7 @@ mod tests {
 
     #[test]
     fn a_ladder_of_order_2_is_found_to_be_one() {
-        let part = ladder(1e-12).measure(PATIENCE, &|_, _| ());
+        let part = ladder(1e-12).measure(PATIENCE, &|_, _| Ok(())).unwrap();
         let line = &part.lines[0];
         let rms: Vec<f64> = line.points.iter().map(|p| p.errors.unwrap().rms).collect();
         for (n, rms) in [1.0, 2.0, 4.0, 8.0, 16.0].into_iter().zip(rms) {
@@ -263,7 +288,7 @@ mod tests {
     #[test]
     fn errors_below_that_of_the_reference_are_no_better_than_it_and_follow_no_law() {
         // Only the first two settings stand clearly above it.
-        let part = ladder(0.01).measure(PATIENCE, &|_, _| ());
+        let part = ladder(0.01).measure(PATIENCE, &|_, _| Ok(())).unwrap();
         let line = &part.lines[0];
         assert_eq!(line.convergence, None);
         let below = line.points.iter().filter(|point| point.size >= 4.0);

@@ -19,5 +19,5 @@ pub mod plot;
 pub mod report;
 pub mod stress;
 #[cfg(test)]
-mod tests;
+pub mod tests;
 pub mod timing;

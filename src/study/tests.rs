@@ -30,6 +30,7 @@ fn point(size: f64, rms: f64, median: f64) -> Point {
         },
         bytes: 1000,
         operations: Vec::new(),
+        drawn: None,
         on_front: true,
     }
 }

@@ -2,6 +2,7 @@
 //! round, so that a machine that slows down slows down all; median and quartiles.
 
 use super::form::{Rung, Values};
+use crate::render::Cancelled;
 use std::hint::black_box;
 use web_time::{Duration, Instant};
 
@@ -66,12 +67,19 @@ impl Timing {
 /// What became of a rung: its values and its time, or why there are none.
 pub type Timed = Result<(Values, Timing), String>;
 
+/// Hears how many of how many parts are done, and may call the rest off.
+pub type Progress<'a> = dyn Fn(usize, usize) -> Result<(), Cancelled> + 'a;
+
 /// Runs the rungs of all curves in turn, round by round. Where a rung takes too long, the rest of its curve is not run.
-pub fn time(curves: &[&[Rung]], patience: Patience, progress: &dyn Fn(usize, usize)) -> Vec<Timed> {
-    let first: Vec<WarmedUp> = curves
-        .iter()
-        .flat_map(|curve| warm_up(curve, patience.longest))
-        .collect();
+pub fn time(
+    curves: &[&[Rung]],
+    patience: Patience,
+    progress: &Progress,
+) -> Result<Vec<Timed>, Cancelled> {
+    let mut first: Vec<WarmedUp> = Vec::new();
+    for curve in curves {
+        first.extend(warm_up(curve, patience.longest, &|| progress(0, 1))?);
+    }
     let rungs: Vec<&Rung> = curves.iter().copied().flatten().collect();
     let repeats: Vec<u32> = first
         .iter()
@@ -104,19 +112,23 @@ pub fn time(curves: &[&[Rung]], patience: Patience, progress: &dyn Fn(usize, usi
             }
             seconds[turn].push(start.elapsed().as_secs_f64() / f64::from(repeats[turn]));
         }
-        progress(round + 1, rounds);
+        progress(round + 1, rounds)?;
     }
     let timed = first.into_iter().zip(seconds);
-    timed
-        .map(|(first, seconds)| first.map(|(values, _)| (values, Timing::of(seconds))))
-        .collect()
+    let timed =
+        timed.map(|(first, seconds)| first.map(|(values, _)| (values, Timing::of(seconds))));
+    Ok(timed.collect())
 }
 
 /// Values, and how long it took to find them.
 type WarmedUp = Result<(Values, Duration), String>;
 
 /// Every rung once, from coarse to fine, until one takes too long.
-fn warm_up(curve: &[Rung], longest: Duration) -> Vec<WarmedUp> {
+fn warm_up(
+    curve: &[Rung],
+    longest: Duration,
+    go_on: &dyn Fn() -> Result<(), Cancelled>,
+) -> Result<Vec<WarmedUp>, Cancelled> {
     let mut too_long: Option<String> = None;
     let mut run = |rung: &Rung| {
         if let Some(why) = &too_long {
@@ -133,7 +145,11 @@ fn warm_up(curve: &[Rung], longest: Duration) -> Vec<WarmedUp> {
         }
         Ok((values, once))
     };
-    curve.iter().map(&mut run).collect()
+    let run = |rung| {
+        go_on()?;
+        Ok(run(rung))
+    };
+    curve.iter().map(run).collect()
 }
 
 /// Whose turn it is in a round: each begins one later, and every other one runs backwards.
@@ -192,6 +208,7 @@ mod tests {
                 bytes: 0,
                 operations: Vec::new(),
                 truth: None,
+                drawn: None,
                 run: Box::new(move || {
                     runs.borrow_mut()[which] += 1;
                     match fails {
@@ -208,7 +225,7 @@ mod tests {
             most_rounds: 9,
         };
         let rungs = [rung(0, false), rung(1, true)];
-        let timed = time(&[&rungs], patience, &|_, _| ());
+        let timed = time(&[&rungs], patience, &|_, _| Ok(())).unwrap();
         assert!(matches!(&timed[0], Ok((_, timing)) if timing.runs == 5));
         assert!(matches!(&timed[1], Err(why) if why == "diverges"));
         assert_eq!(*runs.borrow(), [6, 1]);
@@ -218,7 +235,7 @@ mod tests {
             longest: Duration::ZERO,
             ..patience
         };
-        let timed = time(&[&rungs], hasty, &|_, _| ());
+        let timed = time(&[&rungs], hasty, &|_, _| Ok(())).unwrap();
         let left_out = |timed: &Timed| matches!(timed, Err(why) if why.contains("longer than"));
         assert!(timed.iter().all(left_out));
         assert_eq!(*runs.borrow(), [7, 1]);

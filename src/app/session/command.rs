@@ -1,5 +1,6 @@
 //! What a user can ask of a session, and why it may be refused.
 
+use super::StudyCommand;
 use crate::algorithms::focus::Focus;
 use crate::lesson::Change;
 use crate::panels::TreeView;
@@ -64,6 +65,8 @@ pub enum Command {
     Change(Change),
     /// The lesson as it was when it was opened.
     Reset,
+    /// Error against run time.
+    Study(StudyCommand),
     /// A built-in lesson by its id.
     Open(String),
     Speak(Language),

@@ -6,6 +6,7 @@ mod focus;
 mod play;
 mod preview;
 mod question;
+mod study;
 mod update;
 
 #[cfg(test)]
@@ -14,6 +15,7 @@ mod tests;
 pub use command::{Command, Guess, Refused};
 pub use play::Direction;
 pub use question::{Standing, read_number};
+pub use study::{Outcome, PointAt, StudyCommand, Studying};
 
 use crate::algorithms::focus::Focus;
 use crate::algorithms::stage::Stage;
@@ -118,6 +120,7 @@ pub struct Session {
     /// A command line on its way to the clipboard; the window takes this.
     pub shared: Option<String>,
     lessons: Vec<Listed>,
+    studying: Studying,
 }
 
 impl Session {
@@ -144,6 +147,7 @@ impl Session {
             search_wanted: false,
             shared: None,
             lessons: list(),
+            studying: Studying::new(),
             open,
         };
         session.start_over();
@@ -303,14 +307,14 @@ impl Session {
         words.in_language(self.look.language)
     }
 
-    /// The lesson's number and title.
+    /// The lesson's number, where it has one, and title.
     pub fn title(&self) -> String {
         let lesson = self.lesson();
-        format!(
-            "{} · {}",
-            lesson.number,
-            lesson.title.in_language(self.look.language)
-        )
+        let title = lesson.title.in_language(self.look.language);
+        match lesson.number {
+            Lesson::UNNUMBERED => title.to_owned(),
+            number => format!("{number} · {title}"),
+        }
     }
 
     /// As it stands on the frame of the window, for people and for scripts. Steps are counted from 0.
@@ -323,7 +327,9 @@ impl Session {
 
     /// The command that opens this lesson at this step. Errors: why there is none.
     pub fn command_line(&self) -> Result<String, Words> {
-        if !self.follows_lesson() {
+        if self.lesson().number == Lesson::UNNUMBERED {
+            Err(super::words::SHARE_NO_STUDY)
+        } else if !self.follows_lesson() {
             Err(super::words::SHARE_LESSON_ONLY)
         } else if self.is_changed() {
             Err(super::words::SHARE_UNCHANGED_ONLY)

@@ -63,8 +63,10 @@ impl Session {
             Command::Open(id) => {
                 let builtin = builtin(&id).ok_or(words::NO_SUCH_LESSON)?;
                 let opened = builtin.read().and_then(|lesson| self.replace(lesson));
-                return opened.map_err(|error| Refused::Error(error.to_string()));
+                opened.map_err(|error| Refused::Error(error.to_string()))?;
+                self.studying.is_open = false;
             }
+            Command::Study(command) => return self.study(command),
             Command::Share => {
                 self.shared = Some(self.command_line()?);
             }
@@ -92,6 +94,7 @@ impl Session {
             Command::ViewTree(ref view) if *view == self.tree => Some(words::TREE_AS_IT_IS),
             Command::Share => self.command_line().err(),
             Command::Change(change) => self.cannot_change(change.parameter()),
+            Command::Study(command) => self.cannot_study(command),
             _ => None,
         };
         refusal.map_or(Ok(()), |words| Err(words.into()))

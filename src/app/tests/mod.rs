@@ -3,6 +3,7 @@
 mod painter;
 mod parameters;
 mod ray_tree;
+mod studies;
 
 use super::question_card::rounded;
 use super::session::{Command, Session, Standing};

@@ -4,15 +4,14 @@
 //! weaken the light of far secondary rays, so that the same depth leaves a smaller error: a ladder an attenuation, each against
 //! the deepest picture of its own.
 
-use super::pictures::{self, MEMORY, Shared, picture, sends_rays_on, settings};
+use super::pictures::{self, MEMORY, picture, sends_rays_on, settings};
 use super::scenes;
 use crate::algorithms::primary::Settings;
 use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Study};
-use std::cell::RefCell;
+use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Shared, Study};
 use std::rc::Rc;
 use web_time::Instant;
 
@@ -62,7 +61,7 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
                 "nothing in the scene reflects or transmits, so that no ray is sent on".into(),
             );
         }
-        let stage = Rc::new(RefCell::new(scenes::stage(scene, &camera, size)));
+        let stage = Shared::new(scenes::stage(scene, &camera, size));
         Ok(ladder(attenuation, &stage, longest))
     };
     attenuations.into_iter().map(ladder).collect()

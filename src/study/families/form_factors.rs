@@ -156,6 +156,7 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
             bytes,
             operations,
             truth: None,
+            drawn: None,
             run,
         }
     };

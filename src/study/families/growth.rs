@@ -15,7 +15,7 @@ use crate::scene::patches::Patches;
 use crate::scene::{Scene, Shape, sphere_mesh};
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
+    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Shared, Study, Values,
 };
 use glam::DVec3;
 use std::cell::RefCell;
@@ -85,7 +85,7 @@ fn pixels(scene: &Scene, request: &Request) -> Result<Ladder, String> {
         .map(|size| {
             (
                 size,
-                Rc::new(RefCell::new(scenes::stage(scene.clone(), &camera, size))),
+                Shared::new(scenes::stage(scene.clone(), &camera, size)),
             )
         })
         .collect();
@@ -114,7 +114,7 @@ fn triangles(request: &Request) -> Result<Ladder, String> {
         scene.objects[0].shape = Shape::Mesh(mesh);
         let camera = scenes::camera(&scene)?;
         let stage = scenes::stage(scene, &camera, [160, 120]);
-        stages.push((longitudes, Rc::new(RefCell::new(stage))));
+        stages.push((longitudes, Shared::new(stage)));
     }
     let curves = methods().map(|method| {
         let rungs = stages.iter().map(|(longitudes, stage)| {
@@ -149,7 +149,7 @@ fn depth(scenes: &[(&str, &Scene)], request: &Request) -> Result<Ladder, String>
     for (name, scene) in scenes {
         let camera = scenes::camera(scene)?;
         let stage = scenes::stage((*scene).clone(), &camera, size);
-        let stage = Rc::new(RefCell::new(stage));
+        let stage = Shared::new(stage);
         let rungs = (1..=deepest).map(|depth| {
             let setting = format!("depth {depth}");
             pictures::rung(
@@ -216,6 +216,7 @@ fn matrix_rung(patches: &Rc<Patches>, method: form_factor::Method) -> Rung {
             count: (n * n) as u64,
         }],
         truth: None,
+        drawn: None,
         run: Box::new(move || {
             let matrix = FormFactors::new(&shared, method, None).matrix();
             Ok(Values::Numbers(matrix))
@@ -239,6 +240,7 @@ fn solving(request: &Request) -> Result<Ladder, String> {
                 bytes: problem.bytes(),
                 operations: Vec::new(),
                 truth: None,
+                drawn: None,
                 run: Box::new(move || {
                     let solution = shared.solve(solver, 1e-6, &mut Unrecorded)?;
                     Ok(Values::Numbers(solution.radiosity))
@@ -279,6 +281,7 @@ fn events(request: &Request) -> Result<Ladder, String> {
                 count: events as u64,
             }],
             truth: None,
+            drawn: None,
             run,
         };
         let an_event = size_of::<gouraud::Event>() + size_of::<Mark>() + Outline::BYTES_AN_EVENT;

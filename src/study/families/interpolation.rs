@@ -109,6 +109,7 @@ fn rung(steps: u32, way: Way) -> Rung {
             count: steps.into(),
         }],
         truth: Some(right.collect()),
+        drawn: None,
         run: Box::new(move || Ok(Values::Numbers(way(steps)))),
     }
 }

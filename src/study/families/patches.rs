@@ -147,6 +147,7 @@ impl Work {
                 },
             ],
             truth: None,
+            drawn: None,
             run: Box::new(move || {
                 let found = self.solve()?;
                 Ok(Values::Numbers(spread(&found, n as usize, finest as usize)))

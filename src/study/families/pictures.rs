@@ -2,17 +2,11 @@
 
 use super::memory;
 use crate::algorithms::primary::Settings;
-use crate::algorithms::stage::Stage;
 use crate::color::Rgb;
 use crate::render::{Method, RayCounts, render, render_counted};
 use crate::scene::Scene;
-use crate::study::form::{Operations, Rung, Values};
-use std::cell::RefCell;
+use crate::study::form::{Drawn, Operations, Rung, Shared, Values};
 use std::num::{NonZeroU32, NonZeroUsize};
-use std::rc::Rc;
-
-/// A stage that many rungs share, each with settings of its own.
-pub type Shared = Rc<RefCell<Stage>>;
 
 /// How far ray methods go. Both must be positive.
 pub fn settings(depth: u32, samples: u32) -> Settings {
@@ -25,8 +19,9 @@ pub fn settings(depth: u32, samples: u32) -> Settings {
 
 /// The picture, its channels in a row.
 pub fn picture(stage: &Shared, method: Method, settings: Settings) -> Vec<f64> {
-    stage.borrow_mut().settings = settings;
-    let frame = render(&stage.borrow(), method, NonZeroUsize::MIN, &|_, _| ());
+    let mut stage = stage.lock();
+    stage.settings = settings;
+    let frame = render(&stage, method, NonZeroUsize::MIN, &|_, _| ());
     Values::Picture(frame).numbers()
 }
 
@@ -40,7 +35,7 @@ pub fn rung(
 ) -> Rung {
     let operations = operations(stage, method, settings);
     let bytes = {
-        let stage = stage.borrow();
+        let stage = stage.lock();
         let view = &stage.view;
         let scene = match method.follows_rays() {
             true => stage.solids().bytes(),
@@ -48,16 +43,21 @@ pub fn rung(
         };
         memory::frame([view.width, view.height]) + memory::polygons(&stage) + scene
     };
-    let stage = stage.clone();
+    let shared = stage.clone();
     Rung {
         setting,
         size,
         bytes,
         operations,
         truth: None,
+        drawn: Some(Drawn {
+            stage: stage.clone(),
+            method,
+            settings,
+        }),
         run: Box::new(move || {
-            stage.borrow_mut().settings = settings;
-            let stage = stage.borrow();
+            let mut stage = shared.lock();
+            stage.settings = settings;
             let frame = render(&stage, method, NonZeroUsize::MIN, &|_, _| ());
             Ok(Values::Picture(frame))
         }),
@@ -66,8 +66,8 @@ pub fn rung(
 
 /// Rays by kind, or the polygons of a method that follows none.
 fn operations(stage: &Shared, method: Method, settings: Settings) -> Vec<Operations> {
-    stage.borrow_mut().settings = settings;
-    let stage = stage.borrow();
+    let mut stage = stage.lock();
+    stage.settings = settings;
     let pixels = u64::from(stage.view.width) * u64::from(stage.view.height);
     let mut told = vec![("pixels", pixels)];
     if method.follows_rays() {

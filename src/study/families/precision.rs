@@ -78,6 +78,7 @@ fn rung(power: i32, rays: &Rays, way: Way) -> Rung {
             count: u64::from(RAYS),
         }],
         truth: Some(shares(in_f64(rays, sphere_roots)).into()),
+        drawn: None,
         run: Box::new(move || Ok(Values::Numbers(shares(way(&shared))))),
     }
 }

@@ -6,8 +6,7 @@ use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Study};
-use std::cell::RefCell;
+use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Shared, Study};
 use std::rc::Rc;
 
 pub static STUDY: Study = Study {
@@ -28,7 +27,7 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     let size = request.either([32, 24], [120, 90]);
     let (sides, finest): (&[u32], u32) =
         request.either((&[1, 2, 3, 4, 6, 8], 32), (&[1, 2, 3, 4, 6, 8, 12, 16], 64));
-    let stage = Rc::new(RefCell::new(scenes::stage(scene, &camera, size)));
+    let stage = Shared::new(scenes::stage(scene, &camera, size));
     let ladder = |method: Method| {
         let truth: Rc<[f64]> = picture(&stage, method, settings(DEPTH, finest)).into();
         let half = picture(&stage, method, settings(DEPTH, finest / 2));

@@ -65,6 +65,7 @@ fn curve<S: Search + 'static>(name: &str, stages: &[Rc<Stage>], search: S) -> Cu
                 count: pixels,
             }],
             truth: None,
+            drawn: None,
             run: Box::new(move || Ok(Values::Numbers(cast(&stage, search)))),
         }
     });

@@ -3,21 +3,20 @@
 //! The reference casts a ray through every pixel to the true spheres and lights the point that it meets, with no shadows. Compared
 //! is where the sphere faces the eye, N·V ≥ 0.6: the silhouette is a matter of the polygons' outline and not of the shading.
 
-use super::{memory, scenes};
-use crate::algorithms::primary;
+use super::pictures::{self, MEMORY};
+use super::scenes;
+use crate::algorithms::primary::{self, Settings};
 use crate::algorithms::ray_casting::RayCaster;
 use crate::algorithms::stage::Stage;
 use crate::algorithms::visible::Hierarchy;
 use crate::color::Rgb;
 use crate::record::Unrecorded;
-use crate::render::{Method, render};
+use crate::render::Method;
 use crate::scene::solids::Ray;
 use crate::scene::{Camera, Light, Scene, Shape, sphere_mesh};
 use crate::study::fit::Law;
-use crate::study::form::{
-    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
-};
-use std::num::{NonZeroU32, NonZeroUsize};
+use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Shared, Study};
+use std::num::NonZeroU32;
 use std::rc::Rc;
 
 pub static STUDY: Study = Study {
@@ -51,12 +50,16 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     let finest = request.either(5, 7);
     let truth = truth(&scene, &camera, size)?;
     // 8, 16, 32 … longitudes, half as many latitudes
-    let divided: Vec<(u32, Rc<Stage>)> = (0..finest)
+    let divided: Vec<(u32, Shared)> = (0..finest)
         .map(|step| 8 << step)
-        .map(|n| (n, Rc::new(tessellated(&scene, &camera, size, n))))
+        .map(|n| (n, Shared::new(tessellated(&scene, &camera, size, n))))
         .collect();
     let curves = methods().map(|method| {
-        let rungs = divided.iter().map(|(n, stage)| rung(method, *n, stage));
+        let rungs = divided.iter().map(|(n, stage)| {
+            let setting = format!("{n}×{}", n / 2);
+            let size = f64::from(*n);
+            pictures::rung(setting, size, stage, method, Settings::default())
+        });
         Curve::against(&truth, method.name(), rungs.collect())
     });
     Ok(vec![Ladder {
@@ -70,7 +73,7 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
             error: 1e-15,
             known_by: "a closed form; what is left is rounding".into(),
         },
-        memory: "colour and depth of every pixel, and the polygons with their vertices, counted by their sizes",
+        memory: MEMORY,
         curves: curves.collect(),
     }])
 }
@@ -81,25 +84,6 @@ fn methods() -> impl Iterator<Item = Method> {
         !method.follows_rays() && !matches!(method, Method::Wireframe | Method::Radiosity)
     };
     Method::ALL.into_iter().filter(shades)
-}
-
-fn rung(method: Method, longitudes: u32, stage: &Rc<Stage>) -> Rung {
-    let stage = stage.clone();
-    let polygons = Operations {
-        of: "polygons",
-        count: stage.tessellation.polygon_count() as u64,
-    };
-    let [width, height] = [stage.view.width, stage.view.height];
-    let bytes = memory::frame([width, height]) + memory::polygons(&stage);
-    let draw = move || render(&stage, method, NonZeroUsize::MIN, &|_, _| ());
-    Rung {
-        setting: format!("{longitudes}×{}", longitudes / 2),
-        size: longitudes.into(),
-        bytes,
-        operations: vec![polygons],
-        truth: None,
-        run: Box::new(move || Ok(Values::Picture(draw()))),
-    }
 }
 
 /// The same scene with every sphere as a mesh of so many longitudes, and half as many latitudes.

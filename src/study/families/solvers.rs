@@ -170,6 +170,7 @@ fn rungs(problem: &Rc<Problem>, solver: Solver, finest: i32, longest: f64) -> Ve
                 ],
             ),
             truth: None,
+            drawn: None,
             run: Box::new(move || {
                 let solution = shared.solve(solver, tolerance, &mut Unrecorded)?;
                 Ok(Values::Numbers(solution.radiosity))

@@ -150,7 +150,7 @@ impl Axis {
 }
 
 /// `times`·10^`power` seconds: `200 µs`.
-fn whole_seconds(times: f64, power: i32) -> String {
+pub fn whole_seconds(times: f64, power: i32) -> String {
     let (unit, name) = match power {
         0.. => (0, "s"),
         -3..0 => (-3, "ms"),

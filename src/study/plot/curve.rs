@@ -11,13 +11,13 @@ use glam::Vec2;
 /// Colour, shape of the marks and dash, so that curves are told apart without colours too.
 #[derive(Clone, Copy, Debug)]
 pub struct Look {
-    ink: Ink,
-    mark: Mark,
-    dashed: bool,
+    pub ink: Ink,
+    pub mark: Mark,
+    pub dashed: bool,
 }
 
-#[derive(Clone, Copy, Debug)]
-enum Mark {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
     Disc,
     Square,
     Triangle,
@@ -51,7 +51,7 @@ impl Look {
         if self.dashed { stroke.dashed() } else { stroke }
     }
 
-    pub fn curve(&self, picture: &mut Picture, labels: &mut Labels, places: &[Vec2]) {
+    pub(super) fn curve(&self, picture: &mut Picture, labels: &mut Labels, places: &[Vec2]) {
         for pair in places.windows(2) {
             picture.line(pair[0], pair[1], self.stroke());
             labels.spare(pair[0], pair[1]);
@@ -59,7 +59,7 @@ impl Look {
     }
 
     /// A mark, with the bar of its quartiles.
-    pub fn point(
+    pub(super) fn point(
         &self,
         picture: &mut Picture,
         labels: &mut Labels,
@@ -98,7 +98,7 @@ impl Look {
 }
 
 /// Each curve's name with its law beside one of its ends, and what its ends are settings of.
-pub fn names(
+pub(super) fn names(
     picture: &mut Picture,
     labels: &mut Labels,
     part: &Part,

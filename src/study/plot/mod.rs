@@ -1,8 +1,8 @@
 //! Plots of what a study found, as display lists: both axes logarithmic, every curve labelled where it runs, the Pareto front
 //! marked, quartiles as bars, and the reference's own error as a line.
 
-mod axis;
-mod curve;
+pub mod axis;
+pub mod curve;
 
 use super::form::Axes;
 use super::harness::{Findings, Part, Point};
@@ -40,7 +40,7 @@ pub fn plot(findings: &Findings) -> Picture {
 }
 
 /// The coordinates of a point, where the axes have some for it. An error of zero has none on a logarithmic axis: it is told as 0.
-fn coordinates(axes: Axes, point: &Point) -> Option<[f64; 2]> {
+pub fn coordinates(axes: Axes, point: &Point) -> Option<[f64; 2]> {
     let error = point
         .errors
         .map(|errors| errors.rms)

@@ -1,0 +1,412 @@
+//! A study that is measured in the background: nobody waits for it, its parts are shown as they come, and it can be called off.
+
+use super::{Refused, Session};
+use crate::app::words;
+use crate::lesson::Lesson;
+use crate::panels::words::Words;
+use crate::render::Cancelled;
+use crate::study::families;
+use crate::study::form::{Request, Study};
+use crate::study::harness::{Line, Part, Point, Unmeasured};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
+use std::thread;
+
+/// One point of the study that is shown: indices of its part, of its curve there, and of itself on that.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PointAt {
+    pub part: usize,
+    pub line: usize,
+    pub point: usize,
+}
+
+/// The view of error against run time.
+pub struct Studying {
+    pub is_open: bool,
+    /// An index into all studies.
+    pub chosen: usize,
+    /// Whether few and small settings are enough.
+    pub quick: bool,
+    /// The study that was measured last, or is, and whether quickly.
+    pub of: Option<(&'static Study, bool)>,
+    /// As many of its parts as have come.
+    pub parts: Vec<Part>,
+    /// Which of them is looked at.
+    pub part: usize,
+    pub outcome: Outcome,
+    measuring: Option<Measuring>,
+    /// The point that is told of.
+    pub picked: Option<PointAt>,
+}
+
+/// What became of the study that was measured last.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Done, under way, or never begun.
+    Well,
+    CalledOff,
+    /// It has no findings, for this reason, which is in English.
+    Because(String),
+}
+
+/// Dropped, it is called off: its thread ends by itself after the setting that it runs.
+struct Measuring {
+    state: Arc<State>,
+    news: Receiver<News>,
+}
+
+enum News {
+    Part(Box<Part>),
+    Unmeasured(Unmeasured),
+}
+
+/// What measurer and viewer tell each other.
+#[derive(Default)]
+struct State {
+    called_off: AtomicBool,
+    percent: AtomicUsize,
+}
+
+impl Drop for Measuring {
+    fn drop(&mut self) {
+        self.state.called_off.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Studying {
+    pub(super) fn new() -> Self {
+        Studying {
+            is_open: false,
+            chosen: 0,
+            quick: true,
+            of: None,
+            parts: Vec::new(),
+            part: 0,
+            outcome: Outcome::Well,
+            measuring: None,
+            picked: None,
+        }
+    }
+
+    /// How far the measuring is, in percent; none where nothing is measured.
+    pub fn percent(&self) -> Option<usize> {
+        let measuring = self.measuring.as_ref()?;
+        Some(measuring.state.percent.load(Ordering::Relaxed))
+    }
+
+    pub fn point(&self, at: PointAt) -> Option<(&Part, &Line, &Point)> {
+        let part = self.parts.get(at.part)?;
+        let line = part.lines.get(at.line)?;
+        Some((part, line, line.points.get(at.point)?))
+    }
+
+    /// The command that measures the shown study again, and writes a table with a row for every point.
+    pub fn command_line(&self) -> Option<String> {
+        let (study, quick) = self.of?;
+        let quick = if quick { " --quick" } else { "" };
+        Some(format!("lightwalk study {}{quick} --out found", study.name))
+    }
+
+    fn begin(&mut self) -> Result<(), Refused> {
+        if self.measuring.is_some() {
+            return Err(words::STILL_MEASURING.into());
+        }
+        let study = *families::ALL.get(self.chosen).ok_or(words::NO_SUCH_STUDY)?;
+        let quick = self.quick;
+        let state = Arc::new(State::default());
+        let (tell, news) = channel();
+        let of_thread = state.clone();
+        thread::Builder::new()
+            .name("study".into())
+            .spawn(move || measure(study, quick, &of_thread, &tell))
+            .map_err(|error| Refused::Error(error.to_string()))?;
+        self.measuring = Some(Measuring { state, news });
+        self.of = Some((study, quick));
+        self.parts.clear();
+        self.part = 0;
+        self.picked = None;
+        self.outcome = Outcome::Well;
+        Ok(())
+    }
+
+    fn call_off(&mut self) -> Result<(), Refused> {
+        let measuring = self.measuring.take();
+        measuring.ok_or(words::NOTHING_IS_MEASURED)?;
+        self.outcome = Outcome::CalledOff;
+        Ok(())
+    }
+
+    /// Takes what has come in.
+    pub(super) fn take(&mut self) {
+        while let Some(measuring) = &self.measuring {
+            match measuring.news.try_recv() {
+                Ok(news) => self.keep(news),
+                Err(TryRecvError::Empty) => break,
+                Err(TryRecvError::Disconnected) => self.measuring = None,
+            }
+        }
+    }
+
+    fn keep(&mut self, news: News) {
+        match news {
+            News::Part(part) => self.parts.push(*part),
+            News::Unmeasured(Unmeasured::Cancelled(_)) => self.outcome = Outcome::CalledOff,
+            News::Unmeasured(Unmeasured::Because(why)) => self.outcome = Outcome::Because(why),
+        }
+    }
+
+    /// Waits until the study is measured.
+    #[cfg(test)]
+    pub fn wait(&mut self) {
+        while let Some(news) = self.measuring.as_ref().and_then(|m| m.news.recv().ok()) {
+            self.keep(news);
+        }
+        self.measuring = None;
+    }
+}
+
+fn measure(study: &'static Study, quick: bool, state: &State, tell: &Sender<News>) {
+    let progress = |done: usize, all: usize| {
+        let percent = 100 * done / all.max(1);
+        // A part begins at its first share, where its settings are run for the first time.
+        state.percent.fetch_max(percent, Ordering::Relaxed);
+        match state.called_off.load(Ordering::Relaxed) {
+            true => Err(Cancelled),
+            false => Ok(()),
+        }
+    };
+    // The other end may be gone: then there is nobody to be sorry for.
+    let found = |part: &Part| drop(tell.send(News::Part(Box::new(part.clone()))));
+    let request = Request { scene: None, quick };
+    if let Err(why) = study.measure(&request, &progress, &found) {
+        drop(tell.send(News::Unmeasured(why)));
+    }
+}
+
+/// What a session is asked to do with studies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StudyCommand {
+    /// Opens the view, or closes it.
+    View,
+    /// By its index among all studies.
+    Choose(usize),
+    /// Few and small settings, or all of them.
+    Quick,
+    /// Measures the chosen study.
+    Measure,
+    CallOff,
+    /// Looks at a part of what was found.
+    Part(usize),
+    /// Tells of a point; where that draws a picture, opens it to be walked through.
+    Pick(PointAt),
+}
+
+impl Session {
+    pub fn studying(&self) -> &Studying {
+        &self.studying
+    }
+
+    #[cfg(test)]
+    pub fn studying_mut(&mut self) -> &mut Studying {
+        &mut self.studying
+    }
+
+    /// Takes what the study that is measured has found.
+    pub fn take_findings(&mut self) {
+        self.studying.take();
+    }
+
+    pub(super) fn study(&mut self, command: StudyCommand) -> Result<(), Refused> {
+        let studying = &mut self.studying;
+        match command {
+            StudyCommand::View => {
+                studying.is_open = !studying.is_open;
+                self.play = None;
+            }
+            StudyCommand::Choose(index) if index < families::ALL.len() => studying.chosen = index,
+            StudyCommand::Choose(_) => return Err(words::NO_SUCH_STUDY.into()),
+            StudyCommand::Quick => studying.quick = !studying.quick,
+            StudyCommand::Part(part) => studying.part = part,
+            StudyCommand::Measure => return studying.begin(),
+            StudyCommand::CallOff => return studying.call_off(),
+            StudyCommand::Pick(at) => return self.pick(at),
+        }
+        Ok(())
+    }
+
+    /// Why a command about studies cannot act, if it cannot.
+    pub(super) fn cannot_study(&self, command: StudyCommand) -> Option<Words> {
+        let measures = self.studying.percent().is_some();
+        match command {
+            StudyCommand::Measure => measures.then_some(words::STILL_MEASURING),
+            StudyCommand::CallOff => (!measures).then_some(words::NOTHING_IS_MEASURED),
+            StudyCommand::Pick(at) if self.studying.point(at).is_none() => {
+                Some(words::NO_SUCH_POINT)
+            }
+            _ => None,
+        }
+    }
+
+    fn pick(&mut self, at: PointAt) -> Result<(), Refused> {
+        let found = self.studying.point(at);
+        let (_, line, point) = found.ok_or(words::NO_SUCH_POINT)?;
+        let lesson = point.drawn.as_ref().map(|drawn| {
+            let name = format!("{}, {}", line.name, point.setting);
+            let say = words::said_of_a_point(point);
+            Lesson::of_picture(name, say, &drawn.stage.lock(), drawn.method, drawn.settings)
+        });
+        self.studying.picked = Some(at);
+        if let Some(lesson) = lesson {
+            self.replace(lesson)
+                .map_err(|error| Refused::Error(error.to_string()))?;
+            self.studying.is_open = false;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Command, Session};
+    use super::*;
+    use crate::algorithms::stage::Stage;
+    use crate::lesson::builtin;
+    use crate::panels::words::Language;
+    use crate::render::Method;
+    use crate::study::form::{Drawn, Shared};
+    use crate::study::tests::findings;
+
+    fn session() -> Session {
+        Session::new(builtin("gouraud-triangle").unwrap().read().unwrap()).unwrap()
+    }
+
+    fn go(session: &mut Session, command: StudyCommand) -> Result<(), Refused> {
+        session.update(Command::Study(command))
+    }
+
+    const FIRST: PointAt = PointAt {
+        part: 0,
+        line: 0,
+        point: 0,
+    };
+
+    /// A study that was measured before; its first point draws the lesson's own stage by some method.
+    fn measured(method: Method) -> Session {
+        let mut session = session();
+        let stage: Stage = session.stage().clone();
+        let found = findings();
+        let studying = &mut session.studying;
+        (studying.of, studying.parts) = (Some((found.study, true)), found.parts);
+        studying.parts[0].lines[0].points[0].drawn = Some(Drawn {
+            stage: Shared::new(stage),
+            method,
+            settings: Default::default(),
+        });
+        studying.is_open = true;
+        session
+    }
+
+    #[test]
+    fn a_study_is_measured_in_the_background_and_every_part_comes() {
+        let mut session = session();
+        go(&mut session, StudyCommand::View).unwrap();
+        let interpolation = families::ALL.iter().position(|s| s.name == "interpolation");
+        go(&mut session, StudyCommand::Choose(interpolation.unwrap())).unwrap();
+        go(&mut session, StudyCommand::Measure).unwrap();
+        assert!(session.studying().percent().is_some());
+        let again = go(&mut session, StudyCommand::Measure);
+        assert_eq!(again, Err(words::STILL_MEASURING.into()));
+        session.studying_mut().wait();
+        let studying = session.studying();
+        assert_eq!((studying.parts.len(), studying.percent()), (1, None));
+        assert_eq!(studying.outcome, Outcome::Well);
+        let command = "lightwalk study interpolation --quick --out found";
+        assert_eq!(studying.command_line().as_deref(), Some(command));
+        let exact = studying.parts[0]
+            .lines
+            .iter()
+            .find(|l| l.name == "direct, f64");
+        assert!(
+            exact
+                .unwrap()
+                .points
+                .iter()
+                .all(|p| p.errors.unwrap().rms < 1e-15)
+        );
+    }
+
+    #[test]
+    fn a_study_that_is_called_off_ends_at_once_for_its_viewer() {
+        let mut session = session();
+        let nothing = go(&mut session, StudyCommand::CallOff);
+        assert_eq!(nothing, Err(words::NOTHING_IS_MEASURED.into()));
+        go(&mut session, StudyCommand::Measure).unwrap();
+        let state = session.studying.measuring.as_ref().unwrap().state.clone();
+        go(&mut session, StudyCommand::CallOff).unwrap();
+        assert_eq!(session.studying().percent(), None);
+        assert_eq!(session.studying().outcome, Outcome::CalledOff);
+        assert!(state.called_off.load(Ordering::Relaxed));
+        // The next one need not wait for it.
+        go(&mut session, StudyCommand::Measure).unwrap();
+    }
+
+    #[test]
+    fn the_measurer_stops_at_the_next_setting_once_it_is_called_off() {
+        let (tell, news) = channel();
+        let state = State::default();
+        state.called_off.store(true, Ordering::Relaxed);
+        let interpolation = families::ALL.iter().find(|s| s.name == "interpolation");
+        measure(interpolation.unwrap(), true, &state, &tell);
+        drop(tell);
+        let told: Vec<News> = news.iter().collect();
+        assert!(matches!(
+            told[..],
+            [News::Unmeasured(Unmeasured::Cancelled(_))]
+        ));
+    }
+
+    #[test]
+    fn a_point_with_a_picture_opens_it_with_its_run_and_the_study_stays() {
+        for method in [Method::Gouraud, Method::RayTracing, Method::Wireframe] {
+            let mut session = measured(method);
+            session
+                .update(Command::Speak(Language::Indonesian))
+                .unwrap();
+            go(&mut session, StudyCommand::Pick(FIRST)).unwrap();
+            assert_eq!(session.lesson().method, method);
+            assert_eq!(session.title(), "rough, n = 2");
+            let said = session.said_here().unwrap().say(Language::English);
+            assert!(said.contains("2.5e-1 in 2.00 ms"), "{said}");
+            assert!(session.last_step() > 1);
+            assert_eq!(session.look.language, Language::Indonesian);
+            let shared = session.update(Command::Share);
+            assert_eq!(shared, Err(words::SHARE_NO_STUDY.into()));
+            assert!(!session.studying().is_open);
+            go(&mut session, StudyCommand::View).unwrap();
+            assert_eq!(session.studying().picked, Some(FIRST));
+            assert_eq!(session.studying().parts.len(), 1);
+        }
+    }
+
+    #[test]
+    fn a_point_without_a_picture_is_told_of_and_one_that_is_not_there_is_refused() {
+        let mut session = measured(Method::Gouraud);
+        let other = PointAt { line: 1, ..FIRST };
+        go(&mut session, StudyCommand::Pick(other)).unwrap();
+        assert_eq!(session.studying().picked, Some(other));
+        assert!(session.studying().is_open);
+        let gone = PointAt { point: 99, ..FIRST };
+        let refused = go(&mut session, StudyCommand::Pick(gone));
+        assert_eq!(refused, Err(words::NO_SUCH_POINT.into()));
+        let none = go(&mut session, StudyCommand::Choose(99));
+        assert_eq!(none, Err(words::NO_SUCH_STUDY.into()));
+    }
+
+    #[test]
+    fn opening_a_lesson_leaves_the_study() {
+        let mut session = measured(Method::Gouraud);
+        session.update(Command::Open("shadows".into())).unwrap();
+        assert!(!session.studying().is_open && session.studying().parts.len() == 1);
+    }
+}

@@ -1,0 +1,287 @@
+//! Error against run time: a study is chosen and measured, and what it finds is told curve by curve and point by point.
+
+use super::session::{Command, Outcome, PointAt, Session, StudyCommand};
+use super::window::button;
+use super::{study_plot, study_words, style, words};
+use crate::picture::Ink;
+use crate::study::families;
+use crate::study::fit::{Fit, Law};
+use crate::study::form::Axes;
+use crate::study::harness::{Line, Part, Point};
+use crate::study::plot::curve::Look;
+use crate::study::report::words as report;
+use egui::{Button, ComboBox, Frame, Margin, ProgressBar, RichText, ScrollArea, Ui};
+use std::time::Duration;
+
+/// How long to wait before looking whether more has come.
+const LOOK_AGAIN: Duration = Duration::from_millis(50);
+/// Of the list of points.
+const LIST: f32 = 330.0;
+/// Of what is told of one point.
+const TOLD: f32 = 118.0;
+
+pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    if session.studying().percent().is_some() {
+        ui.ctx().request_repaint_after(LOOK_AGAIN);
+    }
+    let frame = Frame::new().inner_margin(Margin::same(14));
+    egui::CentralPanel::no_frame().frame(frame).show(ui, |ui| {
+        choose(session, commands, ui);
+        state(session, ui);
+        ui.add_space(4.0);
+        let studying = session.studying();
+        match studying.parts.get(studying.part) {
+            Some(part) => found(session, part, commands, ui),
+            None if studying.percent().is_none() => {
+                ui.label(session.say(words::NOTHING_MEASURED));
+            }
+            None => {}
+        }
+    });
+}
+
+/// Which study, and its buttons.
+fn choose(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let studying = session.studying();
+    let language = session.look.language;
+    let chosen = families::ALL[studying.chosen];
+    ui.horizontal_wrapped(|ui| {
+        ui.label(style::strong(session.say(words::STUDIES), 17.0));
+        ui.add_space(8.0);
+        ComboBox::from_label(session.say(words::STUDY))
+            .selected_text(study_words::title(chosen, language))
+            .width(300.0)
+            .show_ui(ui, |ui| {
+                for (index, study) in families::ALL.iter().enumerate() {
+                    let title = Button::new(study_words::title(study, language));
+                    let button = title.selected(index == studying.chosen);
+                    if ui.add(button).clicked() {
+                        commands.push(Command::Study(StudyCommand::Choose(index)));
+                    }
+                }
+            });
+        let mut quick = studying.quick;
+        if ui.checkbox(&mut quick, session.say(words::QUICK)).clicked() {
+            commands.push(Command::Study(StudyCommand::Quick));
+        }
+        for (words, command) in [
+            (words::MEASURE, StudyCommand::Measure),
+            (words::CALL_OFF, StudyCommand::CallOff),
+            (words::BACK_TO_THE_RUN, StudyCommand::View),
+        ] {
+            let name = session.say(words);
+            let command = Command::Study(command);
+            button(session, Button::new(name), name, command, commands, ui);
+        }
+    });
+    ui.label(study_words::about(chosen, language));
+    if cfg!(debug_assertions) {
+        let warn = style::color(session.look.theme, Ink::Warn);
+        ui.label(RichText::new(session.say(words::DEBUG_BUILD)).color(warn));
+    }
+}
+
+/// How far the measuring is, and what became of it.
+fn state(session: &Session, ui: &mut Ui) {
+    let studying = session.studying();
+    if let Some(percent) = studying.percent() {
+        let told = format!("{} {percent} %", session.say(words::MEASURING));
+        let bar = ProgressBar::new(percent as f32 / 100.0).desired_height(18.0);
+        ui.add(bar.text(told));
+    }
+    match &studying.outcome {
+        Outcome::Well => {}
+        Outcome::CalledOff => drop(ui.label(session.say(words::CALLED_OFF))),
+        Outcome::Because(why) => {
+            let told = format!("{} {why}", session.say(words::NO_FINDINGS));
+            ui.label(told);
+        }
+    }
+}
+
+/// The parts that have come, and of one its plot, its points, and what is told of one of them.
+fn found(session: &Session, part: &Part, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let studying = session.studying();
+    let mut heading = String::new();
+    if let Some((study, _)) = studying.of {
+        heading = study_words::title(study, session.look.language).into();
+    }
+    ui.label(style::strong(heading, 15.0));
+    if studying.parts.len() > 1 {
+        ui.horizontal_wrapped(|ui| {
+            for (index, part) in studying.parts.iter().enumerate() {
+                let chip = Button::new(&part.title).selected(index == studying.part);
+                if ui.add(chip).clicked() {
+                    commands.push(Command::Study(StudyCommand::Part(index)));
+                }
+            }
+        });
+    }
+    let room = ui.available_size();
+    let lit = ui.scope_id().with("lit");
+    let lit_before: Option<PointAt> = ui.data(|data| data.get_temp(lit)).flatten();
+    let shown = lit_before.or(studying.picked);
+    let mut now_lit = None;
+    let height = (room.y - TOLD).max(160.0);
+    ui.horizontal_top(|ui| {
+        let width = (room.x - LIST - 12.0).max(240.0);
+        let down = egui::Layout::top_down(egui::Align::Min);
+        ui.allocate_ui_with_layout(egui::vec2(width, height), down, |ui| {
+            let pointed = study_plot::show(session, part, shown, ui);
+            now_lit = pointed.at;
+            if let Some(at) = pointed.at.filter(|_| pointed.clicked) {
+                commands.push(Command::Study(StudyCommand::Pick(at)));
+            }
+        });
+        ui.allocate_ui_with_layout(egui::vec2(LIST, height), down, |ui| {
+            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+                now_lit = points(session, part, commands, ui).or(now_lit);
+            });
+        });
+    });
+    ui.data_mut(|data| data.insert_temp(lit, now_lit));
+    if now_lit != lit_before {
+        ui.ctx().request_repaint();
+    }
+    ScrollArea::vertical().id_salt("told").show(ui, |ui| {
+        match shown.and_then(|at| studying.point(at)) {
+            Some((_, line, point)) => {
+                ui.label(told(session, line, point));
+            }
+            None => about(session, part, ui),
+        }
+    });
+}
+
+/// What the plot as a whole shows.
+fn about(session: &Session, part: &Part, ui: &mut Ui) {
+    if part.axes == Axes::ErrorOverTime {
+        ui.label(session.say(words::PARETO));
+    }
+    if part.axes != Axes::TimeOverSize {
+        let reference = &part.reference;
+        let own = report::error(reference.error);
+        let said = session.say(words::REFERENCE);
+        ui.label(format!(
+            "{said}: {} (± {own}; {}).",
+            reference.what, reference.known_by
+        ));
+    }
+    for [curve, setting, why] in &part.failed {
+        let no = session.say(words::NO_FINDINGS);
+        ui.label(format!("{curve}, {setting}. {no} {why}."));
+    }
+}
+
+/// Every point as a button, curve by curve; returns the one that is pointed at or has the focus.
+fn points(
+    session: &Session,
+    part: &Part,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) -> Option<PointAt> {
+    let mut lit = None;
+    for (number, line) in part.lines.iter().enumerate() {
+        let color = style::color(session.look.theme, Look::of(number).ink);
+        ui.label(style::strong(&line.name, 13.0).color(color));
+        ui.label(RichText::new(laws(session, part, line)).small());
+        for (index, point) in line.points.iter().enumerate() {
+            let at = PointAt {
+                part: session.studying().part,
+                line: number,
+                point: index,
+            };
+            let ring = if point.on_front { "○ " } else { "" };
+            let mut text = format!("{ring}{}", point.setting);
+            if let Some(errors) = point.errors {
+                text += &format!("   {}", report::error(errors.rms));
+            }
+            text += &format!("   {}", report::seconds(point.seconds.median));
+            let picked = session.studying().picked == Some(at);
+            let button = Button::new(RichText::new(text).small()).selected(picked);
+            let response = ui.add(button);
+            let name = format!("{}, {}", line.name, point.setting);
+            response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
+            let description = told(session, line, point);
+            ui.ctx()
+                .accesskit_node_builder(response.id, |node| node.set_description(description));
+            if response.clicked() {
+                commands.push(Command::Study(StudyCommand::Pick(at)));
+            }
+            if response.hovered() || response.has_focus() {
+                lit = Some(at);
+            }
+        }
+        ui.add_space(6.0);
+    }
+    lit
+}
+
+/// How error falls and time grows along a curve, as far as they do by a law.
+fn laws(session: &Session, part: &Part, line: &Line) -> String {
+    let size = study_words::measure(part.size, session.look.language);
+    let law = |words, fit: Option<Fit>| {
+        let fit = fit.filter(|fit| fit.is_clean() && !fit.is_level());
+        let told = fit.map_or_else(
+            || session.say(words::NO_LAW).to_owned(),
+            |fit| match fit.law {
+                Law::Power => format!("∝ n^{:.2}", fit.rate),
+                Law::Geometric => format!("∝ {:.3}^n", fit.rate),
+            },
+        );
+        format!("{} {told}", session.say(words))
+    };
+    let error = law(words::ERROR_FALLS, line.convergence);
+    let time = law(words::TIME_GROWS, line.growth);
+    match part.axes {
+        Axes::TimeOverSize => format!("{time}, n: {size}"),
+        _ => format!("{error}, {time}, n: {size}"),
+    }
+}
+
+/// Everything about a point, a line each.
+pub fn told(session: &Session, line: &Line, point: &Point) -> String {
+    let say = |words| session.say(words);
+    let mut told = format!("{}, {}", line.name, point.setting);
+    if let Some(errors) = point.errors {
+        let [rms, largest, relative] =
+            [errors.rms, errors.largest, errors.relative].map(report::error);
+        told += &format!(
+            "\n{}: rms {rms}, max {largest}, rel {relative}",
+            say(words::ERROR_IS)
+        );
+    }
+    let timing = &point.seconds;
+    let [median, lower, upper] = [timing.median, timing.lower, timing.upper].map(report::seconds);
+    told += &format!(
+        "\n{}: {median} ({} {lower} – {upper}, {}×)",
+        say(words::TIME_IS),
+        say(words::QUARTILES),
+        timing.runs
+    );
+    let mut counts: Vec<String> = Vec::new();
+    for operations in &point.operations {
+        counts.push(format!(
+            "{} {}",
+            operations.count,
+            operations.of.replace('_', " ")
+        ));
+    }
+    counts.push(format!(
+        "{} {}",
+        say(words::MEMORY_IS),
+        report::bytes(point.bytes)
+    ));
+    told += &format!("\n{}", counts.join(", "));
+    if point.on_front {
+        told += &format!("\n{}", say(words::ON_THE_FRONT));
+    }
+    match (&point.drawn, session.studying().command_line()) {
+        (Some(_), _) => told += &format!("\n{}", say(words::CLICK_OPENS_IT)),
+        (None, Some(command)) => {
+            told += &format!("\n{} {command}", say(words::MEASURED_AGAIN_BY));
+        }
+        (None, None) => {}
+    }
+    told
+}
