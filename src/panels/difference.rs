@@ -18,7 +18,7 @@ const SCALE: f32 = 18.0;
 
 const AGAINST: Words = Words::new("luminance minus that of", "luminans dikurangi luminans");
 const RMS: Words = Words::new("rms", "rms");
-const LARGEST: Words = Words::new("largest", "terbesar");
+const LARGEST: Words = Words::new("max", "maks");
 const HERE: Words = Words::new("here", "di sini");
 
 pub fn draw(show: &Show, size: Vec2) -> Picture {
