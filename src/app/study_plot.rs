@@ -71,15 +71,14 @@ pub fn show(session: &Session, part: &Part, lit: Option<PointAt>, ui: &mut Ui) -
             for (at, place) in of_line() {
                 let bar = scales.bar(part.axes, &line.points[at.point], *place);
                 let name = format!("bar {number} {}", at.point);
-                let bar = Line::new(name, bar.to_vec()).color(color).width(1.0);
-                plot.line(bar.allow_hover(false));
+                plot.line(path(name, bar.to_vec(), color).width(1.0));
             }
-            let drawn = Line::new(line.name.clone(), curve.clone()).color(color);
+            let drawn = path(line.name.clone(), curve.clone(), color);
             let style = match look.dashed {
                 true => LineStyle::dashed_dense(),
                 false => LineStyle::Solid,
             };
-            plot.line(drawn.width(1.75).style(style).allow_hover(false));
+            plot.line(drawn.width(1.75).style(style));
             let marks = Points::new(format!("{} marks", line.name), curve).color(color);
             plot.points(
                 marks
@@ -134,8 +133,8 @@ fn front(mut places: Vec<[f64; 2]>, color: Color32, plot: &mut egui_plot::PlotUi
     }
     steps.extend(places.last());
     steps.dedup();
-    let line = Line::new("front", steps).color(color.gamma_multiply(0.3));
-    plot.line(line.width(6.0).allow_hover(false));
+    let faint = color.gamma_multiply(0.3);
+    plot.line(path("front".into(), steps, faint).width(6.0));
     let rings = Points::new("on front", places).color(color).filled(false);
     plot.points(
         rings
@@ -143,6 +142,14 @@ fn front(mut places: Vec<[f64; 2]>, color: Color32, plot: &mut egui_plot::PlotUi
             .radius(8.0)
             .allow_hover(false),
     );
+}
+
+/// A line through these places, also where it is upright: no band of values at one place.
+fn path(name: String, places: Vec<[f64; 2]>, color: Color32) -> Line<'static> {
+    Line::new(name, places)
+        .color(color)
+        .allow_band(false)
+        .allow_hover(false)
 }
 
 /// From values to their logarithms.
