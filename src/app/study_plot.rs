@@ -251,7 +251,7 @@ fn shape(mark: Mark) -> MarkerShape {
 fn ticks(input: GridInput) -> Vec<GridMark> {
     const MOST_DECADES: f64 = 60.0;
     let (low, high) = input.bounds;
-    if !(high - low < MOST_DECADES) {
+    if !(0.0..MOST_DECADES).contains(&(high - low)) {
         return Vec::new();
     }
     let decades = low.floor() as i32..=high.ceil() as i32;
