@@ -137,7 +137,15 @@ fn needs_says_what_is_left_out_and_why() {
     ] {
         assert!(told.lines().any(|one| one == line), "{line} in {told}");
     }
-    assert!(told.contains("shadow rays: "), "{told}");
+    for part in ["highlights ", "path_attenuation ", "all of these "] {
+        let measured = |line: &&str| line.starts_with(part) && line.ends_with("bit by bit");
+        assert!(told.lines().any(|line| measured(&line)), "{part} in {told}");
+    }
+    let json: serde_json::Value =
+        serde_json::from_str(&output(&folder, "needs scene.json --json")).unwrap();
+    assert_eq!(json["left_out"][0]["what"], "texture_coordinates");
+    assert_eq!(json["saved"]["done"][0]["part"], "texture_coordinates");
+    assert_eq!(json["saved"]["done"][0]["same_bits"], true);
     let cast = output(&folder, "needs scene.json --method ray-casting");
     assert!(
         !cast.contains("reflected_rays") && cast.contains("highlights"),

@@ -76,6 +76,26 @@ fn what(part: Part) -> Words {
             "Shadow rays: nothing can stand in the way",
             "Sinar bayangan: tidak ada yang dapat menghalangi",
         ),
+        Part::DarkChannels => Words::new(
+            "Dark channels: nothing emits in them, B = 0",
+            "Kanal gelap: tidak ada yang memancar di dalamnya, B = 0",
+        ),
+        Part::EqualChannels => Words::new(
+            "Equal channels: solved once",
+            "Kanal yang sama: diselesaikan sekali",
+        ),
+        Part::BlackRows => Words::new(
+            "Equations of black patches: they reflect nothing, B = E",
+            "Persamaan patch hitam: tidak memantulkan, B = E",
+        ),
+        Part::FacingAway => Words::new(
+            "Integrals of pairs in one plane or back to back: F = 0",
+            "Integral pasangan sebidang atau saling membelakangi: F = 0",
+        ),
+        Part::SightTests => Words::new(
+            "Rays between patches: nothing can stand between them",
+            "Sinar antarpatch: tidak ada yang dapat menghalangi",
+        ),
     }
 }
 
