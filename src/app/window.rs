@@ -3,7 +3,7 @@
 use super::panel_view::PanelView;
 use super::session::{Command, Session};
 use super::tiles::{Arrangement, GAP, panel_on};
-use super::{key_sheet, keys, narration, style, top_bar, transport, words};
+use super::{key_sheet, keys, left_out, narration, style, top_bar, transport, words};
 use crate::panels::Panel;
 use crate::picture::Theme;
 use egui::{CursorIcon, Frame, Id, Margin, Popup, Rect, Sense, Stroke, Ui, ViewportCommand};
@@ -108,6 +108,9 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     }
     if session.look.keys {
         key_sheet::show(session, &mut commands, &ctx);
+    }
+    if session.look.left_out {
+        left_out::show(session, &mut commands, &ctx);
     }
 
     if under_pointer != session.hovered() {

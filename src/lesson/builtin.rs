@@ -64,6 +64,7 @@ const BUILTINS: &[Builtin] = &[
         "cornell-box",
         include_str!("../../lessons/24-cornell-box.json"),
     ),
+    lesson("needs", include_str!("../../lessons/27-needs.json")),
 ];
 
 /// What those lessons name, by its path relative to them.
@@ -75,6 +76,10 @@ const FILES: &[(&str, &[u8])] = &[
     (
         "meshes/prism.obj",
         include_bytes!("../../lessons/meshes/prism.obj"),
+    ),
+    (
+        "scenes/open-scene.json",
+        include_bytes!("../../lessons/scenes/open-scene.json"),
     ),
     (
         "scenes/cornell-box.json",

@@ -142,6 +142,21 @@ pub fn savings(
     })
 }
 
+/// What the run takes with all left out that the scene does not need, and with what this stage does all the same. Errors: why one of
+/// the two is not timed.
+pub fn both(stage: &Stage, method: Method, patience: Patience) -> Result<[Timing; 2], String> {
+    stage.solids();
+    let rungs = [Parts::NONE, stage.anyway()]
+        .map(|parts| rung(Arc::new(stage.clone().doing(parts)), method));
+    let curves = rungs.each_ref().map(std::slice::from_ref);
+    let mut timed = time(&curves, patience, &|_, _| {}).into_iter();
+    let mut next = || -> Result<Timing, String> {
+        let (_, timing) = timed.next().ok_or("nothing was run")??;
+        Ok(timing)
+    };
+    Ok([next()?, next()?])
+}
+
 fn rung(stage: Arc<Stage>, method: Method) -> Rung {
     Rung {
         setting: String::new(),

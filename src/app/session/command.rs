@@ -4,6 +4,7 @@ use crate::algorithms::focus::Focus;
 use crate::panels::TreeView;
 use crate::panels::words::{Language, Words};
 use crate::picture::{Tag, Theme};
+use crate::scene::Part;
 use glam::DVec3;
 
 /// Everything that keys, buttons and clicks do.
@@ -65,6 +66,8 @@ pub enum Command {
         light: usize,
         position: DVec3,
     },
+    /// Does a part that the scene does not need all the same, or leaves it out again.
+    Anyway(Part),
     /// The lesson as it was when it was opened.
     Reset,
     /// A built-in lesson by its id.
@@ -81,6 +84,8 @@ pub enum Command {
     StopPresenting,
     /// The sheet of keys.
     Keys,
+    /// The view of what is left out, because the scene does not need it.
+    LeftOut,
     Inspector,
     /// Rooms smooth, or patch by patch.
     Smooth,

@@ -53,7 +53,11 @@ impl Session {
             Command::Skip => return self.skip(),
             Command::Questions => self.look.questions = !self.look.questions,
             Command::MoveLight { light, position } => return self.move_light(light, position),
+            Command::Anyway(part) => return self.do_anyway(part),
             Command::Reset => {
+                if !self.stage().anyway().is_empty() {
+                    self.leave_all_out();
+                }
                 if self.light_is_moved() {
                     self.put_lights_back();
                 }
@@ -92,6 +96,7 @@ impl Session {
             Command::ViewTree(ref view) if *view == self.tree => Some(words::TREE_AS_IT_IS),
             Command::Share => self.command_line().err(),
             Command::MoveLight { light, .. } => self.cannot_move(light),
+            Command::Anyway(part) => self.cannot_leave_out(part),
             _ => None,
         };
         refusal.map_or(Ok(()), |words| Err(words.into()))
@@ -249,6 +254,7 @@ impl Session {
             }
             Command::StopPresenting => {}
             Command::Keys => look.keys = !look.keys,
+            Command::LeftOut => look.left_out = !look.left_out,
             Command::Inspector => look.inspector = !look.inspector,
             Command::Smooth => look.smooth = !look.smooth,
             Command::NormalText => look.text = super::Look::new().text,
