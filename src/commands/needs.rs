@@ -178,8 +178,8 @@ fn tell_savings(savings: &Savings, method: Method, out: &mut impl Write) -> Resu
     }
     writeln!(
         out,
-        "{:<20} {:>11} {:>22} {:>12} {:>12}  {}",
-        "done all the same", "ms", "saved by leaving out", "steps saved", "KiB saved", "result"
+        "{:<20} {:>11} {:>22} {:>12} {:>12}  result",
+        "done all the same", "ms", "saved by leaving out", "steps saved", "KiB saved"
     )?;
     for Saving { part, measured, .. } in parts {
         let name = part.map_or("all of these", Part::name);
