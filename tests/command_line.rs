@@ -394,6 +394,7 @@ fn lessons_are_listed_and_their_frames_drawn() {
         "shooting",
         "color-bleeding",
         "cornell-box",
+        "needs",
     ];
     assert_eq!(ids, expected);
     assert!(listed[3]["steps"].as_u64().unwrap() > 1000);

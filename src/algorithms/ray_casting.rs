@@ -79,8 +79,7 @@ impl<'a, S: Search> RayCaster<'a, S> {
         let color = match met {
             Met::Nothing | Met::Light { .. } => without_object(scene, &met, recorder),
             Met::Object(hit) => {
-                let textures = self.needs.textures;
-                let facing = face(scene, solids, textures, ray, &hit, recorder);
+                let facing = face(scene, solids, self.needs, ray, &hit, recorder);
                 let lighting = Lighting {
                     specular: self.needs.specular,
                     ..self.stage.lighting()

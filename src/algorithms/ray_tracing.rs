@@ -120,7 +120,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
             recorder.leave(|| ray_tree::Event::Returned { color }.into());
             return (color, met.t().is_finite().then_some(met.t()));
         };
-        let facing = face(scene, solids, self.needs.textures, ray, &hit, recorder);
+        let facing = face(scene, solids, self.needs, ray, &hit, recorder);
         let mut sum = self.local(&hit, &facing, recorder);
 
         // The reflected ray
@@ -136,7 +136,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
             coefficient,
             direction,
         };
-        if self.needs.reflection && k_r != Rgb::BLACK {
+        if self.needs.reflects(facing.point.material) {
             let reflected = branch(RayKind::Reflected, k_r, mirrored);
             sum = self.follow(&reflected, &facing, level, media, sum, recorder);
         } else {
@@ -144,7 +144,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
         }
 
         // The refracted ray
-        if self.needs.transmission && k_t != Rgb::BLACK {
+        if self.needs.transmits(facing.point.material) {
             let beyond = self.beyond(&hit, &facing, media);
             let eta_i = self.ior(media);
             let eta_r = self.ior(&beyond);

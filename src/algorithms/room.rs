@@ -6,11 +6,12 @@ use super::radiosity::{
     self, Channel, ChannelUnsolved, Event, Matrix, Rows, Solution, Solver, Stop, System, Told,
     Unsolved, Watch, shoot, solve, solve_channels,
 };
+use super::room_needs;
 use crate::color::Rgb;
 use crate::record::{Recorder, Unrecorded};
 use crate::scene::patch_solids::PatchSolids;
 use crate::scene::patches::{PatchError, Patches};
-use crate::scene::{Limits, Scene};
+use crate::scene::{LeftOut, Limits, Parts, Scene};
 use std::sync::OnceLock;
 
 /// How the light of a room is found.
@@ -25,6 +26,8 @@ pub struct Settings {
     pub smooth: bool,
     /// The most patches that a scene may be divided into.
     pub max_patches: u64,
+    /// What is done although the scene does not need it.
+    pub anyway: Parts,
 }
 
 impl Default for Settings {
@@ -36,6 +39,7 @@ impl Default for Settings {
             stop: Stop::default(),
             smooth: false,
             max_patches: Limits::default().max_patches,
+            anyway: Parts::NONE,
         }
     }
 }
@@ -52,11 +56,12 @@ pub struct Room {
     matrix: OnceLock<Vec<f64>>,
     light: OnceLock<Result<Light, ChannelUnsolved>>,
     race: OnceLock<Result<Race, Unsolved>>,
+    left_out: OnceLock<Vec<LeftOut>>,
     /// The patches as rays meet them.
     pub solids: PatchSolids,
 }
 
-const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+pub(super) const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
 /// The light of a room.
 #[derive(Clone, Debug)]
@@ -89,13 +94,20 @@ impl Room {
             matrix: OnceLock::new(),
             light: OnceLock::new(),
             race: OnceLock::new(),
+            left_out: OnceLock::new(),
         })
+    }
+
+    /// What the exchange of light does not need, found when it is first asked for.
+    pub fn left_out(&self) -> &[LeftOut] {
+        self.left_out.get_or_init(|| room_needs::left_out(self))
     }
 
     /// By the pair, by the row, or all of them.
     pub fn form_factors(&self) -> FormFactors<'_> {
         let blockers = self.settings.visibility.then_some(&self.blockers);
         FormFactors::new(&self.patches, self.settings.form_factors, blockers)
+            .doing(self.settings.anyway)
     }
 
     /// F, row-major, n×n for n patches; `make` makes it where it is not there yet.
@@ -178,7 +190,7 @@ impl Room {
     }
 
     /// ρ and E of every patch in channel `c`.
-    fn channel(&self, c: usize) -> (Vec<f64>, Vec<f64>) {
+    pub(super) fn channel(&self, c: usize) -> (Vec<f64>, Vec<f64>) {
         let of = |colors: &[Rgb]| colors.iter().map(|color| color.channels()[c]).collect();
         (of(&self.reflectance), of(&self.emission))
     }
@@ -198,7 +210,9 @@ impl Room {
         let tell = |told| Event { solver, told };
         let patches = self.patches.len() as u32;
         recorder.enter(|| tell(Told::Room { patches }));
-        let solved = solve_channels(&self.patches.areas(), channels, solver, recorder, solve);
+        let areas = self.patches.areas();
+        let anyway = self.settings.anyway;
+        let solved = solve_channels(&areas, channels, solver, anyway, recorder, solve);
         recorder.leave(|| tell(Told::RoomDone));
         let solutions = solved?;
         let [red, green, blue] = &solutions;

@@ -9,7 +9,9 @@ use crate::color::Rgb;
 use crate::record::Fields;
 use crate::scene::patches::PatchError;
 use crate::scene::solids::{self, Solids};
-use crate::scene::{Light, Material, Mesh, Needs, Scene, Tessellation, View};
+use crate::scene::{
+    Light, Material, Mesh, Needs, Part, Parts, Scene, Tessellation, View, has_highlights,
+};
 use glam::{DVec2, DVec3};
 use std::sync::OnceLock;
 
@@ -25,6 +27,9 @@ pub struct Stage {
     pub radiosity: room::Settings,
     /// Where the textures of converted polygons are looked up.
     pub mapping: Mapping,
+    /// What is done although the scene does not need it.
+    anyway: Parts,
+    has_highlights: bool,
     /// By object, then by vertex of its mesh.
     vertices: Vec<Vec<StageVertex>>,
     /// Made when the first ray asks for them.
@@ -80,6 +85,7 @@ impl Stage {
     /// camera's target was put.
     pub fn new(scene: Scene, mut view: View) -> Self {
         let tessellation = Tessellation::of(&scene);
+        let has_highlights = has_highlights(&scene);
         let vertices: Vec<Vec<StageVertex>> = tessellation
             .meshes
             .iter()
@@ -108,6 +114,8 @@ impl Stage {
             settings: Settings::default(),
             radiosity: room::Settings::default(),
             mapping: Mapping::default(),
+            anyway: Parts::NONE,
+            has_highlights,
             vertices,
             solids: OnceLock::new(),
             needs: OnceLock::new(),
@@ -147,6 +155,24 @@ impl Stage {
         }
     }
 
+    /// The same stage, on which those parts are done although the scene does not need them.
+    pub fn doing(self, anyway: Parts) -> Self {
+        let radiosity = room::Settings {
+            anyway,
+            ..self.radiosity
+        };
+        Stage {
+            anyway,
+            needs: OnceLock::new(),
+            ..self.with_radiosity(radiosity)
+        }
+    }
+
+    /// What is done although the scene does not need it.
+    pub fn anyway(&self) -> Parts {
+        self.anyway
+    }
+
     /// The objects as rays meet them.
     pub fn solids(&self) -> &Solids {
         self.solids
@@ -182,7 +208,8 @@ impl Stage {
 
     /// What rays need of the scene.
     pub fn needs(&self) -> &Needs {
-        self.needs.get_or_init(|| Needs::of(&self.scene))
+        self.needs
+            .get_or_init(|| Needs::of(&self.scene).doing(self.anyway))
     }
 
     pub fn entered(&self) -> Event {
@@ -193,12 +220,12 @@ impl Stage {
         }
     }
 
-    /// Without shadows, and with every term.
+    /// Without shadows, and with every term that the scene needs.
     pub fn lighting(&self) -> Lighting<'_> {
         Lighting {
             ambient: self.scene.ambient,
             lights: &self.scene.lights,
-            specular: true,
+            specular: self.has_highlights || self.anyway.has(Part::Highlights),
         }
     }
 

@@ -9,7 +9,7 @@ use super::visible::Met;
 use crate::color::Rgb;
 use crate::record::{Fields, Recorder};
 use crate::scene::solids::{Hit, Ray, Solids, Surface};
-use crate::scene::{Light, Scene};
+use crate::scene::{Light, Needs, Scene};
 use glam::{DVec2, DVec3};
 
 /// A surface as the ray sees it.
@@ -25,11 +25,11 @@ pub struct Facing<'a> {
     pub entering: bool,
 }
 
-/// Whether textures are looked up at all.
+/// How a ray meets a surface, and what of it is needed there.
 pub fn face<'a, E: From<Event>>(
     scene: &'a Scene,
     solids: &Solids,
-    textures: bool,
+    needs: &Needs,
     ray: &Ray,
     hit: &Hit,
     recorder: &mut impl Recorder<E>,
@@ -61,7 +61,7 @@ pub fn face<'a, E: From<Event>>(
 
     let material = &scene.materials[scene.objects[hit.object as usize].material];
     let mut diffuse = material.diffuse;
-    if textures && let Some(texture) = material.texture {
+    if let Some(texture) = needs.texture(material) {
         let uv = solids.uv(hit, surface.position);
         let color = texture.color_at(uv);
         recorder.step(|| Event::Textured { uv, color }.into());

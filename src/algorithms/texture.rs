@@ -11,8 +11,8 @@ use super::stage::{Polygon, Stage};
 use crate::color::Rgb;
 use crate::numeric::Linear;
 use crate::record::{Fields, Line, Listing, Recorder};
-use crate::scene::Texture;
 use crate::scene::solids::FaceChart;
+use crate::scene::{Part, Texture};
 use glam::{DVec2, DVec3};
 use std::ops::{Add, Mul, Sub};
 
@@ -69,9 +69,11 @@ pub struct OnPolygon<'a> {
 }
 
 impl<'a> OnPolygon<'a> {
-    /// None where the polygon's material has no texture.
+    /// None where the polygon's material has no texture, and none is looked up all the same.
     pub fn of(stage: &'a Stage, polygon: &Polygon<'a>) -> Option<Self> {
-        let texture = polygon.material.texture?;
+        let white = stage.anyway().has(Part::TextureCoordinates);
+        let texture = polygon.material.texture;
+        let texture = texture.or(white.then_some(Texture::WHITE))?;
         let shape = &stage.scene.objects[polygon.object].shape;
         Some(OnPolygon {
             texture,

@@ -1,86 +1,209 @@
-//! What the picture's method leaves out of this scene, with the reason: a part of the menu.
+//! What the picture's method leaves out of this scene: what, why, where and how much of it, and a box to have it done all the same.
 
-use super::session::Session;
+use super::session::{Command, Session};
 use super::{style, words};
 use crate::panels::words::Words;
 use crate::scene::{LeftOut, Part};
-use egui::Ui;
+use egui::{Id, Modal, RichText, ScrollArea, Ui};
 
-pub fn show(session: &Session, ui: &mut Ui) {
+pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context) {
+    let frame = style::card_frame(session.look.theme);
+    let modal = Modal::new(Id::unique("left out"))
+        .frame(frame)
+        .show(ctx, |ui| {
+            let room = ctx.content_rect().size();
+            ui.set_width((room.x - 80.0).min(640.0));
+            ui.horizontal(|ui| {
+                ui.label(style::strong(session.say(words::LEFT_OUT), 17.0));
+                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+                    if ui.button(session.say(words::CLOSE)).clicked() {
+                        commands.push(Command::LeftOut);
+                    }
+                });
+            });
+            ui.separator();
+            // As of the sheet of keys: the list's own idea of its height knows nothing of the window.
+            ScrollArea::vertical()
+                .max_height(room.y - 150.0)
+                .show(ui, |ui| list(session, commands, ui));
+        });
+    if modal.should_close() {
+        commands.push(Command::LeftOut);
+    }
+}
+
+fn list(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let method = session.lesson().method;
-    let stage = session.stage();
-    let lines: Vec<String> = if method.follows_rays() {
-        let left_out = stage.needs().left_out.iter();
-        left_out
-            .filter(|left_out| method.does(left_out.part))
-            .map(|left_out| line(left_out, session))
-            .collect()
-    } else {
-        let planes = stage.tessellation.left_out.iter();
-        planes
-            .map(|&object| {
-                let name = &stage.scene.objects[object].name;
-                format!("{name}: {}", session.say(PLANE))
-            })
-            .collect()
+    let left_out = session.left_out();
+    let tessellation = &session.stage().tessellation;
+    let planes: &[usize] = match method.converts_polygons() {
+        true => &tessellation.left_out,
+        false => &[],
     };
-    ui.label(style::strong(session.say(words::LEFT_OUT), 13.0));
-    if lines.is_empty() {
+    if left_out.is_empty() && planes.is_empty() {
         ui.label(session.say(words::NOTHING_LEFT_OUT));
     }
-    for line in lines {
-        ui.label(line);
+    if !left_out.is_empty() {
+        ui.label(session.say(words::LEFT_OUT_ABOUT));
+        ui.add_space(6.0);
     }
-}
-
-/// What, where, and for how many objects.
-fn line(left_out: &LeftOut, session: &Session) -> String {
-    let what = session.say(what(left_out.part));
-    match (left_out.part, left_out.share) {
-        (Part::ShadowRays, None) => format!("{what} ({})", left_out.place),
-        (_, Some([some, all])) => {
-            let of = session.say(OBJECTS_OF);
-            format!("{what} ({}; {some} {of} {all})", left_out.place)
+    for part in Part::ALL {
+        let of_part: Vec<&LeftOut> = left_out.iter().filter(|one| one.part == part).collect();
+        if !of_part.is_empty() {
+            entry(session, part, &of_part, commands, ui);
         }
-        (_, None) => what.to_owned(),
+    }
+    for &object in planes {
+        let name = &session.stage().scene.objects[object].name;
+        ui.label(format!("{name}: {}", session.say(PLANE)));
+    }
+    if !session.stage().anyway().is_empty() {
+        ui.separator();
+        ui.label(times(session));
     }
 }
 
-fn what(part: Part) -> Words {
-    match part {
-        Part::ReflectedRays => Words::new(
-            "Reflected rays: nothing reflects",
-            "Sinar pantul: tidak ada yang memantulkan",
-        ),
-        Part::TransmittedRays => Words::new(
-            "Transmitted rays: nothing is transparent",
-            "Sinar bias: tidak ada yang tembus cahaya",
-        ),
-        Part::TextureCoordinates => Words::new(
-            "Texture coordinates: nothing has a texture",
-            "Koordinat tekstur: tidak ada tekstur",
-        ),
-        Part::Highlights => Words::new(
-            "Highlights: nothing is shiny",
-            "Sorotan: tidak ada yang mengilap",
-        ),
-        Part::LightBalls => Words::new(
-            "Light balls: no light has a radius",
-            "Bola cahaya: tidak ada sumber cahaya berjari-jari",
-        ),
-        Part::PathAttenuation => Words::new(
-            "Attenuation on the way: none is asked for",
-            "Pelemahan di jalan: tidak diminta",
-        ),
-        Part::ShadowRays => Words::new(
-            "Shadow rays: nothing can stand in the way",
-            "Sinar bayangan: tidak ada yang dapat menghalangi",
-        ),
+/// A part with its box, and where the scene says that it is not needed.
+fn entry(
+    session: &Session,
+    part: Part,
+    left_out: &[&LeftOut],
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
+    let mut anyway = session.stage().anyway().has(part);
+    let [what, why] = words_of(part);
+    let name = style::strong(session.say(what), 14.0);
+    if ui.checkbox(&mut anyway, name).clicked() {
+        commands.push(Command::Anyway(part));
     }
+    ui.indent(what.en, |ui| {
+        ui.label(session.say(why));
+        for left_out in left_out {
+            ui.label(RichText::new(place(left_out, session)).monospace());
+        }
+    });
+    ui.add_space(4.0);
+}
+
+/// Where, and for how many of how many.
+fn place(left_out: &LeftOut, session: &Session) -> String {
+    let LeftOut { part, place, share } = left_out;
+    let share = share.map_or(String::new(), |[some, all]| {
+        let counted = session.say(match part {
+            Part::BlackRows => PATCHES,
+            Part::FacingAway | Part::SightTests => PAIRS,
+            _ => OBJECTS,
+        });
+        let of = session.say(words::OF);
+        format!(": {some} {of} {all} {counted}")
+    });
+    format!("{place}{share}")
+}
+
+/// Both run times, once they are measured.
+fn times(session: &Session) -> String {
+    match session.times() {
+        None => session.say(words::TIMES_MEASURED).into(),
+        Some(Err(_)) => session.say(words::TIMES_NONE).into(),
+        Some(Ok([without, with])) => {
+            let [a, b] = [without, with].map(|time| format!("{:.2} ms", 1e3 * time.median));
+            let tie = match with.ties(without) {
+                true => format!(" ({})", session.say(words::TIME_TIE)),
+                false => String::new(),
+            };
+            let [left_out, done] = [words::TIME_WITHOUT, words::TIME_WITH].map(|w| session.say(w));
+            format!("{left_out} {a}   {done} {b}{tie}")
+        }
+    }
+}
+
+/// What it is, and why it is not needed.
+fn words_of(part: Part) -> [Words; 2] {
+    let [[what_en, what_id], [why_en, why_id]] = match part {
+        Part::ReflectedRays => [
+            ["Reflected rays", "Sinar pantul"],
+            ["Nothing reflects.", "Tidak ada yang memantulkan."],
+        ],
+        Part::TransmittedRays => [
+            ["Transmitted rays", "Sinar bias"],
+            ["Nothing is transparent.", "Tidak ada yang tembus cahaya."],
+        ],
+        Part::TextureCoordinates => [
+            ["Texture coordinates", "Koordinat tekstur"],
+            ["Nothing has a texture.", "Tidak ada yang bertekstur."],
+        ],
+        Part::Highlights => [
+            ["Highlights", "Sorotan"],
+            [
+                "Nothing is shiny: no cosine is raised to a power.",
+                "Tidak ada yang mengilap: tidak ada kosinus yang dipangkatkan.",
+            ],
+        ],
+        Part::LightBalls => [
+            ["Light balls", "Bola cahaya"],
+            [
+                "No light has a radius that a ray could meet.",
+                "Tidak ada sumber cahaya berjari-jari yang dapat ditemui sinar.",
+            ],
+        ],
+        Part::PathAttenuation => [
+            ["Attenuation on the way", "Pelemahan di jalan"],
+            ["The scene asks for none.", "Adegan tidak memintanya."],
+        ],
+        Part::ShadowRays => [
+            ["Shadow rays", "Sinar bayangan"],
+            [
+                "Nothing can stand between these objects and the light.",
+                "Tidak ada yang dapat menghalangi objek-objek ini dari cahaya.",
+            ],
+        ],
+        Part::DarkChannels => [
+            ["Dark channels", "Kanal gelap"],
+            [
+                "Nothing emits in them: B = 0.",
+                "Tidak ada yang memancar di dalamnya: B = 0.",
+            ],
+        ],
+        Part::EqualChannels => [
+            ["Equal channels", "Kanal yang sama"],
+            [
+                "Emission and reflectance are those of a channel before: solved once.",
+                "Emisi dan reflektansinya sama dengan kanal sebelumnya: diselesaikan sekali.",
+            ],
+        ],
+        Part::BlackRows => [
+            ["Equations of black patches", "Persamaan patch hitam"],
+            [
+                "They reflect nothing: B = E.",
+                "Mereka tidak memantulkan: B = E.",
+            ],
+        ],
+        Part::FacingAway => [
+            [
+                "Integrals of pairs that face away",
+                "Integral pasangan yang membelakangi",
+            ],
+            [
+                "In one plane, or one behind the other: F = 0.",
+                "Sebidang, atau yang satu di belakang yang lain: F = 0.",
+            ],
+        ],
+        Part::SightTests => [
+            ["Rays between patches", "Sinar antarpatch"],
+            [
+                "Nothing can stand between the two: all light passes.",
+                "Tidak ada yang dapat menghalangi keduanya: semua cahaya lewat.",
+            ],
+        ],
+    };
+    [Words::new(what_en, what_id), Words::new(why_en, why_id)]
 }
 
 const PLANE: Words = Words::new(
     "an infinite plane has no polygons",
     "bidang tak terhingga tidak punya poligon",
 );
-const OBJECTS_OF: Words = Words::new("objects of", "objek dari");
+const OBJECTS: Words = Words::new("objects", "objek");
+const PATCHES: Words = Words::new("patches", "patch");
+const PAIRS: Words = Words::new("pairs of patches", "pasang patch");

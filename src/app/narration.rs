@@ -80,8 +80,12 @@ fn say(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut
         }
     }
     if session.is_unsaid() {
-        ui.label(RichText::new(session.say(words::UNSAID)).color(muted));
-        if ui.button(session.say(words::PUT_BACK)).clicked() {
+        let [why, again] = match session.stage().anyway().is_empty() {
+            true => [words::UNSAID, words::PUT_BACK],
+            false => [words::UNSAID_ANYWAY, words::LEAVE_OUT_AGAIN],
+        };
+        ui.label(RichText::new(session.say(why)).color(muted));
+        if ui.button(session.say(again)).clicked() {
             commands.push(Command::Reset);
         }
     }

@@ -1,7 +1,7 @@
 //! The bar on top: which lesson this is, and how things are shown.
 
 use super::session::{Command, Session, StudyCommand};
-use super::{left_out, style, words};
+use super::{style, words};
 use crate::panels::words::{Language, Words};
 use crate::picture::Theme;
 use egui::{Button, Color32, Frame, Margin, RichText, Ui};
@@ -162,12 +162,11 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         for (words, command) in [
             (words::PRESENT, Command::Present),
             (words::SHARE, Command::Share),
+            (words::LEFT_OUT, Command::LeftOut),
         ] {
             let words = session.say(words);
             super::window::button(session, Button::new(words), words, command, commands, ui);
         }
-        ui.separator();
-        left_out::show(session, ui);
     });
     response.widget_info(|| {
         egui::WidgetInfo::labeled(egui::Role::Button, true, session.say(words::MENU))

@@ -4,7 +4,8 @@ use super::panel_view::PanelView;
 use super::session::{Command, Session};
 use super::tiles::{Arrangement, GAP, panel_on};
 use super::{
-    key_sheet, keys, narration, parameter_card, study_view, style, top_bar, transport, words,
+    key_sheet, keys, left_out, narration, parameter_card, study_view, style, top_bar, transport,
+    words,
 };
 use crate::panels::Panel;
 use crate::picture::Theme;
@@ -130,6 +131,9 @@ impl Window {
     fn finish(&mut self, session: &mut Session, mut commands: Vec<Command>, ctx: &egui::Context) {
         if session.look.keys {
             key_sheet::show(session, &mut commands, ctx);
+        }
+        if session.look.left_out {
+            left_out::show(session, &mut commands, ctx);
         }
         let acted = !commands.is_empty();
         for command in commands {

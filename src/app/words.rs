@@ -104,7 +104,17 @@ words! {
     ACTIVE_EDGES: "Active edges", "Sisi aktif";
     VERTEX: "Vertex", "Titik sudut";
     LEFT_OUT: "Left out: not needed here", "Ditinggalkan: tidak diperlukan di sini";
-    NOTHING_LEFT_OUT: "Nothing", "Tidak ada";
+    LEFT_OUT_ABOUT: "The scene needs none of this, so it is not done. Tick a line to have it done all the same: nothing changes but the steps and the time.", "Adegan ini tidak memerlukannya, maka tidak dikerjakan. Centang satu baris agar tetap dikerjakan: tidak ada yang berubah selain langkah dan waktunya.";
+    NOTHING_LEFT_OUT: "Nothing: this way to draw the scene needs all that it does.", "Tidak ada: cara menggambar adegan ini memerlukan semua yang dikerjakannya.";
+    IS_NEEDED: "That is needed here, or not part of this method.", "Itu diperlukan di sini, atau bukan bagian metode ini.";
+    TIMES_MEASURED: "measuring …", "mengukur …";
+    TIMES_NONE: "too slow to be timed here; `lightwalk needs` measures it", "terlalu lama untuk diukur di sini; `lightwalk needs` mengukurnya";
+    TIME_WITHOUT: "left out:", "ditinggalkan:";
+    TIME_WITH: "done all the same:", "tetap dikerjakan:";
+    TIME_TIE: "no difference beyond noise", "tidak ada beda di luar derau";
+    SHARE_AS_LEFT_OUT_ONLY: "The steps differ from the lesson's while something is done that is not needed.", "Langkahnya berbeda dari pelajaran selama sesuatu yang tidak diperlukan dikerjakan.";
+    UNSAID_ANYWAY: "With that done all the same, the lesson does not find its steps.", "Dengan hal itu tetap dikerjakan, pelajaran tidak menemukan langkah-langkahnya.";
+    LEAVE_OUT_AGAIN: "Start again with it left out", "Mulai lagi tanpa hal itu";
     RAY_TREE: "Ray tree", "Pohon sinar";
     VECTORS: "Vectors at the point", "Vektor di titik ini";
     RADIOSITY: "Radiosity, patch by patch", "Radiositas, patch demi patch";

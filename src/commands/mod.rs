@@ -46,7 +46,7 @@ enum Command {
     FormFactors(form_factors::Arguments),
     /// Solves for the light that a scene's patches exchange
     Radiosity(radiosity::Arguments),
-    /// Says what a scene needs of ray tracing, what is left out, and why
+    /// Says what a scene needs, what is left out, why, and what that saves
     Needs(needs::Arguments),
     /// Prints every step of a lesson, or of a scene, as JSON lines
     Steps(steps::Arguments),

@@ -1,21 +1,30 @@
 //! `lightwalk needs`: what a scene needs, what is left out, why, and what that saves.
 
-use super::progress::named;
+use super::progress::Progress;
+use super::radiosity::SolutionArguments;
 use super::render::{method, method_names};
-use super::{Failure, LimitArguments, RayArguments, files};
+use super::{Failure, LimitArguments, RayArguments, files, form_factors};
 use crate::algorithms::stage::Stage;
-use crate::render::{Method, RayCounts, render_counted};
-use crate::scene::{Needs, Part};
+use crate::render::{self, Method};
+use crate::scene::{Camera, LeftOut, Part, Scene};
+use crate::study::saving::{Measured, Sameness, Saving, Savings, Steps, savings};
+use crate::study::timing::Patience;
+use glam::DVec3;
 use serde_json::{Value as Json, json};
 use std::io::Write;
-use std::num::NonZeroUsize;
 use std::path::PathBuf;
-use std::time::Duration;
-use web_time::Instant;
+use web_time::Duration;
 
-/// The picture on which the saving is measured, and how often each way.
+/// The picture on which the saving is measured.
 const SIZE: [u32; 2] = [160, 120];
-const RUNS: usize = 5;
+
+/// What takes longer than two seconds is not measured: so all of it together takes about a minute at most.
+const PATIENCE: Patience = Patience {
+    shortest: Duration::from_millis(2),
+    longest: Duration::from_secs(2),
+    whole: Duration::from_secs(4),
+    most_rounds: 15,
+};
 
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -24,8 +33,13 @@ pub struct Arguments {
     /// For which way to draw it: ray-tracing unless given
     #[arg(long, value_parser = method_names(), value_name = "METHOD")]
     method: Option<String>,
+    /// As a JSON object
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     rays: RayArguments,
+    #[command(flatten)]
+    solution: SolutionArguments,
     #[command(flatten)]
     limits: LimitArguments,
 }
@@ -35,120 +49,206 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(name) => method(name)?,
         None => Method::RayTracing,
     };
-    let (scene, settings, _) = files::scene(&arguments.scene, &arguments.limits.into())?;
+    let path = &arguments.scene;
+    let (scene, settings, radiosity) = files::scene(path, &arguments.limits.into())?;
+    let has_camera = scene.camera.is_some();
     let settings = arguments.rays.or(settings);
+    let radiosity = arguments.solution.or(radiosity, arguments.limits)?;
+    if method == Method::Radiosity {
+        form_factors::room(&scene, path, radiosity)?;
+    }
+    let stage = files::stage(with_camera(scene), SIZE, method, &path.display())?
+        .with_settings(settings)
+        .with_radiosity(radiosity);
+    let left_out = render::left_out(&stage, method);
+    // The light of a room is the same for every camera.
+    let measured = (has_camera || method == Method::Radiosity).then(|| {
+        let progress = Progress::new("measuring what is saved");
+        savings(&stage, method, PATIENCE, &|done, all| {
+            progress.show(done, all)
+        })
+    });
     let mut out = std::io::stdout().lock();
-    writeln!(out, "{} of {}", method.name(), arguments.scene.display())?;
-    if !method.follows_rays() {
-        for object in &scene.objects {
-            if matches!(object.shape, crate::scene::Shape::Plane { .. }) {
-                writeln!(out, "  left out  object \"{}\": {INFINITE}", object.name)?;
-            }
-        }
+    if arguments.json {
+        let told = json!({
+            "scene": path.display().to_string(),
+            "method": method.name(),
+            "needed": needed(method, &left_out).map(Part::name).collect::<Vec<_>>(),
+            "left_out": self::left_out(&stage, method),
+            "size": SIZE,
+            "saved": measured.map(|measured| measured.map_or_else(|why| json!({ "error": why }), |savings| saved(&savings))),
+        });
+        writeln!(out, "{told:#}")?;
         return Ok(());
     }
-    let needs = Needs::of(&scene);
-    for part in Part::ALL.into_iter().filter(|&part| method.does(part)) {
-        let left_out: Vec<_> = needs
-            .left_out
-            .iter()
-            .filter(|left_out| left_out.part == part)
-            .collect();
-        if left_out.is_empty() {
-            writeln!(out, "  needed    {}", part.name())?;
-        }
-        for left_out in left_out {
-            let share = left_out.share.map_or(String::new(), |[some, all]| {
-                format!(", for {some} of {all} objects")
-            });
-            let (place, why) = (&left_out.place, part.why());
-            writeln!(out, "  left out  {}{share}: {place}: {why}", part.name())?;
-        }
+    writeln!(out, "{} of {}", method.name(), path.display())?;
+    tell_list(&stage, method, &left_out, &mut out)?;
+    match measured {
+        Some(Ok(savings)) => tell_savings(&savings, method, &mut out),
+        Some(Err(why)) => Ok(writeln!(out, "not measured: {why}")?),
+        None => Ok(writeln!(out, "not measured: the scene has no camera")?),
     }
-    if scene.camera.is_some() {
-        let stage =
-            files::stage(scene, SIZE, method, &arguments.scene.display())?.with_settings(settings);
-        let saving = named("measuring", || Saving::measure(&stage, method));
-        saving.tell(&mut out)?;
+}
+
+/// With some camera, where the scene has none: what a scene needs does not hang on it.
+fn with_camera(mut scene: Scene) -> Scene {
+    scene.camera.get_or_insert(Camera {
+        eye: DVec3::ZERO,
+        target: DVec3::NEG_Z,
+        up: DVec3::Y,
+        fov_x: 1.0,
+    });
+    scene
+}
+
+/// What the method does of it all, and cannot leave out.
+fn needed(method: Method, left_out: &[LeftOut]) -> impl Iterator<Item = Part> {
+    let is_needed = move |&part: &Part| {
+        let mut left_out = left_out.iter();
+        method.does(part) && left_out.all(|left_out| left_out.part != part)
+    };
+    Part::ALL.into_iter().filter(is_needed)
+}
+
+fn tell_list(
+    stage: &Stage,
+    method: Method,
+    left_out: &[LeftOut],
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    for part in needed(method, left_out) {
+        writeln!(out, "  needed    {}", part.name())?;
+    }
+    for left_out in left_out {
+        let LeftOut { part, place, share } = left_out;
+        let share = share.map_or(String::new(), |[some, all]| {
+            format!(", for {some} of {all} {}", part.counted())
+        });
+        let (name, why) = (part.name(), part.why());
+        writeln!(out, "  left out  {name}{share}: {place}: {why}")?;
+    }
+    for object in infinite(stage, method) {
+        writeln!(out, "  left out  object \"{object}\": {INFINITE}")?;
     }
     Ok(())
 }
 
 const INFINITE: &str = "an infinite plane has no polygons";
 
+/// The names of objects that the method cannot draw.
+fn infinite(stage: &Stage, method: Method) -> impl Iterator<Item = &str> {
+    let planes = stage.tessellation.left_out.iter();
+    let names = planes.map(|&object| stage.scene.objects[object].name.as_str());
+    names.filter(move |_| method.converts_polygons())
+}
+
 /// What was left out of a picture, for `render --stats`.
 pub fn left_out(stage: &Stage, method: Method) -> Vec<Json> {
-    if method.follows_rays() {
-        let parts = stage
-            .needs()
-            .left_out
-            .iter()
-            .filter(|left_out| method.does(left_out.part));
-        let told = |left_out: &crate::scene::LeftOut| {
-            let mut told = json!({ "what": left_out.part.name(), "place": left_out.place, "why": left_out.part.why() });
-            if let Some([some, all]) = left_out.share {
-                told["objects"] = json!([some, all]);
+    let told = |left_out: LeftOut| {
+        let LeftOut { part, place, share } = left_out;
+        let mut told = json!({ "what": part.name(), "place": place, "why": part.why() });
+        if let Some(share) = share {
+            told[part.counted().replace(' ', "_")] = json!(share);
+        }
+        told
+    };
+    let parts = render::left_out(stage, method).into_iter().map(told);
+    let planes = infinite(stage, method).map(
+        |object| json!({ "what": "object", "object": object, "place": "objects", "why": INFINITE }),
+    );
+    parts.chain(planes).collect()
+}
+
+/// A line a part: what it would take, and that nothing else would change.
+fn tell_savings(savings: &Savings, method: Method, out: &mut impl Write) -> Result<(), Failure> {
+    let Savings { time, steps, parts } = savings;
+    let what = match method {
+        Method::Radiosity => "form factors and solution".to_owned(),
+        _ => format!("a picture of {}x{}", SIZE[0], SIZE[1]),
+    };
+    writeln!(
+        out,
+        "{what} on one thread, all that is not needed left out: {} ms (median of {} runs), {} steps if recorded",
+        milliseconds(time.median),
+        time.runs,
+        steps.count
+    )?;
+    if parts.is_empty() {
+        return Ok(());
+    }
+    writeln!(
+        out,
+        "{:<20} {:>11} {:>22} {:>12} {:>12}  result",
+        "done all the same", "ms", "saved by leaving out", "steps saved", "KiB saved"
+    )?;
+    for Saving { part, measured, .. } in parts {
+        let name = part.map_or("all of these", Part::name);
+        let Measured {
+            time: with,
+            steps: recorded,
+            sameness,
+        } = match measured {
+            Ok(measured) => measured,
+            Err(why) => {
+                writeln!(out, "{name:<20} {why}")?;
+                continue;
             }
-            told
         };
-        return parts.map(told).collect();
-    }
-    let planes = stage.tessellation.left_out.iter();
-    planes
-        .map(|&object| json!({ "what": "object", "object": stage.scene.objects[object].name, "place": format!("objects[{object}]"), "why": INFINITE }))
-        .collect()
-}
-
-/// The same picture with and without what the scene does not need.
-struct Saving {
-    /// Medians of runs in turn.
-    with: Duration,
-    without: Duration,
-    rays_with: RayCounts,
-    rays_without: RayCounts,
-}
-
-impl Saving {
-    fn measure(stage: &Stage, method: Method) -> Self {
-        let everything = Needs::everything(&stage.scene);
-        let timed = |needs| {
-            let start = Instant::now();
-            let (_, rays) = render_counted(stage, method, needs, NonZeroUsize::MIN, &|_, _| {});
-            (start.elapsed(), rays)
+        let saved = match with.ties(time) {
+            true => "tie: within noise".to_owned(),
+            false => {
+                let difference = with.median - time.median;
+                let share = 100.0 * difference / with.median;
+                format!("{} ms ({share:.0} %)", milliseconds(difference))
+            }
         };
-        // The first run of each warms up, and counts the rays.
-        let (_, rays_with) = timed(&everything);
-        let (_, rays_without) = timed(stage.needs());
-        let (mut with, mut without) = (Vec::new(), Vec::new());
-        for _ in 0..RUNS {
-            with.push(timed(&everything).0);
-            without.push(timed(stage.needs()).0);
-        }
-        with.sort();
-        without.sort();
-        Saving {
-            with: with[RUNS / 2],
-            without: without[RUNS / 2],
-            rays_with,
-            rays_without,
-        }
-    }
-
-    fn tell(&self, out: &mut impl Write) -> Result<(), Failure> {
-        let [width, height] = SIZE;
-        let milliseconds = |time: Duration| 1e3 * time.as_secs_f64();
+        let Steps { count, bytes } = *recorded;
         writeln!(
             out,
-            "  measured on {width}x{height}, one thread, median of {RUNS}: {:.2} ms with everything, {:.2} ms without: {:.2} of the time",
-            milliseconds(self.with),
-            milliseconds(self.without),
-            self.without.as_secs_f64() / self.with.as_secs_f64().max(f64::MIN_POSITIVE),
+            "{name:<20} {:>11} {saved:>22} {:>12} {:>12}  {}",
+            milliseconds(with.median),
+            i128::from(count) - i128::from(steps.count),
+            (i128::from(bytes) - i128::from(steps.bytes)) / 1024,
+            in_words(*sameness)
         )?;
-        writeln!(
-            out,
-            "  shadow rays: {} with everything, {} without",
-            self.rays_with.shadow, self.rays_without.shadow
-        )?;
-        Ok(())
     }
+    Ok(())
+}
+
+fn milliseconds(seconds: f64) -> String {
+    format!("{:.3}", 1e3 * seconds)
+}
+
+fn in_words(sameness: Sameness) -> String {
+    match sameness {
+        Sameness::Same => "the same, bit by bit".into(),
+        Sameness::Within(difference) => format!("the same to {difference:.0e}"),
+        Sameness::Differs(difference) => format!("DIFFERS by {difference:.0e}"),
+    }
+}
+
+fn saved(savings: &Savings) -> Json {
+    let timing = |time: &crate::study::timing::Timing| json!({ "median": time.median, "quartiles": [time.lower, time.upper], "runs": time.runs });
+    let parts = savings.parts.iter().map(|saving| {
+        let part = saving.part.map_or("all", Part::name);
+        match &saving.measured {
+            Err(why) => json!({ "part": part, "error": why }),
+            Ok(measured) => json!({
+                "part": part,
+                "seconds": timing(&measured.time),
+                "tie": measured.time.ties(&savings.time),
+                "steps": measured.steps.count,
+                "bytes": measured.steps.bytes,
+                "same_bits": measured.sameness == Sameness::Same,
+                "difference": match measured.sameness {
+                    Sameness::Same => 0.0,
+                    Sameness::Within(difference) | Sameness::Differs(difference) => difference,
+                },
+            }),
+        }
+    });
+    json!({
+        "left_out": { "seconds": timing(&savings.time), "steps": savings.steps.count, "bytes": savings.steps.bytes },
+        "done": parts.collect::<Vec<_>>(),
+    })
 }

@@ -101,6 +101,7 @@ const BUILTINS: &[Builtin] = &[
         "error-against-time",
         include_str!("../../lessons/26-error-against-time.json"),
     ),
+    lesson("needs", include_str!("../../lessons/27-needs.json")),
     lesson("extremes", include_str!("../../lessons/28-extremes.json")),
 ];
 
@@ -113,6 +114,10 @@ const FILES: &[(&str, &[u8])] = &[
     (
         "meshes/prism.obj",
         include_bytes!("../../lessons/meshes/prism.obj"),
+    ),
+    (
+        "scenes/open-scene.json",
+        include_bytes!("../../lessons/scenes/open-scene.json"),
     ),
     (
         "scenes/cornell-box.json",

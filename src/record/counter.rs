@@ -13,6 +13,11 @@ impl Counter {
         found.map_or(0, |(_, count)| *count)
     }
 
+    /// How many events there were.
+    pub fn all(&self) -> u64 {
+        self.0.iter().map(|(_, count)| count).sum()
+    }
+
     fn count(&mut self, kind: &'static str) {
         match self.0.iter_mut().find(|(name, _)| *name == kind) {
             Some((_, count)) => *count += 1,

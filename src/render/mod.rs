@@ -4,6 +4,7 @@ mod bands;
 pub mod compare;
 mod crew;
 pub mod lanes;
+mod left_out;
 mod light;
 mod painter;
 mod pixels;
@@ -29,6 +30,7 @@ use std::convert::Infallible;
 use std::num::NonZeroUsize;
 use tally::Totals;
 
+pub use left_out::left_out;
 pub use light::{matrix, race};
 pub use painter::Painter;
 pub use tally::RayCounts;
@@ -102,11 +104,14 @@ impl Method {
     pub fn does(self, part: Part) -> bool {
         match self {
             Method::RayCasting => part.concerns_primary_rays(),
-            Method::RayTracing => true,
-            Method::Wireframe | Method::Radiosity => false,
-            Method::Flat | Method::Gouraud | Method::Phong | Method::FastPhong | Method::Exact => {
-                part == Part::TextureCoordinates
+            Method::RayTracing => !part.concerns_patches(),
+            Method::Radiosity => part.concerns_patches(),
+            Method::Wireframe => false,
+            Method::Flat | Method::Gouraud | Method::Phong | Method::Exact => {
+                matches!(part, Part::TextureCoordinates | Part::Highlights)
             }
+            // Its series of the highlight goes along whatever the material.
+            Method::FastPhong => part == Part::TextureCoordinates,
         }
     }
 

@@ -21,7 +21,7 @@ pub use camera::{Camera, View};
 pub use file::SceneFile;
 pub use mesh::Mesh;
 pub use mesh_path::mesh_path_is_inside;
-pub use needs::{LeftOut, Needs, Part};
+pub use needs::{LeftOut, Needs, Part, Parts, has_highlights};
 pub use obj::Obj;
 pub use tessellation::{Tessellation, sphere as sphere_mesh};
 pub use validate::{LARGEST, Limits, ReadFile, SceneError, read};
@@ -150,6 +150,12 @@ pub enum Light {
 }
 
 impl Texture {
+    /// Changes nothing.
+    pub const WHITE: Texture = Texture::Checker {
+        colors: [Rgb::WHITE; 2],
+        scale: 1.0,
+    };
+
     /// The colour by which the diffuse coefficient is multiplied at (u, v).
     pub fn color_at(&self, uv: DVec2) -> Rgb {
         let Texture::Checker { colors, scale } = self;

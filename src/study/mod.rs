@@ -17,6 +17,7 @@ pub mod machine;
 pub mod pareto;
 pub mod plot;
 pub mod report;
+pub mod saving;
 pub mod stress;
 #[cfg(test)]
 pub mod tests;

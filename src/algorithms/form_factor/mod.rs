@@ -34,6 +34,7 @@ pub use visibility::Blockers;
 
 use crate::record::{Recorder, Unrecorded};
 use crate::scene::patches::Patches;
+use crate::scene::{Part, Parts};
 use far::Far;
 use hemicube::Hemicubes;
 use polygon::Polygon;
@@ -112,6 +113,9 @@ impl Method {
     }
 }
 
+/// Gauss points each way where an integral is not needed, and taken all the same.
+const POINTS_ANYWAY: usize = 4;
+
 /// The form factors of a scene, one at a time, by the row, or by the block of rows.
 #[derive(Clone, Debug)]
 pub struct FormFactors<'a> {
@@ -120,6 +124,8 @@ pub struct FormFactors<'a> {
     /// None: nothing stands between patches, whatever the scene.
     blockers: Option<&'a Blockers>,
     far: Far,
+    /// What is done although the patches do not need it.
+    anyway: Parts,
 }
 
 impl<'a> FormFactors<'a> {
@@ -129,7 +135,19 @@ impl<'a> FormFactors<'a> {
             method,
             blockers,
             far: Far::of(patches),
+            anyway: Parts::NONE,
         }
+    }
+
+    /// The same, with some parts done although the patches do not need them.
+    pub fn doing(self, anyway: Parts) -> Self {
+        FormFactors { anyway, ..self }
+    }
+
+    /// Whether no light passes between two patches because one lies behind the other or in its plane, or is the same.
+    pub fn face_away(&self, i: usize, j: usize) -> bool {
+        let faces = |a: &Polygon| self.polygons(j).any(|b| facing(a.clone(), b).is_some());
+        !self.polygons(i).any(|a| faces(&a))
     }
 
     /// F_ij.
@@ -153,8 +171,7 @@ impl<'a> FormFactors<'a> {
                 let exchange = self.unblocked(i, j, recorder);
                 let share = match self.blockers {
                     Some(blockers) if exchange > 0.0 => {
-                        let f = self.larger(i, j, exchange);
-                        blockers.share(self.patches, [i, j], f, recorder)
+                        self.passing(blockers, [i, j], exchange, recorder)
                     }
                     _ => 1.0,
                 };
@@ -238,34 +255,51 @@ impl<'a> FormFactors<'a> {
             _ => row.fill(f64::NAN),
         }
         for (j, exchange) in (first..end).zip(row) {
-            if exchange.is_nan() {
+            let anyway = *exchange == 0.0 && self.anyway.has(Part::FacingAway);
+            if exchange.is_nan() || anyway {
                 *exchange = self.unblocked(i, j, &mut Unrecorded);
             }
             if let Some(blockers) = self.blockers
                 && *exchange > 0.0
             {
-                let f = self.larger(i, j, *exchange);
-                *exchange *= blockers.share(self.patches, [i, j], f, &mut Unrecorded);
+                *exchange *= self.passing(blockers, [i, j], *exchange, &mut Unrecorded);
             }
         }
     }
 
-    /// The larger of F_ij and F_ji.
-    fn larger(&self, i: usize, j: usize, exchange: f64) -> f64 {
-        exchange / self.patches[i].area.min(self.patches[j].area)
+    /// The share of an exchange that nothing blocks.
+    fn passing<R: Recorder<Event>>(
+        &self,
+        blockers: &Blockers,
+        [i, j]: [usize; 2],
+        exchange: f64,
+        recorder: &mut R,
+    ) -> f64 {
+        if !self.anyway.has(Part::SightTests) && !blockers.can_stand_between(i, j) {
+            return 1.0;
+        }
+        // The larger of F_ij and F_ji.
+        let f = exchange / self.patches[i].area.min(self.patches[j].area);
+        blockers.share(self.patches, [i, j], f, recorder)
+    }
+
+    fn polygons(&self, patch: usize) -> impl Iterator<Item = Polygon<'_>> {
+        let pieces = self.patches.pieces(patch);
+        pieces.filter_map(|piece| Polygon::new(piece.corners.into(), piece.normal))
     }
 
     /// A_i F_ij where nothing stands between.
     fn unblocked<R: Recorder<Event>>(&self, i: usize, j: usize, recorder: &mut R) -> f64 {
-        let polygons = |patch: usize| {
-            let pieces = self.patches.pieces(patch);
-            pieces.filter_map(|piece| Polygon::new(piece.corners.into(), piece.normal))
-        };
         let mut sum = 0.0;
-        for piece_i in polygons(i) {
-            for piece_j in polygons(j) {
-                let Some([a, b]) = facing(piece_i.clone(), piece_j) else {
+        for piece_i in self.polygons(i) {
+            for piece_j in self.polygons(j) {
+                let Some([a, b]) = facing(piece_i.clone(), piece_j.clone()) else {
                     recorder.step(|| Event::FacesAway);
+                    if self.anyway.has(Part::FacingAway) {
+                        // At every pair of points one of the cosines is 0.
+                        let points = [POINTS_ANYWAY; 2];
+                        sum += area_to_area::exchange(&piece_i, &piece_j, points, recorder);
+                    }
                     continue;
                 };
                 recorder.step(|| Event::Pieces {

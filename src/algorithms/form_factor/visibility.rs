@@ -234,7 +234,7 @@ impl Blockers {
             )
     }
 
-    /// The share of what i and j would exchange that nothing blocks. `f` is the larger of their form factors if nothing did.
+    /// The share of what i and j would exchange that nothing blocks, found by rays. `f` is the larger of their form factors if nothing did.
     pub fn share<R: Recorder<Event>>(
         &self,
         patches: &Patches,
@@ -242,9 +242,6 @@ impl Blockers {
         f: f64,
         recorder: &mut R,
     ) -> f64 {
-        if !self.can_stand_between(i, j) {
-            return 1.0;
-        }
         let rays = ((f * RAYS_A_ROW) as u32)
             .clamp(LEAST_RAYS, MOST_RAYS)
             .next_power_of_two();

@@ -6,6 +6,7 @@ use super::iterate::By;
 use super::outcome::{Solution, Unsolved};
 use super::system::Patches;
 use crate::record::Recorder;
+use crate::scene::{Part, Parts};
 use thiserror::Error;
 
 /// One channel of the patches' colours.
@@ -25,11 +26,19 @@ pub struct ChannelUnsolved {
     pub why: Unsolved,
 }
 
-/// Solves each channel by itself, in their order, with `solve`. Errors: those of the first channel that has no result.
+/// The first channel before channel `c` that is as it is.
+pub fn equal_before(channels: &[Channel], c: usize) -> Option<usize> {
+    let Channel { rho, emission, .. } = channels[c];
+    let mut before = channels[..c].iter();
+    before.position(|other| (other.rho, other.emission) == (rho, emission))
+}
+
+/// Solves each channel by itself, in their order, with `solve`, and leaves out what is dark or equal but for `anyway`. Errors: those of the first channel that has no result.
 pub fn solve_channels<const N: usize, R: Recorder<Event>>(
     area: &[f64],
     channels: [Channel; N],
     solver: Solver,
+    anyway: Parts,
     recorder: &mut R,
     mut solve: impl FnMut(&Patches, &mut R) -> Result<Solution, Unsolved>,
 ) -> Result<[Solution; N], ChannelUnsolved> {
@@ -37,12 +46,12 @@ pub fn solve_channels<const N: usize, R: Recorder<Event>>(
     for (c, channel) in channels.iter().enumerate() {
         let name = channel.name;
         let because = |why| ChannelUnsolved { channel: name, why };
-        let patches = Patches::new(area, channel.rho, channel.emission).map_err(because)?;
+        let patches = Patches::new(area, channel.rho, channel.emission)
+            .map_err(because)?
+            .with_black_rows(anyway.has(Part::BlackRows));
         let mut by = By { solver, recorder };
-        let equal = channels[..c]
-            .iter()
-            .position(|other| (other.rho, other.emission) == (channel.rho, channel.emission));
-        if patches.are_dark() {
+        let equal = equal_before(&channels, c).filter(|_| !anyway.has(Part::EqualChannels));
+        if patches.are_dark() && !anyway.has(Part::DarkChannels) {
             by.step(|| Told::ChannelLeftOut {
                 channel: name,
                 why: "nothing emits",

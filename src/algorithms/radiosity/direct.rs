@@ -32,6 +32,8 @@ pub(super) fn line(told: &Told) -> usize {
 pub(super) struct Direct<'a> {
     system: System<'a>,
     lu: Option<PartialPivLu<f64>>,
+    /// The patches whose light is unknown: of the others B = E.
+    unknown: Vec<usize>,
     b: Vec<f64>,
     r: Vec<f64>,
 }
@@ -44,16 +46,20 @@ impl<'a> Direct<'a> {
         Direct {
             system,
             lu: None,
+            unknown: (0..r.len())
+                .filter(|&i| system.patches.gathers(i))
+                .collect(),
             b,
             r,
         }
     }
 }
 
-/// LU of I − ρF.
-fn factorise(system: &System) -> PartialPivLu<f64> {
-    let (n, rho) = (system.patches.len(), system.patches.rho);
-    let entry = |i: usize, j: usize| {
+/// LU of the rows and columns of I − ρF that belong to `unknown` patches.
+fn factorise(system: &System, unknown: &[usize]) -> PartialPivLu<f64> {
+    let (n, rho) = (unknown.len(), system.patches.rho);
+    let entry = |row: usize, column: usize| {
+        let [i, j] = [row, column].map(|k| unknown[k]);
         let diagonal = if i == j { 1.0 } else { 0.0 };
         diagonal - rho[i] * system.matrix.of(i)[j]
     };
@@ -66,11 +72,15 @@ impl Method for Direct<'_> {
         _: Followed,
         recorder: &mut R,
     ) -> Result<(), Unsolved> {
-        let lu = self.lu.get_or_insert_with(|| factorise(&self.system));
-        let d = lu.solve(Col::from_fn(self.r.len(), |i| self.r[i]));
-        for i in 0..self.b.len() {
+        let lu = self
+            .lu
+            .get_or_insert_with(|| factorise(&self.system, &self.unknown));
+        let d = lu.solve(Col::from_fn(self.unknown.len(), |k| {
+            self.r[self.unknown[k]]
+        }));
+        for (k, &i) in self.unknown.iter().enumerate() {
             let b_old = self.b[i];
-            self.b[i] += d[i];
+            self.b[i] += d[k];
             recorder.step(|| Told::Updated {
                 i: i as u32,
                 b_old,

@@ -34,8 +34,8 @@ pub(super) struct Light<'a> {
 }
 
 impl Light<'_> {
-    pub fn reflects(&self, i: usize) -> bool {
-        self.system.patches.rho[i] > 0.0
+    pub fn gathers(&self, i: usize) -> bool {
+        self.system.patches.gathers(i)
     }
 
     /// What patch i gathers of the light `from`: `new` makes its new B_i of E_i + ρ_i Σ_j F_ij B_j.

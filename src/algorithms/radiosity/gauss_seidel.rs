@@ -28,7 +28,7 @@ impl Sweep for GaussSeidel {
         recorder: &mut R,
     ) {
         for i in 0..light.b.len() {
-            if light.reflects(i) {
+            if light.gathers(i) {
                 light.b[i] = light.gathered(i, &light.b, followed, recorder, |gathered| gathered);
             }
         }

@@ -33,7 +33,7 @@ impl Sweep for Jacobi {
         let old = &mut self.0;
         old.clone_from(&light.b);
         for i in 0..old.len() {
-            if light.reflects(i) {
+            if light.gathers(i) {
                 light.b[i] = light.gathered(i, old, followed, recorder, |gathered| gathered);
             }
         }

@@ -33,7 +33,7 @@ mod system;
 mod tests;
 mod watch;
 
-pub use channels::{Channel, ChannelUnsolved, solve_channels};
+pub use channels::{Channel, ChannelUnsolved, equal_before, solve_channels};
 pub use event::{Event, Told};
 pub use outcome::{Solution, Stop, Unsolved};
 pub use solver::{Solver, chebyshev_on, shoot, solve};

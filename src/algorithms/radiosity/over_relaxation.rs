@@ -31,7 +31,7 @@ impl Sweep for OverRelaxation {
         let omega = self.omega;
         recorder.step(|| Told::Weighted { omega });
         for i in 0..light.b.len() {
-            if light.reflects(i) {
+            if light.gathers(i) {
                 let b_i = light.b[i];
                 let farther = |gathered| b_i + omega * (gathered - b_i);
                 light.b[i] = light.gathered(i, &light.b, followed, recorder, farther);

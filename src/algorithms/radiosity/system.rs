@@ -73,6 +73,8 @@ pub struct Patches<'a> {
     pub(super) area: &'a [f64],
     pub(super) rho: &'a [f64],
     pub(super) emission: &'a [f64],
+    /// Whether patches that reflect nothing, B = E, gather all the same.
+    black_rows: bool,
 }
 
 impl<'a> Patches<'a> {
@@ -95,7 +97,18 @@ impl<'a> Patches<'a> {
             area,
             rho,
             emission,
+            black_rows: false,
         })
+    }
+
+    /// The same, with or without the equations of patches that reflect nothing: B = E.
+    pub fn with_black_rows(self, black_rows: bool) -> Self {
+        Patches { black_rows, ..self }
+    }
+
+    /// Whether there is something to be found out about patch `i`.
+    pub(super) fn gathers(&self, i: usize) -> bool {
+        self.black_rows || self.rho[i] > 0.0
     }
 
     pub fn len(&self) -> usize {
@@ -173,9 +186,9 @@ pub(super) fn gain(rho: &[f64], row_sums: &[f64]) -> f64 {
 /// r = E − (I − ρF)B, written to `r`. The row of a patch that reflects nothing is not asked for.
 pub(super) fn residual(rows: &mut impl Rows, patches: &Patches, b: &[f64], r: &mut [f64]) {
     for i in 0..b.len() {
-        let reflected = match patches.rho[i] {
-            0.0 => 0.0,
-            rho => rho * gather(rows.row(i), b, &mut Unrecorded),
+        let reflected = match patches.gathers(i) {
+            false => 0.0,
+            true => patches.rho[i] * gather(rows.row(i), b, &mut Unrecorded),
         };
         r[i] = patches.emission[i] + reflected - b[i];
     }

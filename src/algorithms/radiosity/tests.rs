@@ -1,6 +1,7 @@
 use super::cube::{cube, lamp};
 use super::*;
 use crate::record::{Mark, Recording, RecordingLimit, Unrecorded};
+use crate::scene::Parts;
 
 fn solved(system: &System, solver: Solver) -> Result<Solution, Unsolved> {
     solve(
@@ -279,6 +280,7 @@ fn dark_and_equal_channels_are_not_solved() {
         &area,
         channels,
         solver,
+        Parts::NONE,
         &mut recording,
         |patches, recorder| {
             let system = System::new(&matrix, *patches)?;

@@ -6,6 +6,7 @@ use crate::lesson::Change;
 use crate::panels::TreeView;
 use crate::panels::words::{Language, Words};
 use crate::picture::{Tag, Theme};
+use crate::scene::Part;
 
 /// Everything that keys, buttons and clicks do.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,6 +64,8 @@ pub enum Command {
     Questions,
     /// Gives a parameter another value; the lesson says which may be changed.
     Change(Change),
+    /// Does a part that the scene does not need all the same, or leaves it out again.
+    Anyway(Part),
     /// The lesson as it was when it was opened.
     Reset,
     /// Error against run time.
@@ -81,6 +84,8 @@ pub enum Command {
     StopPresenting,
     /// The sheet of keys.
     Keys,
+    /// The view of what is left out, because the scene does not need it.
+    LeftOut,
     Inspector,
     /// Rooms smooth, or patch by patch.
     Smooth,

@@ -1,5 +1,6 @@
 //! Everything that the window shows, without a window: a [`Command`] changes it, and nothing else does.
 
+mod anyway;
 mod change;
 mod command;
 mod focus;
@@ -42,6 +43,8 @@ pub struct Look {
     /// The theme to return to after presenting.
     before_presenting: Theme,
     pub keys: bool,
+    /// The view of what is left out.
+    pub left_out: bool,
     pub inspector: bool,
     /// Whether rooms are shown smooth, not patch by patch.
     pub smooth: bool,
@@ -57,6 +60,7 @@ impl Look {
             presenting: false,
             before_presenting: Theme::Light,
             keys: false,
+            left_out: false,
             inspector: true,
             smooth: false,
             questions: true,
@@ -331,6 +335,8 @@ impl Session {
             Err(super::words::SHARE_NO_STUDY)
         } else if !self.follows_lesson() {
             Err(super::words::SHARE_LESSON_ONLY)
+        } else if !self.stage().anyway().is_empty() {
+            Err(super::words::SHARE_AS_LEFT_OUT_ONLY)
         } else if self.is_changed() {
             Err(super::words::SHARE_UNCHANGED_ONLY)
         } else {

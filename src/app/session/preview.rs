@@ -5,6 +5,8 @@ use crate::algorithms::frame::Frame;
 use crate::algorithms::stage::Stage;
 use crate::render::compare::{Compared, compare};
 use crate::render::{Cancelled, Method, preview, race};
+use crate::study::saving;
+use crate::study::timing::{Patience, Timing};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -15,12 +17,23 @@ use web_time::{Duration, Instant};
 /// A picture that is done sooner is not spoken of.
 const PATIENCE: Duration = Duration::from_millis(200);
 
+/// How long is measured what it takes to do what the scene does not need: a few seconds, which nobody waits for.
+const MEASURING: Patience = Patience {
+    longest: Duration::from_secs(1),
+    ..Patience::QUICK
+};
+
+/// Run times with all left out that the scene does not need, and with some of it done all the same; or why there are none.
+pub type Times = Result<[Timing; 2], String>;
+
 /// A picture on its way. Dropped, it is called off, and its thread ends by itself within milliseconds.
 pub struct Preview {
     /// The newest pass; before there is one, the background, or the picture before the scene was changed.
     frame: Frame,
     /// The pictures of the methods that are compared, as many as are made.
     compared: Vec<Compared>,
+    /// Where something is done that the scene does not need.
+    times: Option<Times>,
     /// Where the passes come in; none once all of them did.
     passes: Option<Receiver<Pass>>,
     state: Arc<State>,
@@ -40,6 +53,7 @@ enum Pass {
     Compared(Compared),
     /// The solvers of the room have run.
     Raced,
+    Timed(Times),
 }
 
 /// What the maker of the picture and its viewer tell each other.
@@ -95,6 +109,10 @@ impl Preview {
                 race(&stage);
                 drop(passes.send(Pass::Raced));
             }
+            if !stage.anyway().is_empty() && progress(1, 1).is_ok() {
+                let times = saving::both(&stage, methods.picture, MEASURING);
+                drop(passes.send(Pass::Timed(times)));
+            }
         })
     }
 
@@ -114,6 +132,7 @@ impl Preview {
         Preview {
             frame,
             compared: Vec::new(),
+            times: None,
             passes: Some(passes),
             state,
             start: Instant::now(),
@@ -128,6 +147,11 @@ impl Preview {
     /// The pictures of the methods that are compared, as many as are made.
     pub fn compared(&self) -> &[Compared] {
         &self.compared
+    }
+
+    /// What is done although the scene does not need it, timed: once that is measured.
+    pub fn times(&self) -> Option<&Times> {
+        self.times.as_ref()
     }
 
     pub fn is_done(&self) -> bool {
@@ -169,6 +193,7 @@ impl Preview {
             Pass::Picture(frame) => self.frame = frame,
             Pass::Compared(compared) => self.compared.push(compared),
             Pass::Raced => {}
+            Pass::Timed(times) => self.times = Some(times),
         }
     }
 }

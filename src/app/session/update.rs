@@ -53,7 +53,11 @@ impl Session {
             Command::Skip => return self.skip(),
             Command::Questions => self.look.questions = !self.look.questions,
             Command::Change(change) => return self.change(change),
+            Command::Anyway(part) => return self.do_anyway(part),
             Command::Reset => {
+                if !self.stage().anyway().is_empty() {
+                    self.leave_all_out();
+                }
                 if self.is_changed() {
                     self.put_back();
                 }
@@ -95,6 +99,7 @@ impl Session {
             Command::Share => self.command_line().err(),
             Command::Change(change) => self.cannot_change(change.parameter()),
             Command::Study(command) => self.cannot_study(command),
+            Command::Anyway(part) => self.cannot_leave_out(part),
             _ => None,
         };
         refusal.map_or(Ok(()), |words| Err(words.into()))
@@ -252,6 +257,7 @@ impl Session {
             }
             Command::StopPresenting => {}
             Command::Keys => look.keys = !look.keys,
+            Command::LeftOut => look.left_out = !look.left_out,
             Command::Inspector => look.inspector = !look.inspector,
             Command::Smooth => look.smooth = !look.smooth,
             Command::NormalText => look.text = super::Look::new().text,

@@ -1,5 +1,6 @@
 //! The whole window, with no screen: keys pressed, buttons clicked, and what is then shown.
 
+mod left_out;
 mod painter;
 mod parameters;
 mod ray_tree;

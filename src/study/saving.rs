@@ -1,0 +1,255 @@
+//! What it saves to leave out what a scene does not need: the same picture, or the same light of a room, with each part left out and with
+//! it done all the same, timed in turn and compared bit by bit.
+
+use super::form::{Rung, Values};
+use super::timing::{Patience, Timing, time};
+use crate::algorithms::exact::exact;
+use crate::algorithms::fast_phong::fast_phong;
+use crate::algorithms::flat::flat;
+use crate::algorithms::focus::Focus;
+use crate::algorithms::frame::Frame;
+use crate::algorithms::gouraud::gouraud;
+use crate::algorithms::phong::phong;
+use crate::algorithms::radiosity::Watch;
+use crate::algorithms::ray_casting::{RayCaster, ray_casting};
+use crate::algorithms::ray_tracing::{RayTracer, ray_tracing};
+use crate::algorithms::room::Room;
+use crate::algorithms::stage::Stage;
+use crate::algorithms::visible::Hierarchy;
+use crate::algorithms::wireframe::wireframe;
+use crate::algorithms::{
+    exact as exact_run, fast_phong as fast_phong_run, flat as flat_run, gouraud as gouraud_run,
+    phong as phong_run, radiosity, ray_casting as casting_run, ray_tracing as tracing_run,
+    wireframe as wireframe_run,
+};
+use crate::record::{Counter, Unrecorded};
+use crate::render::{Method, left_out, render};
+use crate::scene::{LeftOut, Part, Parts};
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+
+/// How far results of the exchange of light may differ where rounding goes another way, as a share of the largest: a thousandth of the
+/// tolerance to which form factors and solutions are found.
+pub const TOLERANCE: f64 = 1e-9;
+
+/// What is saved by leaving out all that is not needed, and what by each part of it.
+pub struct Savings {
+    /// With all of it left out.
+    pub time: Timing,
+    pub steps: Steps,
+    /// With it done all the same: part by part, and last everything at once.
+    pub parts: Vec<Saving>,
+}
+
+/// A run in which something is done although it is not needed.
+pub struct Saving {
+    /// None: everything.
+    pub part: Option<Part>,
+    /// What it concerns.
+    pub left_out: Vec<LeftOut>,
+    /// Errors: why it was not run to its end.
+    pub measured: Result<Measured, String>,
+}
+
+pub struct Measured {
+    pub time: Timing,
+    pub steps: Steps,
+    pub sameness: Sameness,
+}
+
+/// The events that a recording of the whole run has, and the memory that they take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Steps {
+    pub count: u64,
+    pub bytes: u64,
+}
+
+/// How the result compares with the one that leaves all out.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sameness {
+    /// Bit by bit.
+    Same,
+    /// Within [`TOLERANCE`]: the largest difference, as a share of the largest value.
+    Within(f64),
+    Differs(f64),
+}
+
+impl Sameness {
+    fn of(one: &[f64], other: &[f64]) -> Sameness {
+        let bits = |values: &[f64]| values.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        if bits(one) == bits(other) {
+            return Sameness::Same;
+        }
+        let largest = one.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let differences = one.iter().zip(other).map(|(a, b)| (a - b).abs() / largest);
+        let difference = differences.fold(0.0, f64::max);
+        match one.len() == other.len() && difference <= TOLERANCE {
+            true => Sameness::Within(difference),
+            false => Sameness::Differs(difference),
+        }
+    }
+}
+
+/// Measures every part that the scene does not need. Errors: why there is nothing to measure against.
+pub fn savings(
+    stage: &Stage,
+    method: Method,
+    patience: Patience,
+    progress: &dyn Fn(usize, usize),
+) -> Result<Savings, String> {
+    // What no run need make again.
+    let stage = stage.clone().doing(Parts::NONE);
+    stage.solids();
+    let all = left_out(&stage, method);
+    let is_left_out = |&part: &Part| all.iter().any(|left_out| left_out.part == part);
+    let parts = Part::ALL.into_iter().filter(is_left_out);
+    let mut runs: Vec<Option<Part>> = parts.map(Some).collect();
+    if runs.len() > 1 {
+        runs.push(None);
+    }
+    let anyway = |run: &Option<Part>| run.map_or(Parts::ALL, Parts::from);
+    let stages = std::iter::once(Parts::NONE).chain(runs.iter().map(anyway));
+    let stages: Vec<Arc<Stage>> = stages
+        .map(|parts| Arc::new(stage.clone().doing(parts)))
+        .collect();
+    let rungs: Vec<Rung> = stages
+        .iter()
+        .map(|stage| rung(stage.clone(), method))
+        .collect();
+    let curves: Vec<&[Rung]> = rungs.iter().map(std::slice::from_ref).collect();
+    let heard = |done, all| {
+        progress(done, all);
+        Ok(())
+    };
+    let timed = time(&curves, patience, &heard).map_err(|called_off| called_off.to_string())?;
+    let mut timed = timed.into_iter();
+    let (values, time) = timed.next().ok_or("nothing was run")??;
+    let without = values.numbers();
+    let measured = |stage: &Stage, (values, time): (Values, Timing)| Measured {
+        time,
+        steps: steps(stage, method),
+        sameness: Sameness::of(&without, &values.numbers()),
+    };
+    let parts = runs.into_iter().zip(&stages[1..]).zip(timed);
+    let saving = |((part, stage), timed): ((Option<Part>, &Arc<Stage>), _)| Saving {
+        part,
+        left_out: all
+            .iter()
+            .filter(|left_out| Some(left_out.part) == part)
+            .cloned()
+            .collect(),
+        measured: Result::map(timed, |timed| measured(stage, timed)),
+    };
+    Ok(Savings {
+        time,
+        steps: steps(&stages[0], method),
+        parts: parts.map(saving).collect(),
+    })
+}
+
+/// What the run takes with all left out that the scene does not need, and with what this stage does all the same. Errors: why one of
+/// the two is not timed.
+pub fn both(stage: &Stage, method: Method, patience: Patience) -> Result<[Timing; 2], String> {
+    stage.solids();
+    let rungs = [Parts::NONE, stage.anyway()]
+        .map(|parts| rung(Arc::new(stage.clone().doing(parts)), method));
+    let curves = rungs.each_ref().map(std::slice::from_ref);
+    let timed = time(&curves, patience, &|_, _| Ok(())).map_err(|off| off.to_string())?;
+    let mut timed = timed.into_iter();
+    let mut next = || -> Result<Timing, String> {
+        let (_, timing) = timed.next().ok_or("nothing was run")??;
+        Ok(timing)
+    };
+    Ok([next()?, next()?])
+}
+
+fn rung(stage: Arc<Stage>, method: Method) -> Rung {
+    Rung {
+        setting: String::new(),
+        size: 1.0,
+        bytes: 0,
+        operations: Vec::new(),
+        drawn: None,
+        truth: None,
+        run: Box::new(move || match method {
+            Method::Radiosity => light(stage.room().map_err(|error| error.to_string())?),
+            _ => {
+                // What belongs to the scene alone is found once.
+                stage.needs();
+                let frame = render(&stage, method, NonZeroUsize::MIN, &|_, _| {});
+                Ok(Values::Picture(frame))
+            }
+        }),
+    }
+}
+
+/// Form factors and solution, made anew.
+fn light(room: &Room) -> Result<Values, String> {
+    let matrix = room.form_factors().matrix();
+    let light = room.solve(&matrix, &Watch::default(), &mut Unrecorded);
+    let light = light.map_err(|why| why.to_string())?;
+    let radiosity = light.radiosity.iter();
+    Ok(Values::Numbers(
+        radiosity.flat_map(|b| b.channels()).collect(),
+    ))
+}
+
+/// Counts the steps of the whole run.
+fn steps(stage: &Stage, method: Method) -> Steps {
+    let mut counter = Counter::default();
+    let mut frame = Frame::new(
+        stage.view.width,
+        0..stage.view.height,
+        stage.scene.background,
+    );
+    let (focus, frame, steps) = (Focus::Frame, &mut frame, &mut counter);
+    let size = match method {
+        Method::Wireframe => {
+            wireframe(stage, focus, frame, steps);
+            size_of::<wireframe_run::Event>()
+        }
+        Method::Flat => {
+            flat(stage, focus, frame, steps);
+            size_of::<flat_run::Event>()
+        }
+        Method::Gouraud => {
+            gouraud(stage, focus, frame, steps);
+            size_of::<gouraud_run::Event>()
+        }
+        Method::Phong => {
+            phong(stage, focus, frame, steps);
+            size_of::<phong_run::Event>()
+        }
+        Method::FastPhong => {
+            fast_phong(stage, focus, frame, steps);
+            size_of::<fast_phong_run::Event>()
+        }
+        Method::Exact => {
+            exact(stage, focus, frame, steps);
+            size_of::<exact_run::Event>()
+        }
+        Method::RayCasting => {
+            let caster = RayCaster::new(stage, stage.needs(), Hierarchy);
+            ray_casting(&caster, focus, frame, steps);
+            size_of::<casting_run::Event>()
+        }
+        Method::RayTracing => {
+            let tracer = RayTracer::new(stage, stage.needs(), Hierarchy);
+            ray_tracing(&tracer, focus, frame, steps);
+            size_of::<tracing_run::Event>()
+        }
+        Method::Radiosity => {
+            if let Ok(room) = stage.room() {
+                let matrix = room.matrix_or(|| room.form_factors().matrix());
+                // A room without a solution was found out before.
+                let _ = room.solve(matrix, &Watch::default(), steps);
+            }
+            size_of::<radiosity::Event>()
+        }
+    };
+    let count = counter.all();
+    Steps {
+        count,
+        bytes: count * size as u64,
+    }
+}
