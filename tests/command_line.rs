@@ -380,6 +380,11 @@ fn lessons_are_listed_and_their_frames_drawn() {
         "flat-shading",
         "gouraud-triangle",
         "gouraud-teapot",
+        "mach-bands",
+        "incremental-drift",
+        "phong-highlight",
+        "fast-phong",
+        "side-by-side",
         "ray-casting",
         "shadows",
         "reflection",
@@ -394,7 +399,10 @@ fn lessons_are_listed_and_their_frames_drawn() {
         "shooting",
         "color-bleeding",
         "cornell-box",
+        "stiff-room",
+        "error-against-time",
         "needs",
+        "extremes",
     ];
     assert_eq!(ids, expected);
     assert!(listed[3]["steps"].as_u64().unwrap() > 1000);
