@@ -67,18 +67,19 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
             (Some(x), Some(y)) => difference.signed.get(y as usize * width + x as usize),
             _ => None,
         };
-        let figures = format!(
-            "{} {} · {} {}",
-            say(RMS),
-            three(difference.rms),
-            say(LARGEST),
-            three(difference.largest)
-        );
+        let rms = format!("{} {}", say(RMS), three(difference.rms));
+        let largest = format!("{} {}", say(LARGEST), three(difference.largest));
+        let figures = format!("{rms} · {largest}");
         let here = here.map_or_else(String::new, |here| {
             format!("{}: {}", say(HERE), three(*here))
         });
         let style = Style::Body.size(TEXT);
-        for (row, line) in [&figures, &here].into_iter().enumerate() {
+        // In a narrow cell the two figures take both rows.
+        let lines = match style.width(&figures) <= cell.below.width {
+            true => [&figures, &here],
+            false => [&rms, &largest],
+        };
+        for (row, line) in lines.into_iter().enumerate() {
             let place = Rect {
                 y: cell.below.y + ROW * row as f32,
                 height: ROW,

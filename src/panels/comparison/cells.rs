@@ -9,8 +9,10 @@ use glam::Vec2;
 /// Height of a line of text.
 pub const ROW: f32 = 15.0;
 const TITLE: f32 = 18.0;
-/// Width of a cell that is not alone in its row.
+/// Width of a cell that has room for its text.
 const NARROWEST: f32 = 115.0;
+/// Of the largest possible images.
+const MUCH_SMALLER: f32 = 0.7;
 const MARGIN: f32 = 6.0;
 const TEXT: f32 = 12.0;
 
@@ -38,11 +40,17 @@ pub fn cells(like: &Frame, count: usize, lines: usize, size: Vec2) -> Vec<Cell> 
         let room = Vec2::new(cell.x - MARGIN, cell.y - MARGIN - TITLE - text).max(Vec2::ZERO);
         ((room / picture).min_element(), columns, cell)
     });
-    // Narrow cells would cut off their text.
-    let wide = arranged.filter(|(_, columns, cell)| cell.x >= NARROWEST || *columns == 1);
-    let (scale, columns, cell) = wide
-        .max_by(|a, b| a.0.total_cmp(&b.0))
-        .unwrap_or((0.0, 1, size));
+    // Narrow cells cut off their text: they are chosen where wide ones would make the images much smaller.
+    let arranged: Vec<_> = arranged.collect();
+    let largest = |narrow: bool| {
+        let arranged = arranged
+            .iter()
+            .filter(|(_, columns, cell)| narrow || cell.x >= NARROWEST || *columns == 1);
+        arranged.max_by(|a, b| a.0.total_cmp(&b.0)).copied()
+    };
+    let best = largest(true).unwrap_or((0.0, 1, size));
+    let wide = largest(false).filter(|wide| wide.0 >= MUCH_SMALLER * best.0);
+    let (scale, columns, cell) = wide.unwrap_or(best);
     (0..count)
         .map(|number| {
             let at = Vec2::new((number % columns) as f32, (number / columns) as f32) * cell;
