@@ -270,6 +270,35 @@ fn a_mesh_outside_the_folder_is_refused_also_behind_a_link() {
     }
 }
 
+/// Renamed onto its name, the file would take the place of the pipe, or of a device.
+#[cfg(unix)]
+#[test]
+fn a_pipe_takes_the_output_and_stays_a_pipe() {
+    let folder = folder();
+    let pipe = folder.path().join("pipe.pfm");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.unwrap().success());
+    let reader = std::thread::spawn({
+        let pipe = pipe.clone();
+        move || fs::read(pipe).unwrap()
+    });
+    let arguments = [
+        "render",
+        "scene.json",
+        "--method",
+        "flat",
+        "--size",
+        "40x30",
+    ];
+    let output = lightwalk(
+        folder.path(),
+        &[&arguments[..], &["--out", "pipe.pfm"]].concat(),
+    );
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(!fs::metadata(&pipe).unwrap().is_file());
+    assert!(reader.join().unwrap().starts_with(b"PF\n40 30\n"));
+}
+
 #[test]
 fn pictures_come_in_both_formats() {
     let folder = folder();

@@ -216,7 +216,8 @@ pub fn processor_name() -> Option<String> {
     Some(name.trim().to_string())
 }
 
-/// Writes a file beside its place, then puts it there under its name.
+/// Writes a file beside its place, then puts it there under its name. A device or a pipe stays what it is, and takes what is written
+/// as it comes.
 pub fn write_whole(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
@@ -224,6 +225,14 @@ pub fn write_whole(
     let failed = |error: std::io::Error| {
         Failure::Failed(format!("cannot write {}: {error}", path.display()))
     };
+    let is_special = |there: fs::Metadata| !there.is_file() && !there.is_dir();
+    if path.metadata().is_ok_and(is_special) {
+        let device = fs::OpenOptions::new().write(true).open(path);
+        let mut writer = BufWriter::new(device.map_err(failed)?);
+        return write(&mut writer)
+            .and_then(|()| writer.flush())
+            .map_err(failed);
+    }
     let mut builder = tempfile::Builder::new();
     // As readable as any new file; temporary files are private otherwise.
     #[cfg(unix)]
