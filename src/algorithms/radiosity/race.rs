@@ -1,6 +1,6 @@
 //! All solvers on one system, side by side: what is left after how many iterations, and after how long.
 //!
-//! Each runs from its own start to the same tolerance, as everywhere else, and is told to a [`Stopwatch`] that keeps laps.
+//! Each runs from its own start to the same tolerance, as everywhere else, and is told to a stopwatch that keeps laps.
 //! The exact solution is taken from the default solver at [`REFERENCE`].
 
 use super::event::{Event, Told};
