@@ -3,8 +3,8 @@
 
 use lightwalk::color::png_rgba8;
 use lightwalk::lesson::builtins;
-use lightwalk::panels::words::Language;
-use lightwalk::panels::{Panel, Show, TreeView, draw};
+use lightwalk::panels::strings::Language;
+use lightwalk::panels::{Panel, PanelInput, TreeView, draw};
 use lightwalk::picture::{Theme, rasterize, to_png};
 use lightwalk::render::compare::compare_on;
 use lightwalk::render::render;
@@ -103,7 +103,7 @@ fn every_panel_of_every_narrated_step_looks_as_before() {
     for builtin in builtins() {
         let mut open = builtin.read().unwrap().open().unwrap();
         let finished = render(
-            &open.stage,
+            &open.prepared,
             open.lesson.method,
             NonZeroUsize::MIN,
             &|_, _| {},
@@ -115,19 +115,21 @@ fn every_panel_of_every_narrated_step_looks_as_before() {
             ticks
         };
         if open.lesson.panels.contains(&Panel::Race) {
-            let room = open.stage.room().unwrap();
-            room.race_or(room.matrix().unwrap(), &mut clock).unwrap();
+            let enclosure = open.prepared.enclosure().unwrap();
+            enclosure
+                .race_or(enclosure.matrix().unwrap(), &mut clock)
+                .unwrap();
         }
         let methods = open.lesson.compare.iter();
         let compared: Vec<_> = methods
-            .map(|&method| compare_on(&open.stage, method, &mut clock))
+            .map(|&method| compare_on(&open.prepared, method, &mut clock))
             .collect();
         let narrated: Vec<usize> = open.narrated.iter().map(|narrated| narrated.step).collect();
         let mut panels = open.lesson.panels.clone();
         panels.extend([Panel::Code, Panel::Formula, Panel::TimeLine]);
         for (index, &step) in narrated.iter().enumerate() {
             open.run.walk_mut().seek(step);
-            let show = Show {
+            let show = PanelInput {
                 run: &open.run,
                 finished: &finished,
                 compared: &compared,
@@ -137,7 +139,7 @@ fn every_panel_of_every_narrated_step_looks_as_before() {
                 narrated: &narrated,
                 breakpoints: &[],
                 tree: TreeView::whole(),
-                smooth: open.stage.radiosity.smooth,
+                smooth: open.prepared.radiosity.smooth,
             };
             for &panel in &panels {
                 let size = if panel == Panel::TimeLine {

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{TEAPOT, stage};
+use common::{TEAPOT, prepared};
 use lightwalk::algorithms::exact::exact;
 use lightwalk::algorithms::fast_phong::fast_phong;
 use lightwalk::algorithms::flat::flat;
@@ -10,10 +10,10 @@ use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::gouraud::gouraud;
 use lightwalk::algorithms::phong::phong;
+use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::algorithms::ray_casting::{RayCaster, ray_casting};
 use lightwalk::algorithms::ray_tracing::{RayTracer, ray_tracing};
-use lightwalk::algorithms::stage::Stage;
-use lightwalk::algorithms::visible::InTurn;
+use lightwalk::algorithms::visible::BruteForce;
 use lightwalk::algorithms::wireframe::wireframe;
 use lightwalk::record::{Recording, RecordingLimit, Unrecorded};
 use lightwalk::render::{Cancelled, Method, preview, render};
@@ -23,8 +23,8 @@ use std::sync::Arc;
 
 const ONE: NonZeroUsize = NonZeroUsize::MIN;
 
-fn unrecorded(stage: &Stage, method: Method) -> Frame {
-    render(stage, method, ONE, &|_, _| {})
+fn unrecorded(prepared: &PreparedScene, method: Method) -> Frame {
+    render(prepared, method, ONE, &|_, _| {})
 }
 
 /// The methods whose runs tell of pixels.
@@ -41,56 +41,56 @@ const PIXEL_BY_PIXEL: [Method; 8] = [
 
 /// The frame that a recorded run draws, and how many steps it kept.
 fn recorded(
-    stage: &Stage,
+    prepared: &PreparedScene,
     method: Method,
     focus: Focus,
     limit: RecordingLimit,
 ) -> (Frame, usize, bool) {
     let mut frame = Frame::new(
-        stage.view.width,
-        0..stage.view.height,
-        stage.scene.background,
+        prepared.view.width,
+        0..prepared.view.height,
+        prepared.scene.background,
     );
     match method {
         Method::Wireframe => {
             let mut recording = Recording::new(limit);
-            wireframe(stage, focus, &mut frame, &mut recording);
+            wireframe(prepared, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
         Method::Flat => {
             let mut recording = Recording::new(limit);
-            flat(stage, focus, &mut frame, &mut recording);
+            flat(prepared, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
         Method::Gouraud => {
             let mut recording = Recording::new(limit);
-            gouraud(stage, focus, &mut frame, &mut recording);
+            gouraud(prepared, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
         Method::Exact => {
             let mut recording = Recording::new(limit);
-            exact(stage, focus, &mut frame, &mut recording);
+            exact(prepared, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
         Method::Phong => {
             let mut recording = Recording::new(limit);
-            phong(stage, focus, &mut frame, &mut recording);
+            phong(prepared, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
         Method::FastPhong => {
             let mut recording = Recording::new(limit);
-            fast_phong(stage, focus, &mut frame, &mut recording);
+            fast_phong(prepared, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
         Method::RayCasting => {
             let mut recording = Recording::new(limit);
-            let caster = RayCaster::new(stage, stage.needs(), InTurn);
+            let caster = RayCaster::new(prepared, prepared.needs(), BruteForce);
             ray_casting(&caster, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
         Method::RayTracing => {
             let mut recording = Recording::new(limit);
-            let tracer = RayTracer::new(stage, stage.needs(), InTurn);
+            let tracer = RayTracer::new(prepared, prepared.needs(), BruteForce);
             ray_tracing(&tracer, focus, &mut frame, &mut recording);
             (frame, recording.len(), recording.truncated())
         }
@@ -114,11 +114,11 @@ const TILES: &str = r#"{ "schema": 1, "background": [0.1, 0.2, 0.3],
 
 #[test]
 fn a_recorded_frame_is_the_unrecorded_one_bit_for_bit() {
-    for stage in [stage(TEAPOT, 160, 120), stage(TILES, 160, 120)] {
+    for prepared in [prepared(TEAPOT, 160, 120), prepared(TILES, 160, 120)] {
         for method in PIXEL_BY_PIXEL {
             let (frame, steps, truncated) =
-                recorded(&stage, method, Focus::Frame, RecordingLimit::default());
-            assert!(frame == unrecorded(&stage, method), "{}", method.name());
+                recorded(&prepared, method, Focus::Frame, RecordingLimit::default());
+            assert!(frame == unrecorded(&prepared, method), "{}", method.name());
             assert!(steps > 2_000 && !truncated);
         }
     }
@@ -126,33 +126,33 @@ fn a_recorded_frame_is_the_unrecorded_one_bit_for_bit() {
 
 #[test]
 fn a_truncated_recording_still_draws_the_right_picture() {
-    let stage = stage(TEAPOT, 160, 120);
+    let prepared = prepared(TEAPOT, 160, 120);
     for method in PIXEL_BY_PIXEL {
         let (frame, steps, truncated) =
-            recorded(&stage, method, Focus::Frame, RecordingLimit(100_000));
-        assert!(frame == unrecorded(&stage, method), "{}", method.name());
+            recorded(&prepared, method, Focus::Frame, RecordingLimit(100_000));
+        assert!(frame == unrecorded(&prepared, method), "{}", method.name());
         assert!(truncated && steps <= 100_000 / 32);
     }
 }
 
 #[test]
 fn any_number_of_threads_draws_the_same_picture() {
-    let stage = stage(TEAPOT, 97, 61);
+    let prepared = prepared(TEAPOT, 97, 61);
     for method in PIXEL_BY_PIXEL {
-        let one = unrecorded(&stage, method);
+        let one = unrecorded(&prepared, method);
         for threads in [2, 3, 16] {
             let many = render(
-                &stage,
+                &prepared,
                 method,
                 NonZeroUsize::new(threads).unwrap(),
                 &|_, _| {},
             );
             assert!(many == one, "{} on {threads} threads", method.name());
             let threads = NonZeroUsize::new(threads).unwrap();
-            let grown = preview(&stage, method, threads, |_, _| Ok(()), &mut |_| {});
+            let grown = preview(&prepared, method, threads, |_, _| Ok(()), &mut |_| {});
             assert!(grown == Ok(one.clone()), "preview: {}", method.name());
             let called_off = |_, _| Err(Cancelled);
-            let nothing = preview(&stage, method, threads, called_off, &mut |_| {});
+            let nothing = preview(&prepared, method, threads, called_off, &mut |_| {});
             assert_eq!(nothing, Err(Cancelled));
         }
     }
@@ -160,12 +160,12 @@ fn any_number_of_threads_draws_the_same_picture() {
 
 #[test]
 fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
-    let stage = stage(TEAPOT, 120, 90);
+    let prepared = prepared(TEAPOT, 120, 90);
     for method in PIXEL_BY_PIXEL {
-        let whole = unrecorded(&stage, method);
+        let whole = unrecorded(&prepared, method);
         for y in [0, 20, 45, 46, 89] {
             let (frame, ..) = recorded(
-                &stage,
+                &prepared,
                 method,
                 Focus::ScanLine(y),
                 RecordingLimit::default(),
@@ -175,7 +175,7 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
                     let expected = if row == y {
                         whole.pixel(x, row)
                     } else {
-                        stage.scene.background
+                        prepared.scene.background
                     };
                     assert_eq!(
                         frame.pixel(x, row),
@@ -188,7 +188,7 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
         }
         for (x, y) in [(0, 0), (60, 45), (61, 45), (30, 60), (119, 89), (80, 10)] {
             let (frame, ..) = recorded(
-                &stage,
+                &prepared,
                 method,
                 Focus::Pixel { x, y },
                 RecordingLimit::default(),
@@ -202,7 +202,7 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
             let others = frame
                 .color
                 .iter()
-                .filter(|&&color| color != stage.scene.background)
+                .filter(|&&color| color != prepared.scene.background)
                 .count();
             assert!(
                 others <= 1,
@@ -215,20 +215,20 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
 
 #[test]
 fn the_polygons_drawn_one_by_one_make_the_frame() {
-    let stage = stage(TEAPOT, 64, 48);
+    let prepared = prepared(TEAPOT, 64, 48);
     for method in PIXEL_BY_PIXEL[1..6].iter().copied() {
-        let mut frame = Frame::new(64, 0..48, stage.scene.background);
-        for number in 0..stage.tessellation.polygon_count() {
+        let mut frame = Frame::new(64, 0..48, prepared.scene.background);
+        for number in 0..prepared.tessellation.polygon_count() {
             let focus = Focus::Polygon(number);
             match method {
-                Method::Flat => flat(&stage, focus, &mut frame, &mut Unrecorded),
-                Method::Gouraud => gouraud(&stage, focus, &mut frame, &mut Unrecorded),
-                Method::Exact => exact(&stage, focus, &mut frame, &mut Unrecorded),
-                Method::Phong => phong(&stage, focus, &mut frame, &mut Unrecorded),
-                _ => fast_phong(&stage, focus, &mut frame, &mut Unrecorded),
+                Method::Flat => flat(&prepared, focus, &mut frame, &mut Unrecorded),
+                Method::Gouraud => gouraud(&prepared, focus, &mut frame, &mut Unrecorded),
+                Method::Exact => exact(&prepared, focus, &mut frame, &mut Unrecorded),
+                Method::Phong => phong(&prepared, focus, &mut frame, &mut Unrecorded),
+                _ => fast_phong(&prepared, focus, &mut frame, &mut Unrecorded),
             }
         }
-        assert!(frame == unrecorded(&stage, method), "{}", method.name());
+        assert!(frame == unrecorded(&prepared, method), "{}", method.name());
     }
 }
 
@@ -251,10 +251,10 @@ fn canvas_of(run: &Run) -> Vec<lightwalk::color::Rgb> {
 
 #[test]
 fn the_replayed_picture_is_the_rendered_one() {
-    let stage = Arc::new(stage(TEAPOT, 96, 72));
+    let prepared = Arc::new(prepared(TEAPOT, 96, 72));
     for method in PIXEL_BY_PIXEL {
         let mut run = Run::record(
-            stage.clone(),
+            prepared.clone(),
             method,
             Focus::Frame,
             RecordingLimit::default(),
@@ -262,7 +262,7 @@ fn the_replayed_picture_is_the_rendered_one() {
         let last = run.walk().len() - 1;
         run.walk_mut().seek(last);
         assert!(
-            canvas_of(&run) == unrecorded(&stage, method).color,
+            canvas_of(&run) == unrecorded(&prepared, method).color,
             "{}",
             method.name()
         );
@@ -271,21 +271,21 @@ fn the_replayed_picture_is_the_rendered_one() {
         assert!(
             canvas_of(&run)
                 .iter()
-                .all(|&color| color == stage.scene.background)
+                .all(|&color| color == prepared.scene.background)
         );
     }
 }
 
 #[test]
 fn how_far_away_the_target_is_changes_nothing() {
-    let near = unrecorded(&stage(TEAPOT, 64, 48), Method::Gouraud);
+    let near = unrecorded(&prepared(TEAPOT, 64, 48), Method::Gouraud);
     // The same direction of view: eye (14, 20, 44), target a hundred million times as far behind (0, −0.6, 0)
     let far = TEAPOT.replace(
         "\"target\": [0, -0.6, 0]",
         "\"target\": [-1399999986, -2059999980, -4399999956]",
     );
     assert_ne!(far, TEAPOT);
-    let far = unrecorded(&stage(&far, 64, 48), Method::Gouraud);
+    let far = unrecorded(&prepared(&far, 64, 48), Method::Gouraud);
     let differing = near
         .color
         .iter()
@@ -300,10 +300,10 @@ fn how_far_away_the_target_is_changes_nothing() {
 
 #[test]
 fn every_scope_closes_and_every_step_has_a_line() {
-    let stage = Arc::new(stage(TEAPOT, 32, 24));
+    let prepared = Arc::new(prepared(TEAPOT, 32, 24));
     for method in PIXEL_BY_PIXEL {
         let run = Run::record(
-            stage.clone(),
+            prepared.clone(),
             method,
             Focus::Frame,
             RecordingLimit::default(),
@@ -327,9 +327,9 @@ fn every_scope_closes_and_every_step_has_a_line() {
 
 #[test]
 fn gourauds_values_are_called_as_on_the_slide() {
-    let stage = Arc::new(stage(TEAPOT, 64, 48));
+    let prepared = Arc::new(prepared(TEAPOT, 64, 48));
     let run = Run::record(
-        stage,
+        prepared,
         Method::Gouraud,
         Focus::Pixel { x: 32, y: 24 },
         RecordingLimit::default(),

@@ -1,7 +1,7 @@
 //! The program's own lessons: each reads, runs, finds every anchor, and teaches enough.
 
 use lightwalk::lesson::{Answer, builtins};
-use lightwalk::panels::words::Language;
+use lightwalk::panels::strings::Language;
 use std::path::Path;
 
 #[test]
@@ -45,7 +45,7 @@ fn every_lesson_opens_and_teaches() {
             }
         }
         for narrated in &open.narrated {
-            let [en, id] = Language::ALL.map(|language| narrated.say(language));
+            let [en, id] = Language::ALL.map(|language| narrated.localize(language));
             assert_ne!(
                 en, id,
                 "{}: step {} says the same in both languages",

@@ -2,30 +2,30 @@
 
 mod common;
 
-use common::{TEAPOT, stage};
+use common::{TEAPOT, prepared};
+use lightwalk::algorithms::enclosure::Settings;
+use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::algorithms::radiosity::Solver;
-use lightwalk::algorithms::room::Settings;
-use lightwalk::algorithms::stage::Stage;
-use lightwalk::render::{Method, left_out, render};
+use lightwalk::render::{Method, render, skipped};
 use lightwalk::scene::{Part, Parts};
-use lightwalk::study::saving::{Sameness, Savings, savings};
+use lightwalk::study::ablation::{Ablations, Sameness, ablations};
 use lightwalk::study::timing::Patience;
 use std::num::NonZeroUsize;
 use std::process::Command;
 use std::time::Duration;
 
-fn lesson_scene(name: &str) -> Stage {
+fn lesson_scene(name: &str) -> PreparedScene {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/lessons/scenes/");
     let json = std::fs::read_to_string(format!("{folder}{name}.json")).unwrap();
-    stage(&json, 48, 36)
+    prepared(&json, 48, 36)
 }
 
 /// Each part once, and for how many of how many where it does not concern all.
-fn told(stage: &Stage, method: Method) -> Vec<(Part, Option<[usize; 2]>)> {
-    let left_out = left_out(stage, method);
-    let mut told: Vec<_> = left_out.iter().map(|one| (one.part, one.share)).collect();
-    told.dedup();
-    told
+fn recorded(prepared: &PreparedScene, method: Method) -> Vec<(Part, Option<[usize; 2]>)> {
+    let skipped = skipped(prepared, method);
+    let mut recorded: Vec<_> = skipped.iter().map(|one| (one.part, one.share)).collect();
+    recorded.dedup();
+    recorded
 }
 
 #[test]
@@ -58,7 +58,7 @@ fn the_scenes_of_the_lesson_need_what_they_say() {
         let materials = materials.into_iter().map(|part| (part, None));
         let expected: Vec<_> = materials.chain(plain).chain(shadows).collect();
         assert_eq!(
-            told(&lesson_scene(name), Method::RayTracing),
+            recorded(&lesson_scene(name), Method::RayTracing),
             expected,
             "{name}"
         );
@@ -75,31 +75,31 @@ fn the_scenes_of_the_lesson_need_what_they_say() {
     ] {
         let expected: Vec<_> = [channels].into_iter().chain(pairs).collect();
         assert_eq!(
-            told(&lesson_scene(name), Method::Radiosity),
+            recorded(&lesson_scene(name), Method::Radiosity),
             expected,
             "{name}"
         );
     }
 }
 
-fn measured(stage: &Stage, method: Method) -> Savings {
+fn measured(prepared: &PreparedScene, method: Method) -> Ablations {
     let hasty = Patience {
         shortest: Duration::ZERO,
         longest: Duration::from_secs(3600),
         whole: Duration::ZERO,
         most_rounds: 5,
     };
-    savings(stage, method, hasty, &|_, _| {}).expect("a run")
+    ablations(prepared, method, hasty, &|_, _| {}).expect("a run")
 }
 
 /// That every part, done all the same, gives the same bits, or the same to the tolerance for `rounded` ones.
-fn assert_same(stage: &Stage, method: Method, rounded: &[Part]) {
-    let savings = measured(stage, method);
-    assert!(!savings.parts.is_empty(), "{}", method.name());
-    for saving in &savings.parts {
-        let measured = saving.measured.as_ref().expect("a run");
+fn assert_same(prepared: &PreparedScene, method: Method, rounded: &[Part]) {
+    let ablations = measured(prepared, method);
+    assert!(!ablations.parts.is_empty(), "{}", method.name());
+    for ablation in &ablations.parts {
+        let measured = ablation.measured.as_ref().expect("a run");
         let may_round =
-            saving.part.is_none_or(|part| rounded.contains(&part)) && !rounded.is_empty();
+            ablation.part.is_none_or(|part| rounded.contains(&part)) && !rounded.is_empty();
         let same = match measured.sameness {
             Sameness::Same => true,
             Sameness::Within(_) => may_round,
@@ -109,10 +109,10 @@ fn assert_same(stage: &Stage, method: Method, rounded: &[Part]) {
             same,
             "{} {:?}: {:?}",
             method.name(),
-            saving.part,
+            ablation.part,
             measured.sameness
         );
-        assert!(measured.steps.count >= savings.steps.count);
+        assert!(measured.steps.count >= ablations.steps.count);
     }
 }
 
@@ -130,17 +130,17 @@ fn polygons_without_textures_and_highlights_stay_the_same() {
     let matt = TEAPOT
         .replace("\"specular\": 0.5, ", "")
         .replace("\"specular\": 0.1, ", "");
-    let stage = stage(&matt, 48, 36);
+    let prepared = prepared(&matt, 48, 36);
     assert_eq!(
-        told(&stage, Method::Phong),
+        recorded(&prepared, Method::Phong),
         [(Part::TextureCoordinates, None), (Part::Highlights, None)]
     );
     // A texture takes the diffuse part of an interpolated intensity out and puts it back in.
     let rounded = [Part::TextureCoordinates];
-    assert_same(&stage, Method::Flat, &rounded);
-    assert_same(&stage, Method::Gouraud, &rounded);
-    assert_same(&stage, Method::Phong, &[]);
-    assert_same(&stage, Method::FastPhong, &rounded);
+    assert_same(&prepared, Method::Flat, &rounded);
+    assert_same(&prepared, Method::Gouraud, &rounded);
+    assert_same(&prepared, Method::Phong, &[]);
+    assert_same(&prepared, Method::FastPhong, &rounded);
 }
 
 #[test]
@@ -155,33 +155,35 @@ fn the_light_of_a_room_stays_the_same() {
             solver,
             ..Settings::default()
         };
-        let stage = lesson_scene(name).with_radiosity(settings);
+        let prepared = lesson_scene(name).with_radiosity(settings);
         // What is in a plane is so but for rounding; LU and over-relaxation of fewer unknowns round otherwise.
         let rounded = [Part::FacingAway, Part::BlackRows];
-        assert_same(&stage, Method::Radiosity, &rounded);
+        assert_same(&prepared, Method::Radiosity, &rounded);
     }
 }
 
 #[test]
 fn rays_between_patches_that_nothing_can_part_are_never_blocked() {
-    let stage = lesson_scene("cornell-box");
+    let prepared = lesson_scene("cornell-box");
     let matrix = |parts| {
-        let stage = stage.clone().doing(parts);
-        let room = stage.room().expect("patches");
-        room.form_factors().matrix()
+        let prepared = prepared.clone().with_forced(parts);
+        let enclosure = prepared.enclosure().expect("patches");
+        enclosure.form_factors().matrix()
     };
     assert!(matrix(Parts::NONE) == matrix(Parts::from(Part::SightTests)));
 }
 
 #[test]
 fn a_stage_that_does_everything_draws_the_same_picture() {
-    let stage = lesson_scene("open-scene");
-    let picture = |stage: &Stage| render(stage, Method::RayTracing, NonZeroUsize::MIN, &|_, _| {});
-    let everything = stage.clone().doing(Parts::ALL);
-    assert_eq!(everything.anyway(), Parts::ALL);
-    assert!(picture(&stage) == picture(&everything));
-    let leaves_out = everything.doing(Parts::NONE);
-    assert_eq!(leaves_out.needs(), stage.needs());
+    let prepared = lesson_scene("open-scene");
+    let picture = |prepared: &PreparedScene| {
+        render(prepared, Method::RayTracing, NonZeroUsize::MIN, &|_, _| {})
+    };
+    let everything = prepared.clone().with_forced(Parts::ALL);
+    assert_eq!(everything.forced(), Parts::ALL);
+    assert!(picture(&prepared) == picture(&everything));
+    let leaves_out = everything.with_forced(Parts::NONE);
+    assert_eq!(leaves_out.needs(), prepared.needs());
 }
 
 #[test]

@@ -150,12 +150,12 @@ fn steps_tell_iterations_a_patch_or_one_form_factor() {
         let steps = format!("steps furnace.json --method radiosity --solver jacobi {focus}");
         let output = run(&folder, &steps);
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        let told = text(&output.stdout);
+        let recorded = text(&output.stdout);
         let kind = |line: &str| -> String {
             let step: Value = serde_json::from_str(line).unwrap();
             step["kind"].as_str().unwrap().to_owned()
         };
-        told.lines().map(kind).collect()
+        recorded.lines().map(kind).collect()
     };
     let count = |kinds: &[String], kind: &str| kinds.iter().filter(|found| *found == kind).count();
     // A furnace of ρ = 1/2: B = E leaves the residual 1/2, each iteration half of it, and 2⁻²⁰ < 10⁻⁶.

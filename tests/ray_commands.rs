@@ -130,7 +130,7 @@ fn the_steps_of_a_pixel_tell_its_tree() {
 #[test]
 fn needs_says_what_is_left_out_and_why() {
     let folder = folder();
-    let told = output(&folder, "needs scene.json");
+    let recorded = output(&folder, "needs scene.json");
     for line in [
         "ray-tracing of scene.json",
         "  needed    reflected_rays",
@@ -140,11 +140,17 @@ fn needs_says_what_is_left_out_and_why() {
         "  needed    light_balls",
         "  left out  path_attenuation: path_attenuation: secondary rays lose nothing on their way: [1, 0, 0]",
     ] {
-        assert!(told.lines().any(|one| one == line), "{line} in {told}");
+        assert!(
+            recorded.lines().any(|one| one == line),
+            "{line} in {recorded}"
+        );
     }
     for part in ["highlights ", "path_attenuation ", "all of these "] {
         let measured = |line: &&str| line.starts_with(part) && line.ends_with("bit by bit");
-        assert!(told.lines().any(|line| measured(&line)), "{part} in {told}");
+        assert!(
+            recorded.lines().any(|line| measured(&line)),
+            "{part} in {recorded}"
+        );
     }
     let json: serde_json::Value =
         serde_json::from_str(&output(&folder, "needs scene.json --json")).unwrap();

@@ -16,8 +16,8 @@ fn stress(arguments: &[&str]) -> std::process::Output {
 fn a_family_is_told_and_then_stands_in_a_table() {
     let output = stress(&["ramps", "rays/eta-1"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let told = text(&output.stdout);
-    let lines: Vec<&str> = told.lines().collect();
+    let recorded = text(&output.stdout);
+    let lines: Vec<&str> = recorded.lines().collect();
     assert!(lines.iter().all(|line| line.chars().count() <= 120));
     let header = lines.iter().position(|line| line.starts_with("case "));
     let (statements, table) = lines.split_at(header.expect("a table"));
@@ -29,7 +29,7 @@ fn a_family_is_told_and_then_stands_in_a_table() {
         .iter()
         .find(|line| line.starts_with("ramps/1e6-additions"));
     assert!(additions.is_some_and(|line| line.ends_with("degrades")));
-    assert!(!told.contains("radiosity/"));
+    assert!(!recorded.contains("radiosity/"));
 }
 
 #[test]

@@ -101,8 +101,8 @@ fn a_study_that_says_nothing_about_the_scene_says_so() {
     fs::write(folder.path().join("wall.json"), scene).unwrap();
     let arguments = "shading ray-depth solvers precision --quick --scene wall.json --out found";
     let output = study(folder.path(), arguments);
-    let told = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{told}");
+    let recorded = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{recorded}");
     assert_eq!(files(&folder.path().join("found")), ["summary.md"]);
     let summary = fs::read_to_string(folder.path().join("found/summary.md")).unwrap();
     for why in [
@@ -111,7 +111,10 @@ fn a_study_that_says_nothing_about_the_scene_says_so() {
         "emits light",
         "whatever the scene",
     ] {
-        assert!(told.contains(why) && summary.contains(why), "{why}: {told}");
+        assert!(
+            recorded.contains(why) && summary.contains(why),
+            "{why}: {recorded}"
+        );
     }
 }
 

@@ -7,10 +7,10 @@
 use super::focus::Focus;
 use super::frame::Frame;
 use super::phong::{shade_pixels, unit_normal};
+use super::prepared_scene::PreparedScene;
 use super::shading::{self, Lines, Shading};
-use super::stage::Stage;
 use crate::record::{Line, Listing, Recorder};
-use crate::scene::solids::true_point;
+use crate::scene::primitives::true_point;
 use glam::DVec3;
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -35,26 +35,37 @@ pub static PSEUDOCODE: Listing = Listing {
 };
 
 /// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
-pub fn exact<R: Recorder<Event>>(stage: &Stage, focus: Focus, frame: &mut Frame, recorder: &mut R) {
-    shade_pixels(stage, focus, frame, recorder, |polygon, seen, recorder| {
-        let shape = &stage.scene.objects[polygon.object].shape;
-        let (mesh, face, eye) = (polygon.mesh, polygon.face, stage.view.eye);
-        match true_point(shape, mesh, face, eye, seen.position) {
-            Some(point) => {
-                let (position, normal) = (point.position, point.normal);
-                recorder.step(|| Event::TruePoint { position, normal });
-                (position, normal)
+pub fn exact<R: Recorder<Event>>(
+    prepared: &PreparedScene,
+    focus: Focus,
+    frame: &mut Frame,
+    recorder: &mut R,
+) {
+    shade_pixels(
+        prepared,
+        focus,
+        frame,
+        recorder,
+        |polygon, seen, recorder| {
+            let shape = &prepared.scene.objects[polygon.object].shape;
+            let (mesh, face, eye) = (polygon.mesh, polygon.face, prepared.view.eye);
+            match true_point(shape, mesh, face, eye, seen.position) {
+                Some(point) => {
+                    let (position, normal) = (point.position, point.normal);
+                    recorder.step(|| Event::TruePoint { position, normal });
+                    (position, normal)
+                }
+                None => (seen.position, unit_normal(seen.normal, polygon, recorder)),
             }
-            None => (seen.position, unit_normal(seen.normal, polygon, recorder)),
-        }
-    });
+        },
+    );
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Exact {}
 
 impl Shading for Exact {
-    type Told = DVec3;
+    type Recorded = DVec3;
     const LINES: Lines = Lines {
         listing: &PSEUDOCODE,
         vertex_normal: 2,

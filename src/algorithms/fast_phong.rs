@@ -17,9 +17,9 @@ mod expansion;
 use super::flat::Nothing;
 use super::focus::Focus;
 use super::frame::Frame;
+use super::prepared_scene::{self, PreparedScene};
 use super::scan_line::{Corner, ScanLine, clip_near};
 use super::shading::{self, OnceAVertex};
-use super::stage::{self, Stage};
 use super::texture::{AtPixel, OnPolygon, WithUv};
 use super::vertex_normal::vertex_normal;
 use crate::numeric::PowerTable;
@@ -61,7 +61,7 @@ pub static PSEUDOCODE: Listing = Listing {
 
 /// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
 pub fn fast_phong<R: Recorder<Event>>(
-    stage: &Stage,
+    prepared: &PreparedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
@@ -74,8 +74,8 @@ pub fn fast_phong<R: Recorder<Event>>(
     let mut powers = PowerTable::new(1.0);
     let mut object = None;
 
-    recorder.enter(|| stage.entered().into());
-    for polygon in stage.polygons(focus, &region) {
+    recorder.enter(|| prepared.entered().into());
+    for polygon in prepared.polygons(focus, &region) {
         recorder.enter(|| polygon.entered().into());
         if object != Some(polygon.object) {
             object = Some(polygon.object);
@@ -83,7 +83,7 @@ pub fn fast_phong<R: Recorder<Event>>(
         }
 
         // Normal at each vertex, once for all the polygons that share it
-        let texture = OnPolygon::of(stage, &polygon);
+        let texture = OnPolygon::of(prepared, &polygon);
         let uvs = texture.as_ref().map_or(&[][..], OnPolygon::corners);
         corners.clear();
         for (number, (vertex, place)) in polygon.corners().enumerate() {
@@ -106,17 +106,17 @@ pub fn fast_phong<R: Recorder<Event>>(
             let corner = |i: usize| corners[triangle[i] as usize];
             clip_near(
                 &[corner(0), corner(1), corner(2)],
-                stage.view.near,
+                prepared.view.near,
                 &mut pieces,
             );
             for last in 2..pieces.len() {
                 let piece = [pieces[0], pieces[last - 1], pieces[last]];
                 recorder.enter(|| Event::Triangle { corners: triangle });
-                expansion.expand(&piece, &polygon, stage, recorder);
+                expansion.expand(&piece, &polygon, prepared, recorder);
                 match &texture {
                     None => plain.fill(
                         &piece.map(|corner| corner.with(Nothing)),
-                        &stage.view,
+                        &prepared.view,
                         &region,
                         frame,
                         recorder,
@@ -124,7 +124,7 @@ pub fn fast_phong<R: Recorder<Event>>(
                     ),
                     Some(on) => textured.fill(
                         &piece.map(|corner| corner.with(corner.value.with(Nothing))),
-                        &stage.view,
+                        &prepared.view,
                         &region,
                         frame,
                         recorder,
@@ -132,7 +132,7 @@ pub fn fast_phong<R: Recorder<Event>>(
                             let WithUv { value, uv: linear } = fragment.value;
                             let intensity =
                                 expansion.shade(fragment.with(value), &powers, recorder);
-                            let position = fragment.position(&stage.view);
+                            let position = fragment.position(&prepared.view);
                             recorder.step(|| shading::Event::PixelPoint { position }.into());
                             AtPixel { on, linear }.applied(intensity, position, recorder)
                         },
@@ -141,7 +141,7 @@ pub fn fast_phong<R: Recorder<Event>>(
                 recorder.leave(|| Event::TriangleDone);
             }
         }
-        recorder.leave(|| stage::Event::PolygonDone.into());
+        recorder.leave(|| prepared_scene::Event::PolygonDone.into());
     }
-    recorder.leave(|| stage::Event::FrameDone.into());
+    recorder.leave(|| prepared_scene::Event::FrameDone.into());
 }

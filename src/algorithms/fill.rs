@@ -3,15 +3,15 @@
 
 use super::focus::Region;
 use super::frame::Frame;
+use super::prepared_scene::{Polygon, PreparedScene};
 use super::scan_line::{Cargo, Corner, Event, Fragment, ScanLine};
-use super::stage::{Polygon, Stage};
 use super::texture::{AtPixel, OnPolygon, WithUv};
 use crate::color::Rgb;
 use crate::record::Recorder;
 
 /// Scan converters with the memory that they use from polygon to polygon. Plain polygons carry `P`, textured ones `T`, of which `P` is a part.
 pub struct Fill<'a, P, T> {
-    stage: &'a Stage,
+    prepared: &'a PreparedScene,
     region: &'a Region,
     plain: ScanLine<P>,
     plain_corners: Vec<Corner<P>>,
@@ -19,10 +19,10 @@ pub struct Fill<'a, P, T> {
     textured_corners: Vec<Corner<WithUv<T>>>,
 }
 
-impl<'a, P: Cargo + From<T>, T: Cargo<Told = P::Told>> Fill<'a, P, T> {
-    pub fn new(stage: &'a Stage, region: &'a Region) -> Self {
+impl<'a, P: Cargo + From<T>, T: Cargo<Recorded = P::Recorded>> Fill<'a, P, T> {
+    pub fn new(prepared: &'a PreparedScene, region: &'a Region) -> Self {
         Fill {
-            stage,
+            prepared,
             region,
             plain: ScanLine::default(),
             plain_corners: Vec::new(),
@@ -33,7 +33,7 @@ impl<'a, P: Cargo + From<T>, T: Cargo<Told = P::Told>> Fill<'a, P, T> {
 
     /// Draws a polygon whose corners carry `values`, in their order. `plain` turns a fragment of it into a colour where it has no texture,
     /// `textured` where it has one.
-    pub fn polygon<E: From<Event<P::Told>>, R: Recorder<E>>(
+    pub fn polygon<E: From<Event<P::Recorded>>, R: Recorder<E>>(
         &mut self,
         polygon: &Polygon<'a>,
         values: &[T],
@@ -42,10 +42,10 @@ impl<'a, P: Cargo + From<T>, T: Cargo<Told = P::Told>> Fill<'a, P, T> {
         plain: impl FnMut(&mut R, Fragment<P>) -> Rgb,
         mut textured: impl FnMut(&mut R, Fragment<T>, AtPixel) -> Rgb,
     ) {
-        let (view, region) = (&self.stage.view, self.region);
+        let (view, region) = (&self.prepared.view, self.region);
         let places = polygon.corners().map(|(_, place)| place.camera);
         let corners = places.zip(values.iter().copied());
-        let Some(on) = OnPolygon::of(self.stage, polygon) else {
+        let Some(on) = OnPolygon::of(self.prepared, polygon) else {
             self.plain_corners.clear();
             self.plain_corners
                 .extend(corners.map(|(position, value)| Corner {

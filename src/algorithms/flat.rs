@@ -6,9 +6,9 @@ use super::fill::Fill;
 use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
+use super::prepared_scene::{self, PreparedScene};
 use super::scan_line::{Carried, Names};
 use super::shading::{self, Lines, Shading, pixel_point};
-use super::stage::{self, Stage};
 use super::texture;
 use crate::numeric::Linear;
 use crate::record::{Fields, Listing, Recorder};
@@ -33,13 +33,18 @@ pub static PSEUDOCODE: Listing = Listing {
 };
 
 /// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
-pub fn flat<R: Recorder<Event>>(stage: &Stage, focus: Focus, frame: &mut Frame, recorder: &mut R) {
+pub fn flat<R: Recorder<Event>>(
+    prepared: &PreparedScene,
+    focus: Focus,
+    frame: &mut Frame,
+    recorder: &mut R,
+) {
     let region = focus.region(frame);
-    let lighting = stage.lighting();
-    let mut fill: Fill<Nothing, Nothing> = Fill::new(stage, &region);
+    let lighting = prepared.lighting();
+    let mut fill: Fill<Nothing, Nothing> = Fill::new(prepared, &region);
 
-    recorder.enter(|| stage.entered().into());
-    for polygon in stage.polygons(focus, &region) {
+    recorder.enter(|| prepared.entered().into());
+    for polygon in prepared.polygons(focus, &region) {
         recorder.enter(|| polygon.entered().into());
         let vertices = polygon.mesh.face(polygon.face);
         let position = vertices
@@ -52,7 +57,7 @@ pub fn flat<R: Recorder<Event>>(stage: &Stage, focus: Focus, frame: &mut Frame, 
         let point = SurfacePoint {
             position,
             normal,
-            to_eye: (stage.view.eye - position).normalize_or_zero(),
+            to_eye: (prepared.view.eye - position).normalize_or_zero(),
             material: polygon.material,
             diffuse: polygon.material.diffuse,
         };
@@ -65,13 +70,13 @@ pub fn flat<R: Recorder<Event>>(stage: &Stage, focus: Focus, frame: &mut Frame, 
             recorder,
             |_, _| intensity.whole,
             |recorder, fragment, texture| {
-                let position = pixel_point(stage, &fragment, recorder);
+                let position = pixel_point(prepared, &fragment, recorder);
                 texture.applied(intensity, position, recorder)
             },
         );
-        recorder.leave(|| stage::Event::PolygonDone.into());
+        recorder.leave(|| prepared_scene::Event::PolygonDone.into());
     }
-    recorder.leave(|| stage::Event::FrameDone.into());
+    recorder.leave(|| prepared_scene::Event::FrameDone.into());
 }
 
 /// Flat shading carries nothing from the corners to the pixels.
@@ -110,7 +115,7 @@ impl Mul<f64> for Nothing {
 pub enum Flat {}
 
 impl Shading for Flat {
-    type Told = Nothing;
+    type Recorded = Nothing;
     const LINES: Lines = Lines {
         listing: &PSEUDOCODE,
         vertex_normal: 1,

@@ -11,9 +11,9 @@ use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
 use super::intensity::Intensity;
+use super::prepared_scene::{self, PreparedScene};
 use super::scan_line::{Carried, Names};
 use super::shading::{self, Lines, OnceAVertex, Shading, pixel_point};
-use super::stage::{self, Stage};
 use super::texture;
 use super::vertex_normal::vertex_normal;
 use crate::color::Rgb;
@@ -40,19 +40,19 @@ pub static PSEUDOCODE: Listing = Listing {
 
 /// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
 pub fn gouraud<R: Recorder<Event>>(
-    stage: &Stage,
+    prepared: &PreparedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
 ) {
     let region = focus.region(frame);
-    let lighting = stage.lighting();
-    let mut fill: Fill<Rgb, Intensity> = Fill::new(stage, &region);
+    let lighting = prepared.lighting();
+    let mut fill: Fill<Rgb, Intensity> = Fill::new(prepared, &region);
     let mut intensities = Vec::new();
     let mut lit = OnceAVertex::default();
 
-    recorder.enter(|| stage.entered().into());
-    for polygon in stage.polygons(focus, &region) {
+    recorder.enter(|| prepared.entered().into());
+    for polygon in prepared.polygons(focus, &region) {
         recorder.enter(|| polygon.entered().into());
         // Intensity at each vertex, once for all the polygons that share it
         intensities.clear();
@@ -64,7 +64,7 @@ pub fn gouraud<R: Recorder<Event>>(
                 let point = SurfacePoint {
                     position,
                     normal,
-                    to_eye: (stage.view.eye - position).normalize_or_zero(),
+                    to_eye: (prepared.view.eye - position).normalize_or_zero(),
                     material: polygon.material,
                     diffuse: polygon.material.diffuse,
                 };
@@ -86,13 +86,13 @@ pub fn gouraud<R: Recorder<Event>>(
             recorder,
             |_, fragment| fragment.value,
             |recorder, fragment, texture| {
-                let position = pixel_point(stage, &fragment, recorder);
+                let position = pixel_point(prepared, &fragment, recorder);
                 texture.applied(fragment.value, position, recorder)
             },
         );
-        recorder.leave(|| stage::Event::PolygonDone.into());
+        recorder.leave(|| prepared_scene::Event::PolygonDone.into());
     }
-    recorder.leave(|| stage::Event::FrameDone.into());
+    recorder.leave(|| prepared_scene::Event::FrameDone.into());
 }
 
 /// Gouraud carries an intensity.
@@ -118,7 +118,7 @@ impl Carried for Rgb {
 pub enum Gouraud {}
 
 impl Shading for Gouraud {
-    type Told = Rgb;
+    type Recorded = Rgb;
     const LINES: Lines = Lines {
         listing: &PSEUDOCODE,
         vertex_normal: 2,

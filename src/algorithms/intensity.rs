@@ -55,8 +55,8 @@ impl Mul<f64> for Intensity {
 
 /// Of a textured polygon the diffuse part goes along: the texture multiplies that alone.
 impl Cargo for Intensity {
-    type Told = Rgb;
-    fn told(self) -> Rgb {
+    type Recorded = Rgb;
+    fn recorded(self) -> Rgb {
         self.whole
     }
 }

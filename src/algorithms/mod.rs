@@ -18,10 +18,12 @@
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays that tells them | Whitted 1980 |
 //! | [`form_factor`] | the share of light that one patch sends to another, a file a method | Cohen & Greenberg 1985, Baum et al. 1989 |
 //! | [`radiosity`] | solvers of the radiosity system: gathering, shooting, Chebyshev, conjugate gradients, LU | Goral et al. 1984, Cohen et al. 1988 |
-//! | [`room`], [`room_needs`], [`patch_view`] | a scene's patches with their form factors and light, and the picture of it | Cohen & Greenberg 1985 |
+//! | [`enclosure`], [`enclosure_needs`], [`patch_view`] | a scene's patches with their form factors and light, and the picture of it | Cohen & Greenberg 1985 |
 //!
-//! [`stage`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
+//! [`prepared`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
 
+pub mod enclosure;
+pub mod enclosure_needs;
 pub mod exact;
 pub mod fast_phong;
 pub mod fill;
@@ -34,16 +36,14 @@ pub mod illumination;
 pub mod intensity;
 pub mod patch_view;
 pub mod phong;
+pub mod prepared_scene;
 pub mod primary;
 pub mod radiosity;
 pub mod ray_casting;
 pub mod ray_tracing;
 pub mod ray_tree;
-pub mod room;
-pub mod room_needs;
 pub mod scan_line;
 pub mod shading;
-pub mod stage;
 pub mod surface;
 pub mod texture;
 pub mod vertex_normal;

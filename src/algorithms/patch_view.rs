@@ -4,19 +4,19 @@
 //! Primary rays, and nothing else: what a diffuse surface gives off looks the same from everywhere. The back of a patch gives off
 //! nothing, and is black; so is what lies beside the room.
 
+use super::enclosure::Enclosure;
+use super::prepared_scene::PreparedScene;
 use super::primary;
-use super::room::Room;
-use super::stage::Stage;
 use crate::color::Rgb;
 use crate::record::Unrecorded;
-use crate::scene::solids::Ray;
+use crate::scene::primitives::Ray;
 use glam::DVec3;
 use std::collections::HashMap;
 
 /// The picture of a room whose light is known.
 pub struct PatchView<'a> {
-    stage: &'a Stage,
-    room: &'a Room,
+    prepared: &'a PreparedScene,
+    enclosure: &'a Enclosure,
     radiosity: &'a [Rgb],
     /// By patch, the radiosity at the corners of its pieces in their order; none where patches are shown constant.
     corners: Option<Vec<Vec<Rgb>>>,
@@ -24,29 +24,33 @@ pub struct PatchView<'a> {
 
 impl<'a> PatchView<'a> {
     /// `radiosity` has one colour a patch. Whether they are interpolated is among the settings of the room.
-    pub fn new(stage: &'a Stage, room: &'a Room, radiosity: &'a [Rgb]) -> Self {
-        let smooth = room.settings.smooth;
+    pub fn new(
+        prepared: &'a PreparedScene,
+        enclosure: &'a Enclosure,
+        radiosity: &'a [Rgb],
+    ) -> Self {
+        let smooth = enclosure.settings.smooth;
         PatchView {
-            stage,
-            room,
+            prepared,
+            enclosure,
             radiosity,
-            corners: smooth.then(|| corner_values(room, radiosity)),
+            corners: smooth.then(|| corner_values(enclosure, radiosity)),
         }
     }
 
     /// The colour of pixel (x, y).
     pub fn pixel(&self, x: u32, y: u32) -> Rgb {
-        let samples = self.stage.settings.samples;
+        let samples = self.prepared.settings.samples;
         let mut untold = Unrecorded;
         let seen = |ray: &Ray, _: &mut Unrecorded| self.seen(ray);
-        primary::pixel::<primary::Event, _>(&self.stage.view, samples, (x, y), &mut untold, seen)
+        primary::pixel::<primary::Event, _>(&self.prepared.view, samples, (x, y), &mut untold, seen)
     }
 
     fn seen(&self, ray: &Ray) -> Rgb {
-        let Some((patch, hit)) = self.room.solids.nearest(ray) else {
+        let Some((patch, hit)) = self.enclosure.primitives.nearest(ray) else {
             return Rgb::BLACK;
         };
-        if ray.direction.dot(self.room.patches[patch].normal) >= 0.0 {
+        if ray.direction.dot(self.enclosure.patches[patch].normal) >= 0.0 {
             return Rgb::BLACK;
         }
         match &self.corners {
@@ -59,7 +63,7 @@ impl<'a> PatchView<'a> {
     fn interpolated(&self, patch: usize, values: &[Rgb], point: DVec3) -> Rgb {
         let mut first = 0;
         let mut best = (f64::NEG_INFINITY, self.radiosity[patch]);
-        for piece in self.room.patches.pieces(patch) {
+        for piece in self.enclosure.patches.pieces(patch) {
             let values = &values[first..first + piece.corners.len()];
             first += piece.corners.len();
             for i in 2..piece.corners.len() {
@@ -81,12 +85,12 @@ impl<'a> PatchView<'a> {
 }
 
 /// By patch, the radiosity at the corners of its pieces in their order: the mean of the patches of one object that meet there.
-pub fn corner_values(room: &Room, radiosity: &[Rgb]) -> Vec<Vec<Rgb>> {
+pub fn corner_values(enclosure: &Enclosure, radiosity: &[Rgb]) -> Vec<Vec<Rgb>> {
     let place = |object: u32, corner: DVec3| (object, corner.to_array().map(f64::to_bits));
     let mut sums: HashMap<(u32, [u64; 3]), (Rgb, f64)> = HashMap::new();
-    for (number, patch) in room.patches.iter().enumerate() {
+    for (number, patch) in enclosure.patches.iter().enumerate() {
         // A corner that two pieces of a patch share counts once.
-        let mut places: Vec<_> = corners_of(room, number)
+        let mut places: Vec<_> = corners_of(enclosure, number)
             .map(|corner| place(patch.object, corner))
             .collect();
         places.sort_unstable();
@@ -101,17 +105,17 @@ pub fn corner_values(room: &Room, radiosity: &[Rgb]) -> Vec<Vec<Rgb>> {
         let (sum, count) = sums[&place(object, corner)];
         sum * (1.0 / count)
     };
-    let patches = room.patches.iter().enumerate();
+    let patches = enclosure.patches.iter().enumerate();
     patches
         .map(|(number, patch)| {
-            corners_of(room, number)
+            corners_of(enclosure, number)
                 .map(|corner| mean(patch.object, corner))
                 .collect()
         })
         .collect()
 }
 
-fn corners_of(room: &Room, patch: usize) -> impl Iterator<Item = DVec3> {
-    let pieces = room.patches.pieces(patch);
+fn corners_of(enclosure: &Enclosure, patch: usize) -> impl Iterator<Item = DVec3> {
+    let pieces = enclosure.patches.pieces(patch);
     pieces.flat_map(|piece| piece.corners.iter().copied())
 }

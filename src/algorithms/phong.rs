@@ -9,9 +9,9 @@ use super::fill::Fill;
 use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
+use super::prepared_scene::{self, Polygon, PreparedScene};
 use super::scan_line::{Carried, Fragment, Names};
 use super::shading::{self, Lines, OnceAVertex, Shading, pixel_point};
-use super::stage::{self, Polygon, Stage};
 use super::texture::AtPixel;
 use super::vertex_normal::{VANISHED, vertex_normal};
 use crate::record::{Fields, Line, Listing, Recorder};
@@ -39,10 +39,19 @@ pub static PSEUDOCODE: Listing = Listing {
 };
 
 /// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
-pub fn phong<R: Recorder<Event>>(stage: &Stage, focus: Focus, frame: &mut Frame, recorder: &mut R) {
-    shade_pixels(stage, focus, frame, recorder, |polygon, seen, recorder| {
-        (seen.position, unit_normal(seen.normal, polygon, recorder))
-    });
+pub fn phong<R: Recorder<Event>>(
+    prepared: &PreparedScene,
+    focus: Focus,
+    frame: &mut Frame,
+    recorder: &mut R,
+) {
+    shade_pixels(
+        prepared,
+        focus,
+        frame,
+        recorder,
+        |polygon, seen, recorder| (seen.position, unit_normal(seen.normal, polygon, recorder)),
+    );
 }
 
 /// What a pixel shows of a polygon: the point, and the normal interpolated there.
@@ -53,21 +62,21 @@ pub(super) struct Seen {
 }
 
 /// Carries vertex normals to the pixels and lights each pixel; `surface` tells the point that is lit and its unit normal.
-pub(super) fn shade_pixels<M: Shading<Told = DVec3>, R: Recorder<shading::Event<M>>>(
-    stage: &Stage,
+pub(super) fn shade_pixels<M: Shading<Recorded = DVec3>, R: Recorder<shading::Event<M>>>(
+    prepared: &PreparedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
     surface: impl Fn(&Polygon, Seen, &mut R) -> (DVec3, DVec3),
 ) {
     let region = focus.region(frame);
-    let lighting = stage.lighting();
-    let mut fill: Fill<DVec3, DVec3> = Fill::new(stage, &region);
+    let lighting = prepared.lighting();
+    let mut fill: Fill<DVec3, DVec3> = Fill::new(prepared, &region);
     let mut normals = Vec::new();
     let mut found = OnceAVertex::default();
 
-    recorder.enter(|| stage.entered().into());
-    for polygon in stage.polygons(focus, &region) {
+    recorder.enter(|| prepared.entered().into());
+    for polygon in prepared.polygons(focus, &region) {
         recorder.enter(|| polygon.entered().into());
 
         // The normal at each vertex, once for all the polygons that share it
@@ -85,7 +94,7 @@ pub(super) fn shade_pixels<M: Shading<Told = DVec3>, R: Recorder<shading::Event<
         // Interpolation along edges and spans, illumination at every pixel
         let shade = |recorder: &mut R, fragment: Fragment<DVec3>, texture: Option<AtPixel>| {
             let seen = Seen {
-                position: pixel_point(stage, &fragment, recorder),
+                position: pixel_point(prepared, &fragment, recorder),
                 normal: fragment.value,
             };
             let (position, normal) = surface(&polygon, seen, recorder);
@@ -94,7 +103,7 @@ pub(super) fn shade_pixels<M: Shading<Told = DVec3>, R: Recorder<shading::Event<
             let point = SurfacePoint {
                 position,
                 normal,
-                to_eye: (stage.view.eye - position).normalize_or_zero(),
+                to_eye: (prepared.view.eye - position).normalize_or_zero(),
                 material: polygon.material,
                 diffuse,
             };
@@ -108,9 +117,9 @@ pub(super) fn shade_pixels<M: Shading<Told = DVec3>, R: Recorder<shading::Event<
             |recorder, fragment| shade(recorder, fragment, None),
             |recorder, fragment, texture| shade(recorder, fragment, Some(texture)),
         );
-        recorder.leave(|| stage::Event::PolygonDone.into());
+        recorder.leave(|| prepared_scene::Event::PolygonDone.into());
     }
-    recorder.leave(|| stage::Event::FrameDone.into());
+    recorder.leave(|| prepared_scene::Event::FrameDone.into());
 }
 
 /// An interpolated normal brought to unit length; where it vanishes, the normal of the face.
@@ -154,7 +163,7 @@ impl Carried for DVec3 {
 pub enum Phong {}
 
 impl Shading for Phong {
-    type Told = DVec3;
+    type Recorded = DVec3;
     const LINES: Lines = Lines {
         listing: &PSEUDOCODE,
         vertex_normal: 2,

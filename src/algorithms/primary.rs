@@ -4,11 +4,11 @@
 
 use super::focus::Focus;
 use super::frame::Frame;
-use super::stage::{self, Stage};
+use super::prepared_scene::{self, PreparedScene};
 use crate::color::Rgb;
 use crate::record::{Fields, Recorder};
 use crate::scene::View;
-use crate::scene::solids::Ray;
+use crate::scene::primitives::Ray;
 use glam::DVec2;
 use std::num::NonZeroU32;
 
@@ -37,22 +37,22 @@ impl Default for Settings {
 }
 
 /// Colours the pixels that `focus` takes of `frame`, each by `color`.
-pub fn for_each_pixel<E: From<stage::Event> + From<Event>, R: Recorder<E>>(
-    stage: &Stage,
+pub fn for_each_pixel<E: From<prepared_scene::Event> + From<Event>, R: Recorder<E>>(
+    prepared: &PreparedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
     mut color: impl FnMut(u32, u32, &mut R) -> Rgb,
 ) {
     let region = focus.region(frame);
-    recorder.enter(|| stage.entered().into());
+    recorder.enter(|| prepared.entered().into());
     for y in region.rows {
         for x in region.columns.clone() {
             let pixel = frame.index(x, y);
             frame.color[pixel] = color(x, y, recorder);
         }
     }
-    recorder.leave(|| stage::Event::FrameDone.into());
+    recorder.leave(|| prepared_scene::Event::FrameDone.into());
 }
 
 /// The colour of pixel (x, y): the mean over the samples of what `trace` finds along the ray of each.

@@ -6,14 +6,14 @@
 use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{self, Lighting, illuminate};
+use super::prepared_scene::{self, PreparedScene};
 use super::primary::{self, for_each_pixel};
-use super::stage::{self, Stage};
 use super::surface::{self, face, without_object};
-use super::visible::{self, Met, Search, visible};
+use super::visible::{self, Intersection, Search, visible};
 use crate::color::Rgb;
 use crate::record::{self, Fields, Line, Listing, Recorder};
 use crate::scene::Needs;
-use crate::scene::solids::Ray;
+use crate::scene::primitives::Ray;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "ray casting",
@@ -35,7 +35,7 @@ pub static PSEUDOCODE: Listing = Listing {
 /// Ray casting on a stage.
 #[derive(Clone, Copy)]
 pub struct RayCaster<'a, S> {
-    pub stage: &'a Stage,
+    pub prepared: &'a PreparedScene,
     pub needs: &'a Needs,
     pub search: S,
 }
@@ -47,15 +47,15 @@ pub fn ray_casting<S: Search, R: Recorder<Event>>(
     frame: &mut Frame,
     recorder: &mut R,
 ) {
-    for_each_pixel(caster.stage, focus, frame, recorder, |x, y, recorder| {
+    for_each_pixel(caster.prepared, focus, frame, recorder, |x, y, recorder| {
         caster.pixel(x, y, recorder)
     });
 }
 
 impl<'a, S: Search> RayCaster<'a, S> {
-    pub fn new(stage: &'a Stage, needs: &'a Needs, search: S) -> Self {
+    pub fn new(prepared: &'a PreparedScene, needs: &'a Needs, search: S) -> Self {
         RayCaster {
-            stage,
+            prepared,
             needs,
             search,
         }
@@ -63,8 +63,8 @@ impl<'a, S: Search> RayCaster<'a, S> {
 
     /// The colour of pixel (x, y).
     pub fn pixel<R: Recorder<Event>>(&self, x: u32, y: u32, recorder: &mut R) -> Rgb {
-        let samples = self.stage.settings.samples;
-        let view = &self.stage.view;
+        let samples = self.prepared.settings.samples;
+        let view = &self.prepared.view;
         primary::pixel(view, samples, (x, y), recorder, |ray, recorder| {
             self.cast(ray, recorder)
         })
@@ -72,20 +72,22 @@ impl<'a, S: Search> RayCaster<'a, S> {
 
     /// The light that comes back along a ray.
     fn cast<R: Recorder<Event>>(&self, ray: &Ray, recorder: &mut R) -> Rgb {
-        let (scene, solids) = (&self.stage.scene, self.stage.solids());
+        let (scene, primitives) = (&self.prepared.scene, self.prepared.primitives());
         recorder.enter(|| Event::Ray { ray: *ray });
         let balls = self.needs.light_balls;
-        let met = visible(self.search, scene, solids, balls, ray, recorder);
+        let met = visible(self.search, scene, primitives, balls, ray, recorder);
         let color = match met {
-            Met::Nothing | Met::Light { .. } => without_object(scene, &met, recorder),
-            Met::Object(hit) => {
-                let facing = face(scene, solids, self.needs, ray, &hit, recorder);
+            Intersection::Nothing | Intersection::Light { .. } => {
+                without_object(scene, &met, recorder)
+            }
+            Intersection::Object(hit) => {
+                let interaction = face(scene, primitives, self.needs, ray, &hit, recorder);
                 let lighting = Lighting {
                     specular: self.needs.specular,
-                    ..self.stage.lighting()
+                    ..self.prepared.lighting()
                 };
-                let lit = illuminate(&facing.point, &lighting, recorder, |_, _| true).whole;
-                let emission = facing.point.material.emission;
+                let lit = illuminate(&interaction.point, &lighting, recorder, |_, _| true).whole;
+                let emission = interaction.point.material.emission;
                 let local = (lit + emission).finite();
                 recorder.step(|| Event::Local { emission, local });
                 local
@@ -98,7 +100,7 @@ impl<'a, S: Search> RayCaster<'a, S> {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
-    Stage(stage::Event),
+    PreparedScene(prepared_scene::Event),
     Primary(primary::Event),
     /// Opens a ray; its direction is unit.
     Ray {
@@ -120,9 +122,9 @@ pub enum Event {
 
 const _: () = assert!(size_of::<Event>() <= 64);
 
-impl From<stage::Event> for Event {
-    fn from(event: stage::Event) -> Self {
-        Event::Stage(event)
+impl From<prepared_scene::Event> for Event {
+    fn from(event: prepared_scene::Event) -> Self {
+        Event::PreparedScene(event)
     }
 }
 
@@ -153,7 +155,7 @@ impl From<illumination::Event> for Event {
 impl record::Event for Event {
     fn kind(&self) -> &'static str {
         match self {
-            Event::Stage(event) => event.kind(),
+            Event::PreparedScene(event) => event.kind(),
             Event::Primary(event) => event.kind(),
             Event::Ray { .. } => "Ray",
             Event::Visible(event) => event.kind(),
@@ -166,7 +168,7 @@ impl record::Event for Event {
 
     fn line(&self) -> Line {
         let number = match self {
-            Event::Stage(_) | Event::Primary(primary::Event::Pixel { .. }) => 0,
+            Event::PreparedScene(_) | Event::Primary(primary::Event::Pixel { .. }) => 0,
             Event::Primary(primary::Event::Through { .. }) | Event::Ray { .. } => 1,
             Event::Visible(visible::Event::Search { .. }) => 2,
             Event::Visible(event) if event.found_nearer() => 5,
@@ -197,7 +199,7 @@ impl record::Event for Event {
 
     fn fields(&self, fields: &mut Fields) {
         match *self {
-            Event::Stage(event) => event.fields(fields),
+            Event::PreparedScene(event) => event.fields(fields),
             Event::Primary(event) => event.fields(fields),
             Event::Ray { ray } => {
                 fields.push("O", ray.origin).push("u", ray.direction);

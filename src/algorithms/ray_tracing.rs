@@ -11,15 +11,15 @@
 use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{self, Lighting, ToLight, illuminate};
+use super::prepared_scene::{self, PreparedScene};
 use super::primary::{self, for_each_pixel};
 use super::ray_tree::{self, Branch, RayKind};
-use super::stage::{self, Stage};
-use super::surface::{self, Facing, face, without_object};
-use super::visible::{self, Met, Search, visible};
+use super::surface::{self, SurfaceInteraction, face, without_object};
+use super::visible::{self, Intersection, Search, visible};
 use crate::color::Rgb;
 use crate::numeric::{refracted, refraction_radicand};
 use crate::record::{self, Fields, Line, Listing, Recorder};
-use crate::scene::solids::{Hit, Ray, leaving, short_of};
+use crate::scene::primitives::{Hit, Ray, leaving, short_of};
 use crate::scene::{Material, Needs};
 use glam::DVec3;
 
@@ -49,7 +49,7 @@ pub static PSEUDOCODE: Listing = Listing {
 /// Ray tracing on a stage.
 #[derive(Clone)]
 pub struct RayTracer<'a, S> {
-    pub stage: &'a Stage,
+    pub prepared: &'a PreparedScene,
     pub needs: &'a Needs,
     pub search: S,
     /// The closed transparent objects that contain the eye, outermost first.
@@ -66,21 +66,21 @@ pub fn ray_tracing<S: Search, R: Recorder<Event>>(
     frame: &mut Frame,
     recorder: &mut R,
 ) {
-    for_each_pixel(tracer.stage, focus, frame, recorder, |x, y, recorder| {
+    for_each_pixel(tracer.prepared, focus, frame, recorder, |x, y, recorder| {
         tracer.pixel(x, y, recorder)
     });
 }
 
 impl<'a, S: Search> RayTracer<'a, S> {
-    pub fn new(stage: &'a Stage, needs: &'a Needs, search: S) -> Self {
+    pub fn new(prepared: &'a PreparedScene, needs: &'a Needs, search: S) -> Self {
         let mut tracer = RayTracer {
-            stage,
+            prepared,
             needs,
             search,
             around_eye: Media::new(),
         };
         if needs.transmission {
-            let around = stage.solids().around(stage.view.eye);
+            let around = prepared.primitives().around(prepared.view.eye);
             let transparent = |&object: &u32| tracer.material(object).transmission != Rgb::BLACK;
             tracer.around_eye = around.into_iter().filter(transparent).collect();
         }
@@ -89,8 +89,8 @@ impl<'a, S: Search> RayTracer<'a, S> {
 
     /// The colour of pixel (x, y).
     pub fn pixel<R: Recorder<Event>>(&self, x: u32, y: u32, recorder: &mut R) -> Rgb {
-        let samples = self.stage.settings.samples;
-        let view = &self.stage.view;
+        let samples = self.prepared.settings.samples;
+        let view = &self.prepared.view;
         primary::pixel(view, samples, (x, y), recorder, |ray, recorder| {
             let (color, _) = self.trace(RayKind::Primary, ray, 1, &self.around_eye, recorder);
             color
@@ -106,7 +106,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
         media: &Media,
         recorder: &mut R,
     ) -> (Rgb, Option<f64>) {
-        let (scene, solids) = (&self.stage.scene, self.stage.solids());
+        let (scene, primitives) = (&self.prepared.scene, self.prepared.primitives());
         let opened = ray_tree::Event::Ray {
             kind,
             level: level as u16,
@@ -114,42 +114,42 @@ impl<'a, S: Search> RayTracer<'a, S> {
         };
         recorder.enter(|| opened.into());
         let balls = self.needs.light_balls;
-        let met = visible(self.search, scene, solids, balls, ray, recorder);
-        let Met::Object(hit) = met else {
+        let met = visible(self.search, scene, primitives, balls, ray, recorder);
+        let Intersection::Object(hit) = met else {
             let color = without_object(scene, &met, recorder);
             recorder.leave(|| ray_tree::Event::Returned { color }.into());
             return (color, met.t().is_finite().then_some(met.t()));
         };
-        let facing = face(scene, solids, self.needs, ray, &hit, recorder);
-        let mut sum = self.local(&hit, &facing, recorder);
+        let interaction = face(scene, primitives, self.needs, ray, &hit, recorder);
+        let mut sum = self.local(&hit, &interaction, recorder);
 
         // The reflected ray
         let Material {
             reflection: k_r,
             transmission: k_t,
             ..
-        } = *facing.point.material;
-        let (u, n) = (ray.direction, facing.normal);
+        } = *interaction.point.material;
+        let (u, n) = (ray.direction, interaction.normal);
         let mirrored = u - 2.0 * u.dot(n) * n;
         let branch = |kind, coefficient, direction| Branch {
             kind,
             coefficient,
             direction,
         };
-        if self.needs.reflects(facing.point.material) {
+        if self.needs.reflects(interaction.point.material) {
             let reflected = branch(RayKind::Reflected, k_r, mirrored);
-            sum = self.follow(&reflected, &facing, level, media, sum, recorder);
+            sum = self.follow(&reflected, &interaction, level, media, sum, recorder);
         } else {
             recorder.step(|| ray_tree::Event::no_coefficient(RayKind::Reflected).into());
         }
 
         // The refracted ray
-        if self.needs.transmits(facing.point.material) {
-            let beyond = self.beyond(&hit, &facing, media);
+        if self.needs.transmits(interaction.point.material) {
+            let beyond = self.beyond(&hit, &interaction, media);
             let eta_i = self.ior(media);
             let eta_r = self.ior(&beyond);
             let eta = eta_i / eta_r;
-            let cos_i = facing.cos_theta_i;
+            let cos_i = interaction.cos_theta_i;
             let radicand = refraction_radicand(eta, cos_i);
             recorder.step(|| {
                 ray_tree::Event::Refraction {
@@ -169,7 +169,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
                 let t = DVec3::from_array(t).normalize();
                 (branch(RayKind::Transmitted, k_t, t), &beyond)
             };
-            sum = self.follow(&transmitted, &facing, level, inside, sum, recorder);
+            sum = self.follow(&transmitted, &interaction, level, inside, sum, recorder);
         } else {
             recorder.step(|| ray_tree::Event::no_coefficient(RayKind::Transmitted).into());
         }
@@ -179,17 +179,27 @@ impl<'a, S: Search> RayTracer<'a, S> {
     }
 
     /// The illumination model with shadows, and emission.
-    fn local<R: Recorder<Event>>(&self, hit: &Hit, facing: &Facing, recorder: &mut R) -> Rgb {
+    fn local<R: Recorder<Event>>(
+        &self,
+        hit: &Hit,
+        interaction: &SurfaceInteraction,
+        recorder: &mut R,
+    ) -> Rgb {
         let lighting = Lighting {
             specular: self.needs.specular,
-            ..self.stage.lighting()
+            ..self.prepared.lighting()
         };
-        let lit = illuminate(&facing.point, &lighting, recorder, |to_light, recorder| {
-            let shadows = self.needs.shadow(to_light.light, hit.object as usize);
-            !(shadows && self.in_shadow(facing, to_light, recorder))
-        })
+        let lit = illuminate(
+            &interaction.point,
+            &lighting,
+            recorder,
+            |to_light, recorder| {
+                let shadows = self.needs.shadow(to_light.light, hit.object as usize);
+                !(shadows && self.in_shadow(interaction, to_light, recorder))
+            },
+        )
         .whole;
-        let emission = facing.point.material.emission;
+        let emission = interaction.point.material.emission;
         let local = (lit + emission).finite();
         recorder.step(|| ray_tree::Event::Local { emission, local }.into());
         local
@@ -198,12 +208,12 @@ impl<'a, S: Search> RayTracer<'a, S> {
     /// Whether an object that casts a shadow lies between the surface and a light.
     fn in_shadow<R: Recorder<Event>>(
         &self,
-        facing: &Facing,
+        interaction: &SurfaceInteraction,
         to_light: &ToLight,
         recorder: &mut R,
     ) -> bool {
-        let (scene, solids) = (&self.stage.scene, self.stage.solids());
-        let ray = leaving(&facing.surface, to_light.direction);
+        let (scene, primitives) = (&self.prepared.scene, self.prepared.primitives());
+        let ray = leaving(&interaction.surface, to_light.direction);
         let distance = to_light.distance;
         recorder.enter(|| {
             ray_tree::Event::ShadowRay {
@@ -213,8 +223,10 @@ impl<'a, S: Search> RayTracer<'a, S> {
             }
             .into()
         });
-        let between = short_of(&ray, &facing.surface, distance);
-        let blocker = self.search.blocker(scene, solids, &ray, between, recorder);
+        let between = short_of(&ray, &interaction.surface, distance);
+        let blocker = self
+            .search
+            .blocker(scene, primitives, &ray, between, recorder);
         recorder.leave(|| {
             ray_tree::Event::Shadow {
                 light: to_light.light as u32,
@@ -230,7 +242,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
     fn follow<R: Recorder<Event>>(
         &self,
         branch: &Branch,
-        facing: &Facing,
+        interaction: &SurfaceInteraction,
         level: u32,
         media: &Media,
         sum: Rgb,
@@ -242,18 +254,18 @@ impl<'a, S: Search> RayTracer<'a, S> {
             direction,
         } = branch;
         recorder.step(|| ray_tree::Event::Branched { branch: *branch }.into());
-        if level >= self.stage.settings.depth.get() {
+        if level >= self.prepared.settings.depth.get() {
             recorder.step(|| ray_tree::Event::too_deep(kind).into());
             return sum;
         }
-        let ray = leaving(&facing.surface, direction);
+        let ray = leaving(&interaction.surface, direction);
         let (color, distance) = self.trace(kind, &ray, level + 1, media, recorder);
 
         let mut carried = color;
         if self.needs.path_attenuation
             && let Some(d) = distance
         {
-            let attenuation = self.stage.scene.path_attenuation;
+            let attenuation = self.prepared.scene.path_attenuation;
             carried = (color / ray_tree::divisor(attenuation, d)).finite();
             recorder.step(|| {
                 ray_tree::Event::Attenuated {
@@ -271,9 +283,9 @@ impl<'a, S: Search> RayTracer<'a, S> {
     }
 
     /// The media on the other side of the surface: with the object where the ray enters it, without it where it leaves.
-    fn beyond(&self, hit: &Hit, facing: &Facing, media: &Media) -> Media {
+    fn beyond(&self, hit: &Hit, interaction: &SurfaceInteraction, media: &Media) -> Media {
         let mut beyond = media.clone();
-        if facing.entering {
+        if interaction.entering {
             beyond.push(hit.object);
         } else if let Some(innermost) = beyond.iter().rposition(|&object| object == hit.object) {
             beyond.remove(innermost);
@@ -289,14 +301,14 @@ impl<'a, S: Search> RayTracer<'a, S> {
     }
 
     fn material(&self, object: u32) -> &Material {
-        let scene = &self.stage.scene;
+        let scene = &self.prepared.scene;
         &scene.materials[scene.objects[object as usize].material]
     }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
-    Stage(stage::Event),
+    PreparedScene(prepared_scene::Event),
     Primary(primary::Event),
     Visible(visible::Event),
     Surface(surface::Event),
@@ -306,9 +318,9 @@ pub enum Event {
 
 const _: () = assert!(size_of::<Event>() <= 64);
 
-impl From<stage::Event> for Event {
-    fn from(event: stage::Event) -> Self {
-        Event::Stage(event)
+impl From<prepared_scene::Event> for Event {
+    fn from(event: prepared_scene::Event) -> Self {
+        Event::PreparedScene(event)
     }
 }
 
@@ -345,7 +357,7 @@ impl From<ray_tree::Event> for Event {
 impl record::Event for Event {
     fn kind(&self) -> &'static str {
         match self {
-            Event::Stage(event) => event.kind(),
+            Event::PreparedScene(event) => event.kind(),
             Event::Primary(event) => event.kind(),
             Event::Visible(event) => event.kind(),
             Event::Surface(event) => event.kind(),
@@ -357,7 +369,7 @@ impl record::Event for Event {
     fn line(&self) -> Line {
         use ray_tree::Event as Tree;
         let number = match self {
-            Event::Stage(_) | Event::Primary(primary::Event::Pixel { .. }) => 0,
+            Event::PreparedScene(_) | Event::Primary(primary::Event::Pixel { .. }) => 0,
             Event::Primary(primary::Event::Through { .. }) => 1,
             Event::Primary(primary::Event::PixelColored { .. }) => 2,
             Event::Tree(Tree::Ray { .. }) => 3,
@@ -401,7 +413,7 @@ impl record::Event for Event {
 
     fn fields(&self, fields: &mut Fields) {
         match self {
-            Event::Stage(event) => event.fields(fields),
+            Event::PreparedScene(event) => event.fields(fields),
             Event::Primary(event) => event.fields(fields),
             Event::Visible(event) => event.fields(fields),
             Event::Surface(event) => event.fields(fields),

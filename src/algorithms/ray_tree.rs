@@ -3,7 +3,7 @@
 
 use crate::color::Rgb;
 use crate::record::Fields;
-use crate::scene::solids::{Hit, Ray};
+use crate::scene::primitives::{Hit, Ray};
 use glam::DVec3;
 
 /// How a ray came to be.

@@ -3,8 +3,8 @@
 //! and where its listing has the lines.
 
 use super::illumination;
+use super::prepared_scene::{self, Polygon, PreparedScene};
 use super::scan_line::{self, Carried, Fragment};
-use super::stage::{self, Polygon, Stage};
 use super::texture;
 use super::vertex_normal;
 use crate::color::Rgb;
@@ -15,7 +15,7 @@ use std::fmt::Debug;
 /// A scan-line method that lights surfaces.
 pub trait Shading: Copy + PartialEq + Debug + Send + Sync + 'static {
     /// What is told of what goes from the corners to the pixels.
-    type Told: Carried;
+    type Recorded: Carried;
     const LINES: Lines;
 }
 
@@ -65,11 +65,11 @@ impl<V: Copy> OnceAVertex<V> {
 
 /// P, the point of its polygon that a pixel shows.
 pub fn pixel_point<M: Shading, A, R: Recorder<Event<M>>>(
-    stage: &Stage,
+    prepared: &PreparedScene,
     fragment: &Fragment<A>,
     recorder: &mut R,
 ) -> DVec3 {
-    let position = fragment.position(&stage.view);
+    let position = fragment.position(&prepared.view);
     recorder.step(|| Event::PixelPoint { position });
     position
 }
@@ -77,7 +77,7 @@ pub fn pixel_point<M: Shading, A, R: Recorder<Event<M>>>(
 /// What a method of the family tells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event<M: Shading> {
-    Stage(stage::Event),
+    PreparedScene(prepared_scene::Event),
     /// The mean of the polygon's vertices, in the world.
     Middle {
         position: DVec3,
@@ -98,7 +98,7 @@ pub enum Event<M: Shading> {
     VertexReady {
         vertex: u32,
     },
-    ScanLine(scan_line::Event<M::Told>),
+    ScanLine(scan_line::Event<M::Recorded>),
     /// The point of the polygon that a pixel shows, in the world.
     PixelPoint {
         position: DVec3,
@@ -121,9 +121,9 @@ pub enum Event<M: Shading> {
     },
 }
 
-impl<M: Shading> From<stage::Event> for Event<M> {
-    fn from(event: stage::Event) -> Self {
-        Event::Stage(event)
+impl<M: Shading> From<prepared_scene::Event> for Event<M> {
+    fn from(event: prepared_scene::Event) -> Self {
+        Event::PreparedScene(event)
     }
 }
 
@@ -139,8 +139,8 @@ impl<M: Shading> From<illumination::Event> for Event<M> {
     }
 }
 
-impl<M: Shading> From<scan_line::Event<M::Told>> for Event<M> {
-    fn from(event: scan_line::Event<M::Told>) -> Self {
+impl<M: Shading> From<scan_line::Event<M::Recorded>> for Event<M> {
+    fn from(event: scan_line::Event<M::Recorded>) -> Self {
         Event::ScanLine(event)
     }
 }
@@ -154,7 +154,7 @@ impl<M: Shading> From<texture::Event> for Event<M> {
 impl<M: Shading> record::Event for Event<M> {
     fn kind(&self) -> &'static str {
         match self {
-            Event::Stage(event) => event.kind(),
+            Event::PreparedScene(event) => event.kind(),
             Event::Middle { .. } => "Middle",
             Event::Vertex { .. } => "Vertex",
             Event::Normal(event) => event.kind(),
@@ -173,7 +173,7 @@ impl<M: Shading> record::Event for Event<M> {
     fn line(&self) -> Line {
         let lines = M::LINES;
         let number = match self {
-            Event::Stage(_) => 0,
+            Event::PreparedScene(_) => 0,
             Event::Middle { .. } | Event::Vertex { .. } => 1,
             Event::Normal(_) => lines.vertex_normal,
             Event::Illumination(event) => return event.line(),
@@ -196,7 +196,7 @@ impl<M: Shading> record::Event for Event<M> {
 
     fn fields(&self, fields: &mut Fields) {
         match *self {
-            Event::Stage(event) => event.fields(fields),
+            Event::PreparedScene(event) => event.fields(fields),
             Event::Middle { position } => {
                 fields.push("P_m", position);
             }

@@ -5,16 +5,16 @@
 //! turned toward the incoming ray. A texture multiplies k_d.
 
 use super::illumination::SurfacePoint;
-use super::visible::Met;
+use super::visible::Intersection;
 use crate::color::Rgb;
 use crate::record::{Fields, Recorder};
-use crate::scene::solids::{Hit, Ray, Solids, Surface};
+use crate::scene::primitives::{Hit, Primitives, Ray, Surface};
 use crate::scene::{Light, Needs, Scene};
 use glam::{DVec2, DVec3};
 
 /// A surface as the ray sees it.
 #[derive(Clone, Copy, Debug)]
-pub struct Facing<'a> {
+pub struct SurfaceInteraction<'a> {
     pub surface: Surface,
     pub point: SurfacePoint<'a>,
     /// Unit, toward the incoming ray.
@@ -28,13 +28,13 @@ pub struct Facing<'a> {
 /// How a ray meets a surface, and what of it is needed there.
 pub fn face<'a, E: From<Event>>(
     scene: &'a Scene,
-    solids: &Solids,
+    primitives: &Primitives,
     needs: &Needs,
     ray: &Ray,
     hit: &Hit,
     recorder: &mut impl Recorder<E>,
-) -> Facing<'a> {
-    let surface = solids.surface(ray, hit);
+) -> SurfaceInteraction<'a> {
+    let surface = primitives.surface(ray, hit);
     recorder.step(|| {
         Event::SurfaceMet {
             object: hit.object,
@@ -62,7 +62,7 @@ pub fn face<'a, E: From<Event>>(
     let material = &scene.materials[scene.objects[hit.object as usize].material];
     let mut diffuse = material.diffuse;
     if let Some(texture) = needs.texture(material) {
-        let uv = solids.uv(hit, surface.position);
+        let uv = primitives.uv(hit, surface.position);
         let color = texture.color_at(uv);
         recorder.step(|| Event::Textured { uv, color }.into());
         diffuse = diffuse * color;
@@ -74,7 +74,7 @@ pub fn face<'a, E: From<Event>>(
         material,
         diffuse,
     };
-    Facing {
+    SurfaceInteraction {
         surface,
         point,
         normal,
@@ -86,17 +86,17 @@ pub fn face<'a, E: From<Event>>(
 /// What a ray takes that meets no object: the background, or the colour of a light ball.
 pub fn without_object<E: From<Event>>(
     scene: &Scene,
-    met: &Met,
+    met: &Intersection,
     recorder: &mut impl Recorder<E>,
 ) -> Rgb {
     match *met {
-        Met::Light { light, .. } => {
+        Intersection::Light { light, .. } => {
             let (Light::Point { color, .. } | Light::Directional { color, .. }) =
                 scene.lights[light as usize];
             recorder.step(|| Event::LightMet { light, color }.into());
             color
         }
-        Met::Nothing | Met::Object(_) => {
+        Intersection::Nothing | Intersection::Object(_) => {
             let color = scene.background;
             recorder.step(|| Event::Background { color }.into());
             color

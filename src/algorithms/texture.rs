@@ -6,12 +6,12 @@
 //! mapping and shading", 1991): it is told beside the right one, and drawn where the stage asks for it.
 
 use super::intensity::Intensity;
+use super::prepared_scene::{Polygon, PreparedScene};
 use super::scan_line::Cargo;
-use super::stage::{Polygon, Stage};
 use crate::color::Rgb;
 use crate::numeric::Linear;
 use crate::record::{Fields, Line, Listing, Recorder};
-use crate::scene::solids::FaceChart;
+use crate::scene::primitives::FaceChart;
 use crate::scene::{Part, Texture};
 use glam::{DVec2, DVec3};
 use std::ops::{Add, Mul, Sub};
@@ -70,15 +70,15 @@ pub struct OnPolygon<'a> {
 
 impl<'a> OnPolygon<'a> {
     /// None where the polygon's material has no texture, and none is looked up all the same.
-    pub fn of(stage: &'a Stage, polygon: &Polygon<'a>) -> Option<Self> {
-        let white = stage.anyway().has(Part::TextureCoordinates);
+    pub fn of(prepared: &'a PreparedScene, polygon: &Polygon<'a>) -> Option<Self> {
+        let white = prepared.forced().has(Part::TextureCoordinates);
         let texture = polygon.material.texture;
         let texture = texture.or(white.then_some(Texture::WHITE))?;
-        let shape = &stage.scene.objects[polygon.object].shape;
+        let shape = &prepared.scene.objects[polygon.object].shape;
         Some(OnPolygon {
             texture,
             chart: FaceChart::new(shape, polygon.mesh, polygon.face),
-            mapping: stage.mapping,
+            mapping: prepared.mapping,
         })
     }
 
@@ -158,9 +158,9 @@ impl<T> WithUv<T> {
 }
 
 impl<T: Cargo> Cargo for WithUv<T> {
-    type Told = T::Told;
-    fn told(self) -> T::Told {
-        self.value.told()
+    type Recorded = T::Recorded;
+    fn recorded(self) -> T::Recorded {
+        self.value.recorded()
     }
 }
 

@@ -1,17 +1,17 @@
 //! The visible surface: the nearest object that a ray meets, and whether anything stands between a point and a light
 //! (Appel 1968; the nearest of all, object by object, as in Whitted 1980, §3).
 //!
-//! [`InTurn`] tests every object in turn, as the textbook says, and tells every comparison with NearestT. [`Hierarchy`] finds the
+//! [`BruteForce`] tests every object in turn, as the textbook says, and tells every comparison with NearestT. [`Bvh`] finds the
 //! same hit, bit for bit, without testing them all, and tells only what it found. At equal t the lower object goes first. A point light of positive
 //! radius is a ball that rays see; it stops no shadow ray.
 
 use crate::record::{Fields, Recorder};
-use crate::scene::solids::{Hit, Ray, Solids, meet_ball};
+use crate::scene::primitives::{Hit, Primitives, Ray, meet_ball};
 use crate::scene::{Light, Scene};
 
 /// What a ray met first.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Met {
+pub enum Intersection {
     Nothing,
     Light { light: u32, t: f64 },
     Object(Hit),
@@ -23,7 +23,7 @@ pub trait Search: Copy {
     fn nearest<E: From<Event>>(
         self,
         scene: &Scene,
-        solids: &Solids,
+        primitives: &Primitives,
         ray: &Ray,
         recorder: &mut impl Recorder<E>,
     ) -> Option<Hit>;
@@ -32,7 +32,7 @@ pub trait Search: Copy {
     fn blocker<E: From<Event>>(
         self,
         scene: &Scene,
-        solids: &Solids,
+        primitives: &Primitives,
         ray: &Ray,
         distance: f64,
         recorder: &mut impl Recorder<E>,
@@ -48,23 +48,23 @@ pub struct Blocker {
 
 /// Every object in turn.
 #[derive(Clone, Copy, Debug)]
-pub struct InTurn;
+pub struct BruteForce;
 
 /// By the bounding volume hierarchy.
 #[derive(Clone, Copy, Debug)]
-pub struct Hierarchy;
+pub struct Bvh;
 
-impl Search for InTurn {
+impl Search for BruteForce {
     fn nearest<E: From<Event>>(
         self,
         scene: &Scene,
-        solids: &Solids,
+        primitives: &Primitives,
         ray: &Ray,
         recorder: &mut impl Recorder<E>,
     ) -> Option<Hit> {
         let mut nearest: Option<Hit> = None;
         for object in 0..scene.objects.len() {
-            let hit = solids.meet(object, ray);
+            let hit = primitives.meet(object, ray);
             let nearest_t = nearest.map_or(f64::INFINITY, |hit| hit.t);
             let nearer = hit.is_some_and(|hit| hit.t < nearest_t);
             recorder.step(|| Event::tested(object, hit, nearest_t, nearer).into());
@@ -78,7 +78,7 @@ impl Search for InTurn {
     fn blocker<E: From<Event>>(
         self,
         scene: &Scene,
-        solids: &Solids,
+        primitives: &Primitives,
         ray: &Ray,
         distance: f64,
         recorder: &mut impl Recorder<E>,
@@ -93,7 +93,7 @@ impl Search for InTurn {
                 });
                 continue;
             }
-            let hit = solids.meet(index, ray);
+            let hit = primitives.meet(index, ray);
             let blocks = hit.is_some_and(|hit| hit.t < distance);
             recorder.step(|| Event::between(index, hit, distance, blocks).into());
             if blocks {
@@ -104,26 +104,26 @@ impl Search for InTurn {
     }
 }
 
-impl Search for Hierarchy {
+impl Search for Bvh {
     fn nearest<E: From<Event>>(
         self,
         _: &Scene,
-        solids: &Solids,
+        primitives: &Primitives,
         ray: &Ray,
         _: &mut impl Recorder<E>,
     ) -> Option<Hit> {
-        solids.nearest(ray)
+        primitives.nearest(ray)
     }
 
     fn blocker<E: From<Event>>(
         self,
         _: &Scene,
-        solids: &Solids,
+        primitives: &Primitives,
         ray: &Ray,
         distance: f64,
         _: &mut impl Recorder<E>,
     ) -> Option<Blocker> {
-        solids
+        primitives
             .blocked(ray, distance)
             .then_some(Blocker { hit: None })
     }
@@ -133,20 +133,20 @@ impl Search for Hierarchy {
 pub fn visible<E: From<Event>>(
     search: impl Search,
     scene: &Scene,
-    solids: &Solids,
+    primitives: &Primitives,
     light_balls: bool,
     ray: &Ray,
     recorder: &mut impl Recorder<E>,
-) -> Met {
+) -> Intersection {
     recorder.enter(|| {
         Event::Search {
             objects: scene.objects.len() as u32,
         }
         .into()
     });
-    let mut met = match search.nearest(scene, solids, ray, recorder) {
-        Some(hit) => Met::Object(hit),
-        None => Met::Nothing,
+    let mut met = match search.nearest(scene, primitives, ray, recorder) {
+        Some(hit) => Intersection::Object(hit),
+        None => Intersection::Nothing,
     };
     if light_balls {
         for (light, of) in scene.lights.iter().enumerate() {
@@ -173,7 +173,7 @@ pub fn visible<E: From<Event>>(
                 .into()
             });
             if let (Some(t), true) = (t, nearer) {
-                met = Met::Light { light, t };
+                met = Intersection::Light { light, t };
             }
         }
     }
@@ -181,13 +181,13 @@ pub fn visible<E: From<Event>>(
     met
 }
 
-impl Met {
+impl Intersection {
     /// Infinite where nothing was met.
     pub fn t(&self) -> f64 {
         match *self {
-            Met::Nothing => f64::INFINITY,
-            Met::Light { t, .. } => t,
-            Met::Object(hit) => hit.t,
+            Intersection::Nothing => f64::INFINITY,
+            Intersection::Light { t, .. } => t,
+            Intersection::Object(hit) => hit.t,
         }
     }
 }
@@ -212,7 +212,7 @@ pub enum Event {
         nearer: bool,
     },
     /// Closes `Search`.
-    Found { met: Met },
+    Found { met: Intersection },
     /// An object on the way to a light.
     BetweenTested {
         object: u32,
@@ -304,16 +304,16 @@ impl Event {
                     .push("nearer", nearer);
             }
             Event::Found { met } => match met {
-                Met::Nothing => {
+                Intersection::Nothing => {
                     fields.push("met", "nothing").push("NearestT", met.t());
                 }
-                Met::Light { light, t } => {
+                Intersection::Light { light, t } => {
                     fields
                         .push("met", "light")
                         .push("light", light)
                         .push("NearestT", t);
                 }
-                Met::Object(hit) => {
+                Intersection::Object(hit) => {
                     fields
                         .push("met", "object")
                         .push("object", hit.object)

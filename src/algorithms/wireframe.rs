@@ -5,7 +5,7 @@
 
 use super::focus::{Focus, Region};
 use super::frame::Frame;
-use super::stage::{self, Polygon, Stage};
+use super::prepared_scene::{self, Polygon, PreparedScene};
 use crate::color::Rgb;
 use crate::numeric::Ramp;
 use crate::record::{self, Fields, Line, Listing, Recorder};
@@ -28,18 +28,18 @@ pub static PSEUDOCODE: Listing = Listing {
 
 /// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
 pub fn wireframe<R: Recorder<Event>>(
-    stage: &Stage,
+    prepared: &PreparedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
 ) {
     let region = focus.region(frame);
-    let ink = ink(stage.scene.background);
+    let ink = ink(prepared.scene.background);
     let mut drawn = HashSet::new();
     let mut object = None;
 
-    recorder.enter(|| stage.entered().into());
-    for polygon in stage.polygons(focus, &region) {
+    recorder.enter(|| prepared.entered().into());
+    for polygon in prepared.polygons(focus, &region) {
         recorder.enter(|| polygon.entered().into());
         if object.replace(polygon.object) != Some(polygon.object) {
             drawn.clear();
@@ -49,19 +49,20 @@ pub fn wireframe<R: Recorder<Event>>(
                 continue;
             }
             recorder.enter(|| Event::Edge { from, to });
-            let ends = [from, to].map(|vertex| stage.view.to_camera(polygon.mesh.position(vertex)));
-            match visible_part(ends, &stage.view) {
+            let ends =
+                [from, to].map(|vertex| prepared.view.to_camera(polygon.mesh.position(vertex)));
+            match visible_part(ends, &prepared.view) {
                 Some([start, end]) => {
                     recorder.step(|| Event::EdgeClipped { start, end });
-                    draw_line([start, end], ink, &stage.view, &region, frame, recorder);
+                    draw_line([start, end], ink, &prepared.view, &region, frame, recorder);
                 }
                 None => recorder.step(|| Event::EdgeUnseen),
             }
             recorder.leave(|| Event::EdgeDone);
         }
-        recorder.leave(|| stage::Event::PolygonDone.into());
+        recorder.leave(|| prepared_scene::Event::PolygonDone.into());
     }
-    recorder.leave(|| stage::Event::FrameDone.into());
+    recorder.leave(|| prepared_scene::Event::FrameDone.into());
 }
 
 /// The colour of the lines: black on a light background, white on a dark one.
@@ -166,7 +167,7 @@ fn clip(toward: f64, inside: f64, t_0: &mut f64, t_1: &mut f64) -> Option<()> {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
-    Stage(stage::Event),
+    PreparedScene(prepared_scene::Event),
     /// Opens an edge between two vertices of the object's mesh.
     Edge {
         from: u32,
@@ -195,16 +196,16 @@ pub enum Event {
 
 const _: () = assert!(size_of::<Event>() <= 64);
 
-impl From<stage::Event> for Event {
-    fn from(event: stage::Event) -> Self {
-        Event::Stage(event)
+impl From<prepared_scene::Event> for Event {
+    fn from(event: prepared_scene::Event) -> Self {
+        Event::PreparedScene(event)
     }
 }
 
 impl record::Event for Event {
     fn kind(&self) -> &'static str {
         match self {
-            Event::Stage(event) => event.kind(),
+            Event::PreparedScene(event) => event.kind(),
             Event::Edge { .. } => "Edge",
             Event::EdgeClipped { .. } => "EdgeClipped",
             Event::EdgeUnseen => "EdgeUnseen",
@@ -216,7 +217,7 @@ impl record::Event for Event {
 
     fn line(&self) -> Line {
         let number = match self {
-            Event::Stage(_) => 0,
+            Event::PreparedScene(_) => 0,
             Event::Edge { .. } | Event::EdgeDone => 1,
             Event::EdgeClipped { .. } | Event::EdgeUnseen => 2,
             Event::StepChosen { .. } => 3,
@@ -230,7 +231,7 @@ impl record::Event for Event {
 
     fn fields(&self, fields: &mut Fields) {
         match *self {
-            Event::Stage(event) => event.fields(fields),
+            Event::PreparedScene(event) => event.fields(fields),
             Event::Edge { from, to } => {
                 fields.push("from", from).push("to", to);
             }

@@ -1,7 +1,7 @@
 //! How a light or the eye is moved by the pointer.
 
 use super::session::{Command, Session};
-use super::words;
+use super::strings;
 use crate::lesson::Change;
 use crate::panels::{Grip, Held, Panel, PlaneGrip, grip, vector_grip};
 use egui::{CursorIcon, Pos2, Response, Ui};
@@ -66,11 +66,11 @@ pub fn dragged(session: &Session, panel: Panel, response: &Response, ui: &Ui) ->
     }
     if let Some((at, hold)) = response.hover_pos().and_then(|at| Some((at, movable(at)?))) {
         ui.ctx().set_cursor_icon(CursorIcon::Grab);
-        let words = match hold.change(place(at)) {
-            Change::Eye { .. } => words::DRAG_THE_EYE,
-            _ => words::DRAG_THE_LIGHT,
+        let strings = match hold.change(place(at)) {
+            Change::Eye { .. } => strings::DRAG_THE_EYE,
+            _ => strings::DRAG_THE_LIGHT,
         };
-        response.show_tooltip_text(session.say(words));
+        response.show_tooltip_text(session.localize(strings));
     }
     None
 }

@@ -2,7 +2,7 @@
 
 use super::keys::BINDINGS;
 use super::session::{Command, Session};
-use super::{style, words};
+use super::{strings, style};
 use egui::{Grid, Id, Modal, ScrollArea};
 
 pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context) {
@@ -13,9 +13,9 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
             let room = ctx.content_rect().size();
             ui.set_max_width((room.x - 80.0).min(700.0));
             ui.horizontal(|ui| {
-                ui.label(style::strong(session.say(words::KEYS_TITLE), 17.0));
+                ui.label(style::strong(session.localize(strings::KEYS_TITLE), 17.0));
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    if ui.button(session.say(words::CLOSE)).clicked() {
+                    if ui.button(session.localize(strings::CLOSE)).clicked() {
                         commands.push(Command::Keys);
                     }
                 });
@@ -38,7 +38,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
                                     .flatten()
                                 {
                                     ui.label(style::strong(binding.shown, 13.0));
-                                    ui.label(session.say(binding.words));
+                                    ui.label(session.localize(binding.strings));
                                 }
                                 ui.end_row();
                             }

@@ -2,7 +2,7 @@
 
 use super::parameter_card;
 use super::session::{Command, Session, StudyCommand};
-use crate::panels::words::Words;
+use crate::panels::strings::Words;
 use egui::{Event, Key, Modifiers, Popup};
 
 /// Which of the modifier keys must be held.
@@ -22,7 +22,7 @@ pub struct Binding {
     pub command: fn() -> Command,
     /// As the sheet of keys writes it.
     pub shown: &'static str,
-    pub words: Words,
+    pub strings: Words,
 }
 
 const fn bind(
@@ -38,7 +38,7 @@ const fn bind(
         with,
         command,
         shown,
-        words: Words::new(en, id),
+        strings: Words::new(en, id),
     }
 }
 

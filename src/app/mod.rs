@@ -3,13 +3,14 @@
 mod drag;
 mod key_sheet;
 mod keys;
-mod left_out;
 mod main_window;
 mod narration;
 mod panel_view;
 mod parameter_card;
 mod question_card;
 pub mod session;
+mod skipped;
+mod strings;
 mod study_plot;
 mod study_view;
 mod study_words;
@@ -19,7 +20,6 @@ mod top_bar;
 mod transport;
 mod tree_controls;
 pub mod window;
-mod words;
 
 #[cfg(test)]
 mod tests;

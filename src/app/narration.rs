@@ -3,7 +3,7 @@
 use super::session::{Command, Session};
 use super::tiles::panel_on;
 use super::window::Window;
-use super::{panel_view, question_card, style, words};
+use super::{panel_view, question_card, strings, style};
 use crate::panels::Panel;
 use crate::picture::{Ink, Script, Tag, braced, math};
 use egui::text::{LayoutJob, TextFormat};
@@ -37,7 +37,7 @@ pub fn show(
                 .show(ui, |ui| {
                     ui.spacing_mut().item_spacing.y = 8.0;
                     ui.set_width(ui.available_width());
-                    say(session, window, commands, ui);
+                    localize(session, window, commands, ui);
                     question_card::show(session, window, commands, ui);
                 });
             // Pseudocode and formula share what the words leave, as far as is known from the frame before.
@@ -69,28 +69,31 @@ fn rule(session: &Session, ui: &mut Ui) {
         .rect_filled(line, 0.0, style::color(session.look.theme, Ink::Rule));
 }
 
-fn say(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut Ui) {
+fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut Ui) {
     let language = session.look.language;
     let muted = style::color(session.look.theme, Ink::Muted);
     if !session.follows_lesson() {
         ui.label(style::strong(panel_view::focus_words(session), 14.0));
-        ui.label(RichText::new(session.say(words::OTHER_FOCUS)).color(muted));
-        if ui.button(session.say(words::BACK_TO_LESSON)).clicked() {
+        ui.label(RichText::new(session.localize(strings::OTHER_FOCUS)).color(muted));
+        if ui
+            .button(session.localize(strings::BACK_TO_LESSON))
+            .clicked()
+        {
             commands.push(Command::Focus(session.lesson().focus));
         }
     }
     if session.is_unsaid() {
-        let [why, again] = match session.stage().anyway().is_empty() {
-            true => [words::UNSAID, words::PUT_BACK],
-            false => [words::UNSAID_ANYWAY, words::LEAVE_OUT_AGAIN],
+        let [why, again] = match session.prepared().forced().is_empty() {
+            true => [strings::UNSAID, strings::PUT_BACK],
+            false => [strings::UNSAID_ANYWAY, strings::LEAVE_OUT_AGAIN],
         };
-        ui.label(RichText::new(session.say(why)).color(muted));
-        if ui.button(session.say(again)).clicked() {
+        ui.label(RichText::new(session.localize(why)).color(muted));
+        if ui.button(session.localize(again)).clicked() {
             commands.push(Command::Reset);
         }
     }
     if let Some(said) = session.said_here() {
-        ui.label(prose(session, said.say(language), 15.0, Ink::Text));
+        ui.label(prose(session, said.localize(language), 15.0, Ink::Text));
         if let Some(slide) = said.slide(language) {
             slide_note(session, slide, ui);
         }
@@ -103,16 +106,16 @@ fn say(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut
     if session.follows_lesson() && session.said_last().is_none() && !session.is_unsaid() {
         let summary = session.lesson().summary.in_language(language);
         ui.label(prose(session, summary, 14.0, Ink::Muted));
-        if ui.link(session.say(words::NEXT_SAID)).clicked() {
+        if ui.link(session.localize(strings::NEXT_SAID)).clicked() {
             commands.push(Command::NextNarrated);
         }
     }
     if let Some(said) = session.said_last() {
-        let link = format!("{} {}", session.say(words::LAST_SAID), said.step);
+        let link = format!("{} {}", session.localize(strings::LAST_SAID), said.step);
         if ui.link(RichText::new(link).size(12.0)).clicked() {
             commands.push(Command::Seek(said.step));
         }
-        ui.label(prose(session, said.say(language), 13.0, Ink::Muted));
+        ui.label(prose(session, said.localize(language), 13.0, Ink::Muted));
     }
 }
 
@@ -163,7 +166,7 @@ fn slide_note(session: &Session, text: &str, ui: &mut Ui) {
     frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.spacing_mut().item_spacing.y = 3.0;
-        ui.label(style::strong(session.say(words::SLIDE), 13.0));
+        ui.label(style::strong(session.localize(strings::SLIDE), 13.0));
         ui.label(prose(session, text, 13.0, Ink::Text));
     });
 }

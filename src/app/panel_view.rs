@@ -1,10 +1,10 @@
 //! A panel on the screen: its picture, drawn anew only when what it depends on has changed, with the pointer on it.
 
 use super::session::{Command, Session};
+use super::strings;
 use super::style;
-use super::words;
 use crate::algorithms::focus::Focus;
-use crate::panels::words::{Language, Words};
+use crate::panels::strings::{Language, Words};
 use crate::panels::{Panel, TreeView, draw};
 use crate::picture::{Ink, Picture, Tag, Theme, draw_over, rasterize};
 use crate::record::Value;
@@ -113,7 +113,7 @@ impl PanelView {
             Sense::click()
         };
         let response = ui.interact(rect, ui.scope_id().with(panel.name()), sense);
-        let name = session.say(title(panel));
+        let name = session.localize(title(panel));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name));
         ui.ctx()
             .accesskit_node_builder(response.id, |node| node.set_description(spoken(self.alt())));
@@ -185,29 +185,29 @@ pub fn menu(session: &Session, tag: Option<Tag>, ui: &mut Ui) -> Option<Command>
     let mut choices: Vec<(String, Command)> = Vec::new();
     if let Some(Tag::Pixel { x, y }) = tag {
         choices.push((
-            format!("{} ({x}, {y})", session.say(words::PIXEL)),
+            format!("{} ({x}, {y})", session.localize(strings::PIXEL)),
             Command::Focus(Focus::Pixel { x, y }),
         ));
         choices.push((
-            format!("{} {y}", session.say(words::LINE)),
+            format!("{} {y}", session.localize(strings::LINE)),
             Command::Focus(Focus::ScanLine(y)),
         ));
         choices.push((
-            session.say(words::POLYGON).to_owned(),
+            session.localize(strings::POLYGON).to_owned(),
             Command::FocusOnPolygonAt { x, y },
         ));
     }
     choices.push((
-        session.say(words::FRAME).to_owned(),
+        session.localize(strings::FRAME).to_owned(),
         Command::Focus(Focus::Frame),
     ));
     if !session.follows_lesson() {
         choices.push((
-            session.say(words::THE_LESSONS_PART).to_owned(),
+            session.localize(strings::THE_LESSONS_PART).to_owned(),
             Command::Focus(session.lesson().focus),
         ));
     }
-    ui.label(style::strong(session.say(words::FOCUS_ON), 13.0));
+    ui.label(style::strong(session.localize(strings::FOCUS_ON), 13.0));
     let chosen = choices
         .into_iter()
         .find(|(label, _)| ui.button(label).clicked());
@@ -216,31 +216,31 @@ pub fn menu(session: &Session, tag: Option<Tag>, ui: &mut Ui) -> Option<Command>
 
 /// The part of the run that is looked at, in words.
 pub fn focus_words(session: &Session) -> String {
-    crate::panels::words::focus(session.focus(), session.look.language)
+    crate::panels::strings::focus(session.focus(), session.look.language)
 }
 
 pub fn title(panel: Panel) -> Words {
     match panel {
-        Panel::Image => words::IMAGE,
-        Panel::ScanLine => words::SCAN_LINE,
-        Panel::ActiveEdges => words::ACTIVE_EDGES,
-        Panel::Vertex => words::VERTEX,
-        Panel::RayTree => words::RAY_TREE,
-        Panel::Vectors => words::VECTORS,
-        Panel::Rays => words::RAYS,
-        Panel::Illumination => words::ILLUMINATION,
-        Panel::Radiosity => words::RADIOSITY,
-        Panel::FormFactor => words::FORM_FACTOR,
-        Panel::Matrix => words::MATRIX,
-        Panel::Convergence => words::CONVERGENCE,
-        Panel::Race => words::RACE,
-        Panel::Comparison => words::COMPARISON,
-        Panel::Difference => words::DIFFERENCE,
-        Panel::Profile => words::PROFILE,
-        Panel::Inspector => words::INSPECTOR,
-        Panel::Code => words::CODE,
-        Panel::Formula => words::FORMULA,
-        Panel::TimeLine => words::TIME_LINE,
+        Panel::Image => strings::IMAGE,
+        Panel::ScanLine => strings::SCAN_LINE,
+        Panel::ActiveEdges => strings::ACTIVE_EDGES,
+        Panel::Vertex => strings::VERTEX,
+        Panel::RayTree => strings::RAY_TREE,
+        Panel::Vectors => strings::VECTORS,
+        Panel::Rays => strings::RAYS,
+        Panel::Illumination => strings::ILLUMINATION,
+        Panel::Radiosity => strings::RADIOSITY,
+        Panel::FormFactor => strings::FORM_FACTOR,
+        Panel::Matrix => strings::MATRIX,
+        Panel::Convergence => strings::CONVERGENCE,
+        Panel::Race => strings::RACE,
+        Panel::Comparison => strings::COMPARISON,
+        Panel::Difference => strings::DIFFERENCE,
+        Panel::Profile => strings::PROFILE,
+        Panel::Inspector => strings::INSPECTOR,
+        Panel::Code => strings::CODE,
+        Panel::Formula => strings::FORMULA,
+        Panel::TimeLine => strings::TIME_LINE,
     }
 }
 
@@ -262,10 +262,15 @@ pub fn caption(session: &Session, panel: Panel) -> String {
     match panel {
         Panel::Image => session
             .picture_percent()
-            .map(|percent| format!("{} {percent} %", session.say(words::MAKING_THE_PICTURE)))
+            .map(|percent| {
+                format!(
+                    "{} {percent} %",
+                    session.localize(strings::MAKING_THE_PICTURE)
+                )
+            })
             .unwrap_or_default(),
         Panel::ScanLine => whole("y").map(|y| format!("y = {y}")).unwrap_or_default(),
-        Panel::ActiveEdges => session.say(words::CLICK_A_ROW).to_owned(),
+        Panel::ActiveEdges => session.localize(strings::CLICK_A_ROW).to_owned(),
         Panel::Vertex => whole("vertex")
             .map(|vertex| vertex.to_string())
             .unwrap_or_default(),

@@ -2,7 +2,7 @@
 
 use super::session::{Command, Session};
 use super::window::button;
-use super::{narration, style, words};
+use super::{narration, strings, style};
 use crate::lesson::{Change, Coefficient, DIVISIONS, Parameter};
 use crate::picture::Ink;
 use crate::scene::Scene;
@@ -58,10 +58,11 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
     let title = Rect::from_min_size(rect.min, egui::vec2(rect.width(), TITLE))
         .shrink2(egui::vec2(MARGIN, 4.0));
     let mut top = ui.new_child(inside(title));
-    top.label(style::strong(session.say(words::PARAMETERS), 15.0));
+    top.label(style::strong(session.localize(strings::PARAMETERS), 15.0));
     top.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        let put_back = Button::new(RichText::new(session.say(words::PUT_BACK_ALL)).size(13.0));
-        let name = session.say(words::PUT_BACK);
+        let put_back =
+            Button::new(RichText::new(session.localize(strings::PUT_BACK_ALL)).size(13.0));
+        let name = session.localize(strings::PUT_BACK);
         ui.add_enabled_ui(session.is_changed(), |ui| {
             button(session, put_back, name, Command::Reset, commands, ui);
         });
@@ -106,7 +107,7 @@ fn value(
     on_slider: &mut bool,
     ui: &mut Ui,
 ) -> Option<Change> {
-    let scene = &session.stage().scene;
+    let scene = &session.prepared().scene;
     let rail = Rail::of(session, parameter)?;
     let name = name(session, parameter);
     let (_, place) = ui.allocate_space(egui::vec2(NAME, ROW));
@@ -126,7 +127,7 @@ fn value(
     named(&response, &name, rail.value);
     *on_slider |= response.has_focus();
     if matches!(parameter, Parameter::Light(_) | Parameter::Eye) {
-        response.on_hover_text(session.say(words::FROM_THE_TARGET));
+        response.on_hover_text(session.localize(strings::FROM_THE_TARGET));
     }
     let speed = (0.01 * value).max(0.01);
     let number = DragValue::new(&mut value)
@@ -135,7 +136,7 @@ fn value(
         .clamp_existing_to_range(false)
         .max_decimals(if rail.whole { 0 } else { 3 });
     let response = ui.add(number);
-    let as_number = format!("{name} ({})", session.say(words::AS_A_NUMBER));
+    let as_number = format!("{name} ({})", session.localize(strings::AS_A_NUMBER));
     named(&response, &as_number, rail.value);
     let moved = value != rail.value;
     let change = moved.then(|| change_to(session, scene, parameter, value));
@@ -157,7 +158,7 @@ struct Rail {
 impl Rail {
     fn of(session: &Session, parameter: Parameter) -> Option<Self> {
         let opened = &session.lesson().scene;
-        let now = parameter.value(&session.stage().scene)?;
+        let now = parameter.value(&session.prepared().scene)?;
         let (value, range, logarithmic) = match now {
             Change::Light { position, .. } | Change::Eye { position } => {
                 let at_first = match parameter.value(opened)? {
@@ -227,14 +228,14 @@ fn change_to(session: &Session, scene: &Scene, parameter: Parameter, value: f64)
 
 /// x, y and z, to be dragged or typed.
 fn coordinates(session: &Session, parameter: Parameter, ui: &mut Ui) -> Option<Change> {
-    let now = parameter.value(&session.stage().scene)?;
+    let now = parameter.value(&session.prepared().scene)?;
     let (Change::Light { position, .. } | Change::Eye { position }) = now else {
         return None;
     };
     let speed = 0.01 * distance(&session.lesson().scene, position).max(0.1);
     let who = match parameter {
         Parameter::Light(light) => light_name(session, light),
-        _ => session.say(words::EYE).to_owned(),
+        _ => session.localize(strings::EYE).to_owned(),
     };
     let mut place = position;
     ui.spacing_mut().item_spacing.x = 4.0;
@@ -256,11 +257,11 @@ fn coordinates(session: &Session, parameter: Parameter, ui: &mut Ui) -> Option<C
 
 /// What a parameter is called.
 fn name(session: &Session, parameter: Parameter) -> String {
-    let scene = &session.stage().scene;
-    let distance = session.say(words::DISTANCE);
+    let scene = &session.prepared().scene;
+    let distance = session.localize(strings::DISTANCE);
     match parameter {
         Parameter::Light(light) => format!("{}, {distance}", light_name(session, light)),
-        Parameter::Eye => format!("{}, {distance}", session.say(words::EYE)),
+        Parameter::Eye => format!("{}, {distance}", session.localize(strings::EYE)),
         Parameter::Coefficient(material, coefficient) => {
             format!(
                 "{} {}",
@@ -271,7 +272,7 @@ fn name(session: &Session, parameter: Parameter) -> String {
         Parameter::Divisions(object) => {
             format!(
                 "{} {}",
-                session.say(words::DIVISIONS),
+                session.localize(strings::DIVISIONS),
                 scene.objects[object].name
             )
         }
@@ -279,8 +280,8 @@ fn name(session: &Session, parameter: Parameter) -> String {
 }
 
 fn light_name(session: &Session, light: usize) -> String {
-    let name = session.say(words::LIGHT);
-    match session.stage().scene.lights.len() {
+    let name = session.localize(strings::LIGHT);
+    match session.prepared().scene.lights.len() {
         1 => name.to_owned(),
         _ => format!("{name} {light}"),
     }

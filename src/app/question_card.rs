@@ -3,7 +3,7 @@
 use super::narration::{prose, set};
 use super::session::{Command, Guess, Session, Standing, read_number};
 use super::window::Window;
-use super::{style, words};
+use super::{strings, style};
 use crate::lesson::{Answer, Question};
 use crate::picture::{Ink, number};
 use egui::{Button, FontId, Frame, Key, Margin, RichText, Stroke, TextEdit, Ui};
@@ -25,7 +25,10 @@ pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>,
     frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.horizontal(|ui| {
-            ui.label(style::strong(session.say(words::BEFORE_YOU_GO_ON), 14.0));
+            ui.label(style::strong(
+                session.localize(strings::BEFORE_YOU_GO_ON),
+                14.0,
+            ));
             if standing == Standing::Open {
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     skip(session, commands, ui);
@@ -63,7 +66,10 @@ fn ask(
                 if response.changed() {
                     window.misread = false;
                 }
-                let (name, text) = (session.say(words::YOUR_ANSWER), window.answer.clone());
+                let (name, text) = (
+                    session.localize(strings::YOUR_ANSWER),
+                    window.answer.clone(),
+                );
                 response.widget_info(|| egui::WidgetInfo {
                     label: Some(name.to_owned()),
                     ..egui::WidgetInfo::text_edit(true, "", &text, "")
@@ -71,7 +77,7 @@ fn ask(
                 let entered =
                     response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
                 if ui
-                    .add(primary(session, session.say(words::CHECK)))
+                    .add(primary(session, session.localize(strings::CHECK)))
                     .clicked()
                     || entered
                 {
@@ -86,7 +92,7 @@ fn ask(
             });
             if window.misread {
                 let ink = style::color(session.look.theme, Ink::Bad);
-                ui.label(RichText::new(session.say(words::NOT_A_NUMBER)).color(ink));
+                ui.label(RichText::new(session.localize(strings::NOT_A_NUMBER)).color(ink));
             }
         }
         Answer::Choice { options, .. } => {
@@ -101,14 +107,14 @@ fn ask(
             }
         }
         Answer::Pixel { .. } => {
-            ui.label(RichText::new(session.say(words::CLICK_A_PIXEL)).strong());
+            ui.label(RichText::new(session.localize(strings::CLICK_A_PIXEL)).strong());
         }
     }
 }
 
 fn skip(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     if ui
-        .add(Button::new(session.say(words::SKIP)).frame(false))
+        .add(Button::new(session.localize(strings::SKIP)).frame(false))
         .clicked()
     {
         commands.push(Command::Skip);
@@ -129,10 +135,10 @@ fn verdict(
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) {
-    let (words, ink) = match standing {
-        Standing::Right => (words::RIGHT, Ink::Good),
-        Standing::Wrong => (words::WRONG, Ink::Warn),
-        Standing::Open | Standing::Skipped => (words::SKIPPED, Ink::Muted),
+    let (strings, ink) = match standing {
+        Standing::Right => (strings::RIGHT, Ink::Good),
+        Standing::Wrong => (strings::WRONG, Ink::Warn),
+        Standing::Open | Standing::Skipped => (strings::SKIPPED, Ink::Muted),
     };
     let answer = match &question.answer {
         Answer::Number { value, tolerance } => number(rounded(*value, *tolerance)),
@@ -146,9 +152,17 @@ fn verdict(
     } else {
         ""
     };
-    let (words, is) = (session.say(words), session.say(words::THE_ANSWER_IS));
-    let told = format!("{sign}{words} {is} {}.", answer.trim_end_matches('.'));
-    ui.label(set(session, &told, FontId::new(14.0, style::bold()), ink));
+    let (strings, is) = (
+        session.localize(strings),
+        session.localize(strings::THE_ANSWER_IS),
+    );
+    let recorded = format!("{sign}{strings} {is} {}.", answer.trim_end_matches('.'));
+    ui.label(set(
+        session,
+        &recorded,
+        FontId::new(14.0, style::bold()),
+        ink,
+    ));
     ui.label(prose(
         session,
         question.why(session.look.language),
@@ -158,7 +172,7 @@ fn verdict(
     if ui
         .link(format!(
             "{} {} →",
-            session.say(words::SHOW_THE_STEP),
+            session.localize(strings::SHOW_THE_STEP),
             question.step
         ))
         .clicked()

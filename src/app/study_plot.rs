@@ -1,7 +1,7 @@
 //! The plot of a part of a study, to be pointed at and clicked. Its axes are logarithmic: what is plotted is log10.
 
 use super::session::{PointAt, Session};
-use super::{study_view, study_words, style, words};
+use super::{strings, study_view, study_words, style};
 use crate::picture::Ink;
 use crate::study::form::Axes;
 use crate::study::harness::{Part, Point};
@@ -98,7 +98,7 @@ pub fn show(session: &Session, part: &Part, lit: Option<PointAt>, ui: &mut Ui) -
                 .allow_hover(false),
         );
     });
-    let name = session.say(words::STUDY_PLOT);
+    let name = session.localize(strings::STUDY_PLOT);
     let response = shown.response;
     response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name));
     let at = response.hover_pos().and_then(|pointer| {
@@ -117,8 +117,8 @@ pub fn show(session: &Session, part: &Part, lit: Option<PointAt>, ui: &mut Ui) -
     let clicked = response.clicked();
     if let Some((_, line, point)) = at.and_then(|at| session.studying().point(at)) {
         ui.ctx().set_cursor_icon(egui::CursorIcon::PointingHand);
-        let told = study_view::told(session, line, point);
-        response.on_hover_text_at_pointer(told);
+        let recorded = study_view::recorded(session, line, point);
+        response.on_hover_text_at_pointer(recorded);
     }
     Pointed { at, clicked }
 }
@@ -227,9 +227,9 @@ impl Scales {
 fn names(session: &Session, part: &Part) -> [String; 2] {
     let language = session.look.language;
     let size = study_words::measure(part.size, language).to_owned();
-    let time = session.say(words::TIME_OF_A_RUN).to_owned();
+    let time = session.localize(strings::TIME_OF_A_RUN).to_owned();
     let quantity = study_words::measure(part.quantity, language);
-    let error = format!("{} {quantity}", session.say(words::RMS_ERROR_OF));
+    let error = format!("{} {quantity}", session.localize(strings::RMS_ERROR_OF));
     match part.axes {
         Axes::ErrorOverTime => [time, error],
         Axes::ErrorOverSize => [size, error],
@@ -300,7 +300,7 @@ mod tests {
             step_size: 1.0,
         };
         let wide = -8.0..=0.0;
-        for (value, seconds, zero, told) in [
+        for (value, seconds, zero, recorded) in [
             (-3.0, true, None, "1 ms"),
             (-3.0, false, None, "1e-3"),
             (2.0, false, None, "100"),
@@ -308,7 +308,7 @@ mod tests {
             (-5.0, false, Some(-5.0), "0"),
             (-4.0, false, Some(-5.0), "1e-4"),
         ] {
-            assert_eq!(tick(mark(value), &wide, seconds, zero), told, "{value}");
+            assert_eq!(tick(mark(value), &wide, seconds, zero), recorded, "{value}");
         }
         assert_eq!(tick(mark(2_f64.log10()), &(0.0..=1.0), false, None), "2");
     }

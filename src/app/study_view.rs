@@ -2,14 +2,14 @@
 
 use super::session::{Command, Outcome, PointAt, Session, StudyCommand};
 use super::window::button;
-use super::{study_plot, study_words, style, words};
+use super::{strings, study_plot, study_words, style};
 use crate::picture::Ink;
 use crate::study::families;
 use crate::study::fit::{Fit, Law};
 use crate::study::form::Axes;
 use crate::study::harness::{Line, Part, Point};
 use crate::study::plot::curve::Look;
-use crate::study::report::words as report;
+use crate::study::report::strings as report;
 use egui::{Button, ComboBox, Frame, Margin, ProgressBar, RichText, ScrollArea, Ui};
 use std::time::Duration;
 
@@ -33,7 +33,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         match studying.parts.get(studying.part) {
             Some(part) => found(session, part, commands, ui),
             None if studying.percent().is_none() => {
-                ui.label(session.say(words::NOTHING_MEASURED));
+                ui.label(session.localize(strings::NOTHING_MEASURED));
             }
             None => {}
         }
@@ -46,9 +46,9 @@ fn choose(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let language = session.look.language;
     let chosen = families::ALL[studying.chosen];
     ui.horizontal_wrapped(|ui| {
-        ui.label(style::strong(session.say(words::STUDIES), 17.0));
+        ui.label(style::strong(session.localize(strings::STUDIES), 17.0));
         ui.add_space(8.0);
-        ComboBox::from_label(session.say(words::STUDY))
+        ComboBox::from_label(session.localize(strings::STUDY))
             .selected_text(study_words::title(chosen, language))
             .width(300.0)
             .show_ui(ui, |ui| {
@@ -61,15 +61,18 @@ fn choose(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
                 }
             });
         let mut quick = studying.quick;
-        if ui.checkbox(&mut quick, session.say(words::QUICK)).clicked() {
+        if ui
+            .checkbox(&mut quick, session.localize(strings::QUICK))
+            .clicked()
+        {
             commands.push(Command::Study(StudyCommand::Quick));
         }
-        for (words, command) in [
-            (words::MEASURE, StudyCommand::Measure),
-            (words::CALL_OFF, StudyCommand::CallOff),
-            (words::BACK_TO_THE_RUN, StudyCommand::View),
+        for (strings, command) in [
+            (strings::MEASURE, StudyCommand::Measure),
+            (strings::CALL_OFF, StudyCommand::CallOff),
+            (strings::BACK_TO_THE_RUN, StudyCommand::View),
         ] {
-            let name = session.say(words);
+            let name = session.localize(strings);
             let command = Command::Study(command);
             button(session, Button::new(name), name, command, commands, ui);
         }
@@ -77,7 +80,7 @@ fn choose(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.label(study_words::about(chosen, language));
     if cfg!(debug_assertions) {
         let warn = style::color(session.look.theme, Ink::Warn);
-        ui.label(RichText::new(session.say(words::DEBUG_BUILD)).color(warn));
+        ui.label(RichText::new(session.localize(strings::DEBUG_BUILD)).color(warn));
     }
 }
 
@@ -85,16 +88,16 @@ fn choose(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 fn state(session: &Session, ui: &mut Ui) {
     let studying = session.studying();
     if let Some(percent) = studying.percent() {
-        let told = format!("{} {percent} %", session.say(words::MEASURING));
+        let recorded = format!("{} {percent} %", session.localize(strings::MEASURING));
         let bar = ProgressBar::new(percent as f32 / 100.0).desired_height(18.0);
-        ui.add(bar.text(told));
+        ui.add(bar.text(recorded));
     }
     match &studying.outcome {
         Outcome::Well => {}
-        Outcome::CalledOff => drop(ui.label(session.say(words::CALLED_OFF))),
+        Outcome::CalledOff => drop(ui.label(session.localize(strings::CALLED_OFF))),
         Outcome::Because(why) => {
-            let told = format!("{} {why}", session.say(words::NO_FINDINGS));
-            ui.label(told);
+            let recorded = format!("{} {why}", session.localize(strings::NO_FINDINGS));
+            ui.label(recorded);
         }
     }
 }
@@ -146,7 +149,7 @@ fn found(session: &Session, part: &Part, commands: &mut Vec<Command>, ui: &mut U
     ScrollArea::vertical().id_salt("told").show(ui, |ui| {
         match shown.and_then(|at| studying.point(at)) {
             Some((_, line, point)) => {
-                ui.label(told(session, line, point));
+                ui.label(recorded(session, line, point));
             }
             None => about(session, part, ui),
         }
@@ -156,19 +159,19 @@ fn found(session: &Session, part: &Part, commands: &mut Vec<Command>, ui: &mut U
 /// What the plot as a whole shows.
 fn about(session: &Session, part: &Part, ui: &mut Ui) {
     if part.axes == Axes::ErrorOverTime {
-        ui.label(session.say(words::PARETO));
+        ui.label(session.localize(strings::PARETO));
     }
     if part.axes != Axes::TimeOverSize {
         let reference = &part.reference;
         let own = report::error(reference.error);
-        let said = session.say(words::REFERENCE);
+        let said = session.localize(strings::REFERENCE);
         ui.label(format!(
             "{said}: {} (± {own}; {}).",
             reference.what, reference.known_by
         ));
     }
     for [curve, setting, why] in &part.failed {
-        let no = session.say(words::NO_FINDINGS);
+        let no = session.localize(strings::NO_FINDINGS);
         ui.label(format!("{curve}, {setting}. {no} {why}."));
     }
 }
@@ -202,7 +205,7 @@ fn points(
             let response = ui.add(button);
             let name = format!("{}, {}", line.name, point.setting);
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
-            let description = told(session, line, point);
+            let description = recorded(session, line, point);
             ui.ctx()
                 .accesskit_node_builder(response.id, |node| node.set_description(description));
             if response.clicked() {
@@ -220,19 +223,19 @@ fn points(
 /// How error falls and time grows along a curve, as far as they do by a law.
 fn laws(session: &Session, part: &Part, line: &Line) -> String {
     let size = study_words::measure(part.size, session.look.language);
-    let law = |words, fit: Option<Fit>| {
+    let law = |strings, fit: Option<Fit>| {
         let fit = fit.filter(|fit| fit.is_clean() && !fit.is_level());
-        let told = fit.map_or_else(
-            || session.say(words::NO_LAW).to_owned(),
+        let recorded = fit.map_or_else(
+            || session.localize(strings::NO_LAW).to_owned(),
             |fit| match fit.law {
                 Law::Power => format!("∝ n^{:.2}", fit.rate),
                 Law::Geometric => format!("∝ {:.3}^n", fit.rate),
             },
         );
-        format!("{} {told}", session.say(words))
+        format!("{} {recorded}", session.localize(strings))
     };
-    let error = law(words::ERROR_FALLS, line.convergence);
-    let time = law(words::TIME_GROWS, line.growth);
+    let error = law(strings::ERROR_FALLS, line.convergence);
+    let time = law(strings::TIME_GROWS, line.growth);
     match part.axes {
         Axes::TimeOverSize => format!("{time}, n: {size}"),
         _ => format!("{error}, {time}, n: {size}"),
@@ -240,23 +243,23 @@ fn laws(session: &Session, part: &Part, line: &Line) -> String {
 }
 
 /// Everything about a point, a line each.
-pub fn told(session: &Session, line: &Line, point: &Point) -> String {
-    let say = |words| session.say(words);
-    let mut told = format!("{}, {}", line.name, point.setting);
+pub fn recorded(session: &Session, line: &Line, point: &Point) -> String {
+    let localize = |strings| session.localize(strings);
+    let mut recorded = format!("{}, {}", line.name, point.setting);
     if let Some(errors) = point.errors {
         let [rms, largest, relative] =
             [errors.rms, errors.largest, errors.relative].map(report::error);
-        told += &format!(
+        recorded += &format!(
             "\n{}: rms {rms}, max {largest}, rel {relative}",
-            say(words::ERROR_IS)
+            localize(strings::ERROR_IS)
         );
     }
     let timing = &point.seconds;
     let [median, lower, upper] = [timing.median, timing.lower, timing.upper].map(report::seconds);
-    told += &format!(
+    recorded += &format!(
         "\n{}: {median} ({} {lower} – {upper}, {}×)",
-        say(words::TIME_IS),
-        say(words::QUARTILES),
+        localize(strings::TIME_IS),
+        localize(strings::QUARTILES),
         timing.runs
     );
     let mut counts: Vec<String> = Vec::new();
@@ -269,19 +272,19 @@ pub fn told(session: &Session, line: &Line, point: &Point) -> String {
     }
     counts.push(format!(
         "{} {}",
-        say(words::MEMORY_IS),
+        localize(strings::MEMORY_IS),
         report::bytes(point.bytes)
     ));
-    told += &format!("\n{}", counts.join(", "));
+    recorded += &format!("\n{}", counts.join(", "));
     if point.on_front {
-        told += &format!("\n{}", say(words::ON_THE_FRONT));
+        recorded += &format!("\n{}", localize(strings::ON_THE_FRONT));
     }
     match (&point.drawn, session.studying().command_line()) {
-        (Some(_), _) => told += &format!("\n{}", say(words::CLICK_OPENS_IT)),
+        (Some(_), _) => recorded += &format!("\n{}", localize(strings::CLICK_OPENS_IT)),
         (None, Some(command)) => {
-            told += &format!("\n{} {command}", say(words::MEASURED_AGAIN_BY));
+            recorded += &format!("\n{} {command}", localize(strings::MEASURED_AGAIN_BY));
         }
         (None, None) => {}
     }
-    told
+    recorded
 }

@@ -1,6 +1,6 @@
 //! What studies are called and ask, in Indonesian too. Names of methods and settings are those of the command line in both.
 
-use crate::panels::words::Language;
+use crate::panels::strings::Language;
 use crate::study::form::Study;
 
 pub fn title(study: &Study, language: Language) -> &'static str {

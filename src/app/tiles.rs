@@ -2,7 +2,7 @@
 
 use super::panel_view::{self, PanelView};
 use super::session::{Command, Session};
-use super::{drag, style, tree_controls, words};
+use super::{drag, strings, style, tree_controls};
 use crate::panels::{Panel, step_at};
 use crate::picture::{Ink, Tag};
 use egui::{Rect, Ui, WidgetText};
@@ -162,7 +162,7 @@ impl Behavior<Panel> for Cards<'_> {
     }
 
     fn tab_title_for_pane(&mut self, panel: &Panel) -> WidgetText {
-        self.session.say(panel_view::title(*panel)).into()
+        self.session.localize(panel_view::title(*panel)).into()
     }
 
     fn gap_width(&self, _: &egui::Style) -> f32 {
@@ -194,17 +194,20 @@ fn card_title(
             .max_rect(rect)
             .layout(egui::Layout::left_to_right(egui::Align::Center)),
     );
-    ui.label(style::strong(session.say(panel_view::title(panel)), 15.0));
+    ui.label(style::strong(
+        session.localize(panel_view::title(panel)),
+        15.0,
+    ));
     let muted = style::color(session.look.theme, Ink::Muted);
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         if panel == Panel::RayTree {
             tree_controls::buttons(session, commands, ui);
         }
         if panel == Panel::Radiosity {
-            let words = session.say(words::SMOOTH);
-            let text = egui::RichText::new(words).size(13.0);
+            let strings = session.localize(strings::SMOOTH);
+            let text = egui::RichText::new(strings).size(13.0);
             let button = egui::Button::new(text).selected(session.look.smooth);
-            let name = session.say(words::SMOOTH_ROOM);
+            let name = session.localize(strings::SMOOTH_ROOM);
             super::window::button(session, button, name, Command::Smooth, commands, ui);
         }
         let caption = egui::RichText::new(panel_view::caption(session, panel))

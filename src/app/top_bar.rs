@@ -1,15 +1,15 @@
 //! The bar on top: which lesson this is, and how things are shown.
 
 use super::session::{Command, Session, StudyCommand};
-use super::{style, words};
-use crate::panels::words::{Language, Words};
+use super::{strings, style};
+use crate::panels::strings::{Language, Words};
 use crate::picture::Theme;
 use egui::{Button, Color32, Frame, Margin, RichText, Ui};
 
 const THEMES: [(Theme, Words); 3] = [
-    (Theme::Light, words::THEME_LIGHT),
-    (Theme::Dark, words::THEME_DARK),
-    (Theme::Projector, words::THEME_PROJECTOR),
+    (Theme::Light, strings::THEME_LIGHT),
+    (Theme::Dark, strings::THEME_DARK),
+    (Theme::Projector, strings::THEME_PROJECTOR),
 ];
 
 pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
@@ -31,14 +31,14 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
                 super::window::button(
                     session,
                     Button::new("?"),
-                    session.say(words::KEYS),
+                    session.localize(strings::KEYS),
                     Command::Keys,
                     commands,
                     ui,
                 );
                 settings(session, commands, ui);
                 if !narrow {
-                    let share = session.say(words::SHARE);
+                    let share = session.localize(strings::SHARE);
                     super::window::button(
                         session,
                         Button::new(share),
@@ -47,7 +47,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
                         commands,
                         ui,
                     );
-                    let present = session.say(words::PRESENT);
+                    let present = session.localize(strings::PRESENT);
                     let button = Button::new(present).selected(session.look.presenting);
                     super::window::button(session, button, present, Command::Present, commands, ui);
                 }
@@ -119,59 +119,66 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let (response, _) = menu.ui(ui, |ui| {
         undress(ui);
         ui.set_min_width(200.0);
-        ui.label(style::strong(session.say(words::THEME), 13.0));
+        ui.label(style::strong(session.localize(strings::THEME), 13.0));
         for (theme, name) in THEMES {
             if ui
-                .add(Button::new(session.say(name)).selected(session.look.theme == theme))
+                .add(Button::new(session.localize(name)).selected(session.look.theme == theme))
                 .clicked()
             {
                 commands.push(Command::Theme(theme));
             }
         }
         ui.separator();
-        ui.label(style::strong(session.say(words::TEXT_SIZE), 13.0));
+        ui.label(style::strong(session.localize(strings::TEXT_SIZE), 13.0));
         ui.horizontal(|ui| {
             for (sign, command) in [
                 ("−", Command::SmallerText),
                 ("100 %", Command::NormalText),
                 ("+", Command::LargerText),
             ] {
-                let name = format!("{} {sign}", session.say(words::TEXT_SIZE));
+                let name = format!("{} {sign}", session.localize(strings::TEXT_SIZE));
                 super::window::button(session, Button::new(sign), &name, command, commands, ui);
             }
         });
         ui.separator();
         let mut asks = session.look.questions;
         if ui
-            .checkbox(&mut asks, session.say(words::QUESTIONS))
+            .checkbox(&mut asks, session.localize(strings::QUESTIONS))
             .clicked()
         {
             commands.push(Command::Questions);
         }
         let mut inspects = session.look.inspector;
         if ui
-            .checkbox(&mut inspects, session.say(words::INSPECTOR))
+            .checkbox(&mut inspects, session.localize(strings::INSPECTOR))
             .clicked()
         {
             commands.push(Command::Inspector);
         }
         ui.separator();
-        let studies = session.say(words::STUDIES);
+        let studies = session.localize(strings::STUDIES);
         let view = Command::Study(StudyCommand::View);
         super::window::button(session, Button::new(studies), studies, view, commands, ui);
-        for (words, command) in [
-            (words::PRESENT, Command::Present),
-            (words::SHARE, Command::Share),
-            (words::LEFT_OUT, Command::LeftOut),
+        for (strings, command) in [
+            (strings::PRESENT, Command::Present),
+            (strings::SHARE, Command::Share),
+            (strings::LEFT_OUT, Command::LeftOut),
         ] {
-            let words = session.say(words);
-            super::window::button(session, Button::new(words), words, command, commands, ui);
+            let strings = session.localize(strings);
+            super::window::button(
+                session,
+                Button::new(strings),
+                strings,
+                command,
+                commands,
+                ui,
+            );
         }
     });
     response.widget_info(|| {
-        egui::WidgetInfo::labeled(egui::Role::Button, true, session.say(words::MENU))
+        egui::WidgetInfo::labeled(egui::Role::Button, true, session.localize(strings::MENU))
     });
-    response.on_hover_text(session.say(words::MENU));
+    response.on_hover_text(session.localize(strings::MENU));
 }
 
 /// Menus look as the rest of the window does.

@@ -2,7 +2,7 @@
 
 use super::session::{Command, Direction, Session};
 use super::window::{Window, button};
-use super::{style, words};
+use super::{strings, style};
 use crate::picture::{Ink, number};
 use crate::replay::query;
 use egui::containers::menu::MenuButton;
@@ -33,8 +33,8 @@ pub fn show(
     let (step, last) = (session.step(), session.last_step());
     let place = format!(
         "{} {step} {} {last}",
-        session.say(words::STEP),
-        session.say(words::OF)
+        session.localize(strings::STEP),
+        session.localize(strings::OF)
     );
     ui.label(style::strong(place, 15.0));
     ui.add_space(6.0);
@@ -61,20 +61,20 @@ fn walk_buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         Command::Back(1)
     };
     let buttons = [
-        ("|◀", Command::Start, words::AT_THE_START_NAME),
-        ("◀◀", Command::PreviousScope, words::PREVIOUS_SCOPE),
-        ("◀", back, words::ONE_BACK),
-        (play, Command::Play, words::PLAY),
-        ("▶|", Command::Forward(1), words::ONE_ON),
-        ("▶▶", Command::NextScope, words::NEXT_SCOPE),
-        ("▶‖", Command::NextNarrated, words::NEXT_SAID),
+        ("|◀", Command::Start, strings::AT_THE_START_NAME),
+        ("◀◀", Command::PreviousScope, strings::PREVIOUS_SCOPE),
+        ("◀", back, strings::ONE_BACK),
+        (play, Command::Play, strings::PLAY),
+        ("▶|", Command::Forward(1), strings::ONE_ON),
+        ("▶▶", Command::NextScope, strings::NEXT_SCOPE),
+        ("▶‖", Command::NextNarrated, strings::NEXT_SAID),
     ];
     for (sign, command, name) in buttons {
         let width = egui::vec2(34.0, 28.0);
         button(
             session,
             Button::new(RichText::new(sign).size(12.0)).min_size(width),
-            session.say(name),
+            session.localize(name),
             command,
             commands,
             ui,
@@ -85,7 +85,7 @@ fn walk_buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 
 fn speed(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.x = 6.0;
-    let slower = session.say(words::SLOWER);
+    let slower = session.localize(strings::SLOWER);
     button(
         session,
         Button::new("−"),
@@ -97,13 +97,13 @@ fn speed(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let speed = format!(
         "{} {}",
         number(session.speed()),
-        session.say(words::STEPS_A_SECOND)
+        session.localize(strings::STEPS_A_SECOND)
     );
     ui.label(RichText::new(speed).size(13.0));
     button(
         session,
         Button::new("+"),
-        session.say(words::FASTER),
+        session.localize(strings::FASTER),
         Command::Faster,
         commands,
         ui,
@@ -114,35 +114,47 @@ fn speed(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 fn looping(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let end = |step: Option<usize>| step.map_or("…".to_owned(), |step| step.to_string());
     let text = match session.loop_ends() {
-        (None, None) => format!("{} ▾", session.say(words::LOOP_OFF)),
-        (from, to) => format!("{} {}–{} ▾", session.say(words::LOOP), end(from), end(to)),
+        (None, None) => format!("{} ▾", session.localize(strings::LOOP_OFF)),
+        (from, to) => format!(
+            "{} {}–{} ▾",
+            session.localize(strings::LOOP),
+            end(from),
+            end(to)
+        ),
     };
     let menu = MenuButton::from_button(Button::new(text));
     menu.ui(ui, |ui| {
         let choices = [
-            (words::LOOP_FROM_HERE, Command::LoopFrom),
-            (words::LOOP_TO_HERE, Command::LoopTo),
-            (words::LOOP_OFF, Command::LoopOff),
-            (words::BREAKPOINT, Command::Breakpoint),
+            (strings::LOOP_FROM_HERE, Command::LoopFrom),
+            (strings::LOOP_TO_HERE, Command::LoopTo),
+            (strings::LOOP_OFF, Command::LoopOff),
+            (strings::BREAKPOINT, Command::Breakpoint),
         ];
-        for (words, command) in choices {
-            let words = session.say(words);
-            button(session, Button::new(words), words, command, commands, ui);
+        for (strings, command) in choices {
+            let strings = session.localize(strings);
+            button(
+                session,
+                Button::new(strings),
+                strings,
+                command,
+                commands,
+                ui,
+            );
         }
     });
 }
 
 /// A menu of the kinds of steps, with how many there are of each.
 fn run_to(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
-    let words = format!("{} ▾", session.say(words::RUN_TO));
-    let menu = MenuButton::from_button(Button::new(words));
+    let strings = format!("{} ▾", session.localize(strings::RUN_TO));
+    let menu = MenuButton::from_button(Button::new(strings));
     menu.ui(ui, |ui| {
         let walk = session.walk();
         if walk.is_empty() {
             return;
         }
         let here = walk.kind(session.step());
-        let next = session.say(words::NEXT_OF_THIS_KIND);
+        let next = session.localize(strings::NEXT_OF_THIS_KIND);
         if ui
             .button(RichText::new(format!("{next}: {here}")).strong())
             .clicked()
@@ -164,12 +176,14 @@ fn run_to(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 }
 
 fn search(session: &mut Session, window: &mut Window, commands: &mut Vec<Command>, ui: &mut Ui) {
-    let hint = format!("/ {}", session.say(words::SEARCH));
+    let hint = format!("/ {}", session.localize(strings::SEARCH));
     let edit = TextEdit::singleline(&mut window.search)
         .desired_width(150.0)
         .hint_text(hint);
-    let response = ui.add(edit).on_hover_text(session.say(words::SEARCH_HINT));
-    let (name, text) = (session.say(words::SEARCH), window.search.clone());
+    let response = ui
+        .add(edit)
+        .on_hover_text(session.localize(strings::SEARCH_HINT));
+    let (name, text) = (session.localize(strings::SEARCH), window.search.clone());
     response.widget_info(|| egui::WidgetInfo {
         label: Some(name.to_owned()),
         ..egui::WidgetInfo::text_edit(true, "", &text, "")
@@ -196,7 +210,7 @@ fn notice(session: &Session, window: &Window, ui: &mut Ui) {
     let truncated = session
         .walk()
         .truncated()
-        .then(|| session.say(words::TRUNCATED));
+        .then(|| session.localize(strings::TRUNCATED));
     if let Some(text) = window.notice.as_deref().or(truncated) {
         let ink = style::color(session.look.theme, Ink::Warn);
         let label = egui::Label::new(RichText::new(text).size(13.0).color(ink)).truncate();

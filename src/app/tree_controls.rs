@@ -1,8 +1,8 @@
 //! How the ray tree is zoomed and dragged.
 
 use super::session::{Command, Session};
+use super::strings;
 use super::window::button;
-use super::words;
 use crate::panels::{tree_area, tree_middle};
 use egui::{Button, Response, RichText, Ui};
 use glam::Vec2;
@@ -17,14 +17,25 @@ pub fn buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.x = 4.0;
     let tree = session.tree();
     for (sign, view, name) in [
-        ("−", tree.zoomed(1.0 / PRESS), words::SMALLER_TREE),
-        ("+", tree.zoomed(PRESS), words::LARGER_TREE),
-        (session.say(words::TREE_FIT), tree.fit(), words::WHOLE_TREE),
+        ("−", tree.zoomed(1.0 / PRESS), strings::SMALLER_TREE),
+        ("+", tree.zoomed(PRESS), strings::LARGER_TREE),
+        (
+            session.localize(strings::TREE_FIT),
+            tree.fit(),
+            strings::WHOLE_TREE,
+        ),
     ] {
         let sign = RichText::new(sign).size(13.0);
         let small = Button::new(sign).min_size(egui::vec2(24.0, 22.0));
         let command = Command::ViewTree(view);
-        button(session, small, session.say(name), command, commands, ui);
+        button(
+            session,
+            small,
+            session.localize(name),
+            command,
+            commands,
+            ui,
+        );
     }
 }
 

@@ -4,8 +4,8 @@ use super::panel_view::PanelView;
 use super::session::{Command, Session};
 use super::tiles::{Arrangement, GAP, panel_on};
 use super::{
-    key_sheet, keys, left_out, narration, parameter_card, study_view, style, top_bar, transport,
-    words,
+    key_sheet, keys, narration, parameter_card, skipped, strings, study_view, style, top_bar,
+    transport,
 };
 use crate::panels::Panel;
 use crate::picture::Theme;
@@ -132,8 +132,8 @@ impl Window {
         if session.look.keys {
             key_sheet::show(session, &mut commands, ctx);
         }
-        if session.look.left_out {
-            left_out::show(session, &mut commands, ctx);
+        if session.look.skipped {
+            skipped::show(session, &mut commands, ctx);
         }
         let acted = !commands.is_empty();
         for command in commands {
@@ -190,7 +190,7 @@ impl Window {
             self.title = title;
         }
         if let Some(command) = session.shared.take() {
-            self.notice = Some(format!("{} {command}", session.say(words::SHARED)));
+            self.notice = Some(format!("{} {command}", session.localize(strings::SHARED)));
             ctx.copy_text(command);
         }
     }

@@ -1,9 +1,9 @@
 //! Reading scenes and lessons from files, and writing files that appear whole or not at all.
 
 use super::{Failure, interrupt, progress, tell};
+use crate::algorithms::enclosure;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
-use crate::algorithms::room;
-use crate::algorithms::stage::Stage;
 use crate::lesson::{Lesson, builtin};
 use crate::render::Method;
 use crate::scene::{self, Limits, Scene, Tessellation, View, document};
@@ -62,9 +62,12 @@ pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
 }
 
 /// Reads a scene file, or the scene of a lesson file, how far ray methods go in it, and how its light is found.
-pub fn scene(path: &Path, limits: &Limits) -> Result<(Scene, Settings, room::Settings), Failure> {
+pub fn scene(
+    path: &Path,
+    limits: &Limits,
+) -> Result<(Scene, Settings, enclosure::Settings), Failure> {
     match document(path, limits)? {
-        Document::Scene(scene) => Ok((*scene, Settings::default(), room::Settings::default())),
+        Document::Scene(scene) => Ok((*scene, Settings::default(), enclosure::Settings::default())),
         Document::Lesson(lesson) => Ok((lesson.scene, lesson.settings, lesson.radiosity)),
     }
 }
@@ -73,12 +76,12 @@ pub fn scene(path: &Path, limits: &Limits) -> Result<(Scene, Settings, room::Set
 const MAX_POLYGONS: u64 = 10_000_000;
 
 /// A scene in front of its own camera, in a picture of `width`×`height`. Says which objects are left out.
-pub fn stage(
+pub fn prepared(
     scene: Scene,
     [width, height]: [u32; 2],
     method: Method,
     name: &dyn std::fmt::Display,
-) -> Result<Stage, Failure> {
+) -> Result<PreparedScene, Failure> {
     let Some(camera) = scene.camera else {
         return Err(wrong(
             name,
@@ -95,20 +98,20 @@ pub fn stage(
         ));
     }
     let view = View::new(&camera, width, height);
-    let stage = progress::named("dividing the scene into polygons", || {
-        Stage::new(scene, view)
+    let prepared = progress::named("dividing the scene into polygons", || {
+        PreparedScene::new(scene, view)
     });
     if method.follows_rays() {
-        return Ok(stage);
+        return Ok(prepared);
     }
-    for &object in &stage.tessellation.left_out {
-        let object = &stage.scene.objects[object].name;
+    for &object in &prepared.tessellation.skipped {
+        let object = &prepared.scene.objects[object].name;
         tell(format_args!(
             "lightwalk: {} leaves out the infinite plane \"{object}\"",
             method.name()
         ));
     }
-    Ok(stage)
+    Ok(prepared)
 }
 
 /// A problem with every line under the file's name.
@@ -210,8 +213,10 @@ pub fn check_output_folder(path: &Path) -> Result<(), Failure> {
 
 /// What the processor is called, where the system tells it in the place where Linux does.
 pub fn processor_name() -> Option<String> {
-    let told = fs::read_to_string("/proc/cpuinfo").ok()?;
-    let line = told.lines().find(|line| line.starts_with("model name"))?;
+    let recorded = fs::read_to_string("/proc/cpuinfo").ok()?;
+    let line = recorded
+        .lines()
+        .find(|line| line.starts_with("model name"))?;
     let (_, name) = line.split_once(':')?;
     Some(name.trim().to_string())
 }

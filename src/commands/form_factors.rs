@@ -2,8 +2,8 @@
 
 use super::progress::{Progress, named};
 use super::{Failure, LimitArguments, files};
+use crate::algorithms::enclosure::{Enclosure, Settings};
 use crate::algorithms::form_factor::{Method, Report};
-use crate::algorithms::room::{Room, Settings};
 use crate::render;
 use crate::scene::Scene;
 use crate::scene::patches::Patches;
@@ -57,12 +57,12 @@ pub struct MemoryArgument {
 
 impl MemoryArgument {
     /// What is wrong with a matrix for this room, if it is too large. Nothing has been allocated then.
-    pub fn refusal(self, room: &Room) -> Option<String> {
-        let needed = room.matrix_bytes().div_ceil(1 << 20);
+    pub fn refusal(self, enclosure: &Enclosure) -> Option<String> {
+        let needed = enclosure.matrix_bytes().div_ceil(1 << 20);
         (needed > self.max_memory).then(|| {
             format!(
                 "the form factors of {} patches take {needed} MiB; at most {} are allowed (--max-memory)",
-                room.patches.len(),
+                enclosure.patches.len(),
                 self.max_memory
             )
         })
@@ -87,22 +87,22 @@ pub fn settings(
 }
 
 /// A scene's patches, or what is wrong with them.
-pub fn room(scene: &Scene, path: &Path, settings: Settings) -> Result<Room, Failure> {
+pub fn enclosure(scene: &Scene, path: &Path, settings: Settings) -> Result<Enclosure, Failure> {
     named("dividing the scene into patches", || {
-        Room::of(scene, settings)
+        Enclosure::of(scene, settings)
     })
     .map_err(|error| files::wrong(&path.display(), &error))
 }
 
 /// The matrix of a room, with progress.
-pub fn matrix(room: &Room) -> &[f64] {
+pub fn matrix(enclosure: &Enclosure) -> &[f64] {
     let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
     let progress = Progress::new("form factors");
     let show = |done, all| {
         progress.show(done, all);
         Ok::<(), Infallible>(())
     };
-    let Ok(matrix) = render::matrix(room, threads, &show);
+    let Ok(matrix) = render::matrix(enclosure, threads, &show);
     matrix
 }
 
@@ -114,22 +114,22 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     };
     let settings = settings(Some(&arguments.method), &arguments.visibility, unless)?;
     let (scene, ..) = files::scene(&arguments.scene, &arguments.limits.into())?;
-    let room = room(&scene, &arguments.scene, settings)?;
-    if let Some(refusal) = arguments.memory.refusal(&room) {
+    let enclosure = enclosure(&scene, &arguments.scene, settings)?;
+    if let Some(refusal) = arguments.memory.refusal(&enclosure) {
         return Err(files::wrong(&arguments.scene.display(), &refusal));
     }
     let start = Instant::now();
-    let matrix = matrix(&room);
+    let matrix = matrix(&enclosure);
     let seconds = start.elapsed().as_secs_f64();
     let Report {
         row_sums,
         reciprocity_defect,
         closure_defect,
-    } = Report::of(&room.patches, matrix);
+    } = Report::of(&enclosure.patches, matrix);
     files::write_whole(&arguments.out, |out| {
-        let patches = serde_json::to_string(&patches(&scene, &room.patches))?;
+        let patches = serde_json::to_string(&patches(&scene, &enclosure.patches))?;
         write!(out, "{{\"patches\":{patches},\"matrix\":[")?;
-        let n = room.patches.len();
+        let n = enclosure.patches.len();
         for (i, row) in matrix.chunks(n.max(1)).enumerate() {
             out.write_all(if i == 0 { b"\n" } else { b",\n" })?;
             serde_json::to_writer(&mut *out, row)?;
@@ -148,10 +148,10 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 
 /// Every patch by its object and cell, with its area.
 fn patches(scene: &Scene, patches: &Patches) -> Vec<Json> {
-    let told = patches.iter().map(|patch| {
+    let recorded = patches.iter().map(|patch| {
         let object = &scene.objects[patch.object as usize].name;
         let [i, j] = patch.cell;
         json!({ "object": object, "i": i, "j": j, "area": patch.area })
     });
-    told.collect()
+    recorded.collect()
 }

@@ -3,8 +3,8 @@
 use super::files::{self, Document};
 use super::progress::Progress;
 use super::{Failure, LimitArguments, parse_range, parse_size};
-use crate::panels::words::Language;
-use crate::panels::{Panel, Show, TreeView, draw};
+use crate::panels::strings::Language;
+use crate::panels::{Panel, PanelInput, TreeView, draw};
 use crate::picture::{Theme, rasterize, to_png};
 use crate::render::compare::compare;
 use crate::render::{race, render};
@@ -72,12 +72,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     };
     let threads = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
     let rendering = Progress::new("rendering");
-    let finished = render(&open.stage, open.lesson.method, threads, &|done, all| {
+    let finished = render(&open.prepared, open.lesson.method, threads, &|done, all| {
         rendering.show(done, all)
     });
     drop(rendering);
     if panels.contains(&Panel::Race) {
-        race(&open.stage);
+        race(&open.prepared);
     }
 
     let methods = open
@@ -86,7 +86,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         .iter()
         .filter(|_| panels.iter().any(|panel| panel.compares()));
     let compared: Vec<_> = methods
-        .map(|&method| compare(&open.stage, method))
+        .map(|&method| compare(&open.prepared, method))
         .collect();
 
     std::fs::create_dir_all(&arguments.out)
@@ -94,7 +94,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let progress = Progress::new("drawing");
     for (done, &step) in steps.iter().enumerate() {
         open.run.walk_mut().seek(step);
-        let show = Show {
+        let show = PanelInput {
             run: &open.run,
             finished: &finished,
             compared: &compared,
@@ -103,7 +103,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             narrated: &narrated,
             breakpoints: &[],
             tree: TreeView::whole(),
-            smooth: open.stage.radiosity.smooth,
+            smooth: open.prepared.radiosity.smooth,
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

@@ -3,7 +3,7 @@
 use super::Failure;
 use super::files::wrong;
 use crate::lesson::builtins;
-use crate::panels::words::Language;
+use crate::panels::strings::Language;
 use std::io::Write;
 
 #[derive(clap::Args)]

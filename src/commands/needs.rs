@@ -4,10 +4,10 @@ use super::progress::Progress;
 use super::radiosity::SolutionArguments;
 use super::render::{method, method_names};
 use super::{Failure, LimitArguments, RayArguments, files, form_factors};
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::render::{self, Method};
 use crate::scene::{Camera, LeftOut, Part, Scene};
-use crate::study::saving::{Measured, Sameness, Saving, Savings, Steps, savings};
+use crate::study::ablation::{Ablation, Ablations, Measured, Sameness, Steps, ablations};
 use crate::study::timing::Patience;
 use glam::DVec3;
 use serde_json::{Value as Json, json};
@@ -55,36 +55,36 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let settings = arguments.rays.or(settings);
     let radiosity = arguments.solution.or(radiosity, arguments.limits)?;
     if method == Method::Radiosity {
-        form_factors::room(&scene, path, radiosity)?;
+        form_factors::enclosure(&scene, path, radiosity)?;
     }
-    let stage = files::stage(with_camera(scene), SIZE, method, &path.display())?
+    let prepared = files::prepared(with_camera(scene), SIZE, method, &path.display())?
         .with_settings(settings)
         .with_radiosity(radiosity);
-    let left_out = render::left_out(&stage, method);
+    let skipped = render::skipped(&prepared, method);
     // The light of a room is the same for every camera.
     let measured = (has_camera || method == Method::Radiosity).then(|| {
         let progress = Progress::new("measuring what is saved");
-        savings(&stage, method, PATIENCE, &|done, all| {
+        ablations(&prepared, method, PATIENCE, &|done, all| {
             progress.show(done, all)
         })
     });
     let mut out = std::io::stdout().lock();
     if arguments.json {
-        let told = json!({
+        let recorded = json!({
             "scene": path.display().to_string(),
             "method": method.name(),
-            "needed": needed(method, &left_out).map(Part::name).collect::<Vec<_>>(),
-            "left_out": self::left_out(&stage, method),
+            "needed": needed(method, &skipped).map(Part::name).collect::<Vec<_>>(),
+            "left_out": self::skipped(&prepared, method),
             "size": SIZE,
-            "saved": measured.map(|measured| measured.map_or_else(|why| json!({ "error": why }), |savings| saved(&savings))),
+            "saved": measured.map(|measured| measured.map_or_else(|why| json!({ "error": why }), |ablations| saved(&ablations))),
         });
-        writeln!(out, "{told:#}")?;
+        writeln!(out, "{recorded:#}")?;
         return Ok(());
     }
     writeln!(out, "{} of {}", method.name(), path.display())?;
-    tell_list(&stage, method, &left_out, &mut out)?;
+    tell_list(&prepared, method, &skipped, &mut out)?;
     match measured {
-        Some(Ok(savings)) => tell_savings(&savings, method, &mut out),
+        Some(Ok(ablations)) => print_ablations(&ablations, method, &mut out),
         Some(Err(why)) => Ok(writeln!(out, "not measured: {why}")?),
         None => Ok(writeln!(out, "not measured: the scene has no camera")?),
     }
@@ -102,32 +102,32 @@ fn with_camera(mut scene: Scene) -> Scene {
 }
 
 /// What the method does of it all, and cannot leave out.
-fn needed(method: Method, left_out: &[LeftOut]) -> impl Iterator<Item = Part> {
+fn needed(method: Method, skipped: &[LeftOut]) -> impl Iterator<Item = Part> {
     let is_needed = move |&part: &Part| {
-        let mut left_out = left_out.iter();
-        method.does(part) && left_out.all(|left_out| left_out.part != part)
+        let mut skipped = skipped.iter();
+        method.does(part) && skipped.all(|skipped| skipped.part != part)
     };
     Part::ALL.into_iter().filter(is_needed)
 }
 
 fn tell_list(
-    stage: &Stage,
+    prepared: &PreparedScene,
     method: Method,
-    left_out: &[LeftOut],
+    skipped: &[LeftOut],
     out: &mut impl Write,
 ) -> Result<(), Failure> {
-    for part in needed(method, left_out) {
+    for part in needed(method, skipped) {
         writeln!(out, "  needed    {}", part.name())?;
     }
-    for left_out in left_out {
-        let LeftOut { part, place, share } = left_out;
+    for skipped in skipped {
+        let LeftOut { part, place, share } = skipped;
         let share = share.map_or(String::new(), |[some, all]| {
             format!(", for {some} of {all} {}", part.counted())
         });
         let (name, why) = (part.name(), part.why());
         writeln!(out, "  left out  {name}{share}: {place}: {why}")?;
     }
-    for object in infinite(stage, method) {
+    for object in infinite(prepared, method) {
         writeln!(out, "  left out  object \"{object}\": {INFINITE}")?;
     }
     Ok(())
@@ -136,32 +136,36 @@ fn tell_list(
 const INFINITE: &str = "an infinite plane has no polygons";
 
 /// The names of objects that the method cannot draw.
-fn infinite(stage: &Stage, method: Method) -> impl Iterator<Item = &str> {
-    let planes = stage.tessellation.left_out.iter();
-    let names = planes.map(|&object| stage.scene.objects[object].name.as_str());
+fn infinite(prepared: &PreparedScene, method: Method) -> impl Iterator<Item = &str> {
+    let planes = prepared.tessellation.skipped.iter();
+    let names = planes.map(|&object| prepared.scene.objects[object].name.as_str());
     names.filter(move |_| method.converts_polygons())
 }
 
 /// What was left out of a picture, for `render --stats`.
-pub fn left_out(stage: &Stage, method: Method) -> Vec<Json> {
-    let told = |left_out: LeftOut| {
-        let LeftOut { part, place, share } = left_out;
-        let mut told = json!({ "what": part.name(), "place": place, "why": part.why() });
+pub fn skipped(prepared: &PreparedScene, method: Method) -> Vec<Json> {
+    let recorded = |skipped: LeftOut| {
+        let LeftOut { part, place, share } = skipped;
+        let mut recorded = json!({ "what": part.name(), "place": place, "why": part.why() });
         if let Some(share) = share {
-            told[part.counted().replace(' ', "_")] = json!(share);
+            recorded[part.counted().replace(' ', "_")] = json!(share);
         }
-        told
+        recorded
     };
-    let parts = render::left_out(stage, method).into_iter().map(told);
-    let planes = infinite(stage, method).map(
+    let parts = render::skipped(prepared, method).into_iter().map(recorded);
+    let planes = infinite(prepared, method).map(
         |object| json!({ "what": "object", "object": object, "place": "objects", "why": INFINITE }),
     );
     parts.chain(planes).collect()
 }
 
 /// A line a part: what it would take, and that nothing else would change.
-fn tell_savings(savings: &Savings, method: Method, out: &mut impl Write) -> Result<(), Failure> {
-    let Savings { time, steps, parts } = savings;
+fn print_ablations(
+    ablations: &Ablations,
+    method: Method,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let Ablations { time, steps, parts } = ablations;
     let what = match method {
         Method::Radiosity => "form factors and solution".to_owned(),
         _ => format!("a picture of {}x{}", SIZE[0], SIZE[1]),
@@ -181,7 +185,7 @@ fn tell_savings(savings: &Savings, method: Method, out: &mut impl Write) -> Resu
         "{:<20} {:>11} {:>22} {:>12} {:>12}  result",
         "done all the same", "ms", "saved by leaving out", "steps saved", "KiB saved"
     )?;
-    for Saving { part, measured, .. } in parts {
+    for Ablation { part, measured, .. } in parts {
         let name = part.map_or("all of these", Part::name);
         let Measured {
             time: with,
@@ -227,16 +231,16 @@ fn in_words(sameness: Sameness) -> String {
     }
 }
 
-fn saved(savings: &Savings) -> Json {
+fn saved(ablations: &Ablations) -> Json {
     let timing = |time: &crate::study::timing::Timing| json!({ "median": time.median, "quartiles": [time.lower, time.upper], "runs": time.runs });
-    let parts = savings.parts.iter().map(|saving| {
-        let part = saving.part.map_or("all", Part::name);
-        match &saving.measured {
+    let parts = ablations.parts.iter().map(|ablation| {
+        let part = ablation.part.map_or("all", Part::name);
+        match &ablation.measured {
             Err(why) => json!({ "part": part, "error": why }),
             Ok(measured) => json!({
                 "part": part,
                 "seconds": timing(&measured.time),
-                "tie": measured.time.ties(&savings.time),
+                "tie": measured.time.ties(&ablations.time),
                 "steps": measured.steps.count,
                 "bytes": measured.steps.bytes,
                 "same_bits": measured.sameness == Sameness::Same,
@@ -248,7 +252,7 @@ fn saved(savings: &Savings) -> Json {
         }
     });
     json!({
-        "left_out": { "seconds": timing(&savings.time), "steps": savings.steps.count, "bytes": savings.steps.bytes },
+        "left_out": { "seconds": timing(&ablations.time), "steps": ablations.steps.count, "bytes": ablations.steps.bytes },
         "done": parts.collect::<Vec<_>>(),
     })
 }

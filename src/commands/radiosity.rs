@@ -1,11 +1,11 @@
 //! `lightwalk radiosity`: the light of a scene, patch by patch.
 
-use super::form_factors::{MemoryArgument, VisibilityArgument, matrix, room, settings};
+use super::form_factors::{MemoryArgument, VisibilityArgument, enclosure, matrix, settings};
 use super::progress::named;
 use super::{Failure, LimitArguments, files, tell};
+use crate::algorithms::enclosure::{Enclosure, Light, Settings};
 use crate::algorithms::form_factor::Method;
-use crate::algorithms::radiosity::{ChannelUnsolved, Solver, Watch};
-use crate::algorithms::room::{Light, Room, Settings};
+use crate::algorithms::radiosity::{ChannelUnsolved, RecordFilter, Solver};
 use crate::record::Unrecorded;
 use crate::scene::Scene;
 use clap::builder::PossibleValuesParser;
@@ -80,19 +80,19 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let (scene, _, unless) = files::scene(&arguments.scene, &arguments.limits.into())?;
     let settings = arguments.solution.or(unless, arguments.limits)?;
     let start = Instant::now();
-    let room = room(&scene, &arguments.scene, settings)?;
+    let enclosure = enclosure(&scene, &arguments.scene, settings)?;
     let divided = start.elapsed();
     let shot: Light;
-    let (exchanged, light) = match arguments.memory.refusal(&room) {
+    let (exchanged, light) = match arguments.memory.refusal(&enclosure) {
         None => {
-            matrix(&room);
-            (start.elapsed(), light(&room)?)
+            matrix(&enclosure);
+            (start.elapsed(), light(&enclosure)?)
         }
-        Some(refusal) if room.settings.solver.shoots() => {
+        Some(refusal) if enclosure.settings.solver.shoots() => {
             tell(format_args!(
                 "lightwalk: {refusal}: they are found row by row, shot by shot"
             ));
-            shot = shoot(&room)?;
+            shot = shoot(&enclosure)?;
             (divided, &shot)
         }
         Some(refusal) => {
@@ -103,7 +103,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let solved = start.elapsed();
     let solutions = &light.solutions;
     let result = json!({
-        "solver": room.settings.solver.name(),
+        "solver": enclosure.settings.solver.name(),
         "iterations": solutions.iter().map(|solution| solution.iterations).max(),
         "residual": solutions.each_ref().map(|solution| solution.residual),
         "error_bound": solutions.each_ref().map(|solution| solution.error_bound),
@@ -112,7 +112,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             "form_factors": (exchanged - divided).as_secs_f64(),
             "solve": (solved - exchanged).as_secs_f64(),
         },
-        "surfaces": surfaces(&scene, &room, light),
+        "surfaces": surfaces(&scene, &enclosure, light),
     });
     files::write_whole(&arguments.out, |out| {
         serde_json::to_writer(&mut *out, &result)?;
@@ -121,32 +121,35 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 }
 
 /// The light of a room, or a failure of the work: what did not converge is no result.
-pub fn light(room: &Room) -> Result<&Light, Failure> {
-    let matrix = matrix(room);
-    named("solving", || room.light(matrix)).map_err(|why| unsolved(room, why))
+pub fn light(enclosure: &Enclosure) -> Result<&Light, Failure> {
+    let matrix = matrix(enclosure);
+    named("solving", || enclosure.light(matrix)).map_err(|why| unsolved(enclosure, why))
 }
 
-fn shoot(room: &Room) -> Result<Light, Failure> {
+fn shoot(enclosure: &Enclosure) -> Result<Light, Failure> {
     let untold = &mut Unrecorded;
-    named("shooting", || room.shoot(&Watch::default(), untold)).map_err(|why| unsolved(room, &why))
+    named("shooting", || {
+        enclosure.shoot(&RecordFilter::default(), untold)
+    })
+    .map_err(|why| unsolved(enclosure, &why))
 }
 
-fn unsolved(room: &Room, why: &ChannelUnsolved) -> Failure {
-    Failure::Failed(format!("{}: {why}", room.settings.solver.name()))
+fn unsolved(enclosure: &Enclosure, why: &ChannelUnsolved) -> Failure {
+    Failure::Failed(format!("{}: {why}", enclosure.settings.solver.name()))
 }
 
-fn surfaces(scene: &Scene, room: &Room, light: &Light) -> Vec<Json> {
-    let patches: Vec<_> = room.patches.iter().collect();
-    let objects = scene.objects.iter().zip(&room.patches.surfaces);
+fn surfaces(scene: &Scene, enclosure: &Enclosure, light: &Light) -> Vec<Json> {
+    let patches: Vec<_> = enclosure.patches.iter().collect();
+    let objects = scene.objects.iter().zip(&enclosure.patches.surfaces);
     let surface = |(object, surface): (&crate::scene::Object, &crate::scene::patches::Surface)| {
         let [nu, nv] = surface.grid.map(|n| n as usize);
         let range = surface.first..surface.first + nu * nv;
-        let told = range.map(|patch| {
+        let recorded = range.map(|patch| {
             let [i, j] = patches[patch].cell;
             let radiosity = light.radiosity[patch].channels();
             json!({ "i": i, "j": j, "area": patches[patch].area, "radiosity": radiosity })
         });
-        json!({ "object": object.name, "grid": surface.grid, "patches": told.collect::<Vec<_>>() })
+        json!({ "object": object.name, "grid": surface.grid, "patches": recorded.collect::<Vec<_>>() })
     };
     objects.map(surface).collect()
 }

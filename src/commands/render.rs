@@ -4,8 +4,8 @@ use super::form_factors::MemoryArgument;
 use super::progress::Progress;
 use super::radiosity::{SolutionArguments, light};
 use super::{Failure, LimitArguments, RayArguments, files, needs, parse_size};
-use crate::algorithms::room::Settings;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::enclosure::Settings;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::{Rgb, pfm, png_rgb8};
 use crate::render::{Method, RayCounts, render, render_counted};
 use std::fmt::Display;
@@ -83,7 +83,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let (scene, settings, radiosity) = files::scene(&arguments.scene, &arguments.limits.into())?;
     let read = start.elapsed();
     let settings = arguments.rays.or(settings);
-    let stage = files::stage(scene, arguments.size, method, &arguments.scene.display())?
+    let prepared = files::prepared(scene, arguments.size, method, &arguments.scene.display())?
         .with_settings(settings)
         .with_radiosity(Settings {
             smooth: arguments.smooth,
@@ -91,7 +91,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         });
     let staged = start.elapsed();
     if method == Method::Radiosity {
-        solve(&stage, &arguments)?;
+        solve(&prepared, &arguments)?;
     }
     let solved = start.elapsed();
     let threads = match arguments.threads {
@@ -101,8 +101,11 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let progress = Progress::new("rendering");
     let show = |done, all| progress.show(done, all);
     let (frame, rays) = match arguments.stats {
-        true => render_counted(&stage, method, stage.needs(), threads, &show),
-        false => (render(&stage, method, threads, &show), RayCounts::default()),
+        true => render_counted(&prepared, method, prepared.needs(), threads, &show),
+        false => (
+            render(&prepared, method, threads, &show),
+            RayCounts::default(),
+        ),
     };
     drop(progress);
     let rendered = start.elapsed();
@@ -122,7 +125,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let written = start.elapsed();
 
     if arguments.stats {
-        let left_out = needs::left_out(&stage, method);
+        let skipped = needs::skipped(&prepared, method);
         let stats = serde_json::json!({
             "method": method.name(),
             "size": [width, height],
@@ -134,7 +137,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
                 "render": (rendered - solved).as_secs_f64(),
                 "write": (written - rendered).as_secs_f64(),
             },
-            "polygons": stage.tessellation.polygon_count(),
+            "polygons": prepared.tessellation.polygon_count(),
             "rays": {
                 "primary": rays.primary,
                 "shadow": rays.shadow,
@@ -142,7 +145,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
                 "transmitted": rays.transmitted,
                 "total_internal_reflection": rays.total_internal_reflection,
             },
-            "left_out": left_out,
+            "left_out": skipped,
         });
         use std::io::Write;
         writeln!(std::io::stdout(), "{stats}")?;
@@ -151,13 +154,13 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 }
 
 /// Finds the light of the scene's room, or says why there is none.
-fn solve(stage: &Stage, arguments: &Arguments) -> Result<(), Failure> {
+fn solve(prepared: &PreparedScene, arguments: &Arguments) -> Result<(), Failure> {
     let wrong = |error: &dyn Display| files::wrong(&arguments.scene.display(), error);
-    let room = stage.room().map_err(|error| wrong(error))?;
-    if let Some(refusal) = arguments.memory.refusal(room) {
+    let enclosure = prepared.enclosure().map_err(|error| wrong(error))?;
+    if let Some(refusal) = arguments.memory.refusal(enclosure) {
         return Err(wrong(&refusal));
     }
-    light(room).map(drop)
+    light(enclosure).map(drop)
 }
 
 /// A method by the name that clap has already checked.

@@ -5,10 +5,10 @@ use super::progress::{self, Progress};
 use super::radiosity::SolutionArguments;
 use super::render::{method, method_names};
 use super::{Failure, LimitArguments, RayArguments, parse_range, parse_size, tell};
+use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
-use crate::algorithms::room;
-use crate::algorithms::stage::Stage;
 use crate::record::{RecordingLimit, Value};
 use crate::render::Method;
 use crate::replay::{Run, Walk};
@@ -159,12 +159,12 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
             let method = method.unwrap_or(lesson.method);
             let size = arguments.size.unwrap_or(lesson.size);
             let radiosity = arguments.solution.or(lesson.radiosity, arguments.limits)?;
-            let stage = files::stage(lesson.scene, size, method, &arguments.name)?
+            let prepared = files::prepared(lesson.scene, size, method, &arguments.name)?
                 .with_settings(arguments.rays.or(lesson.settings))
                 .with_radiosity(radiosity)
                 .with_mapping(lesson.mapping);
             record_on(
-                stage,
+                prepared,
                 method,
                 focus.unwrap_or(lesson.focus),
                 &arguments.name,
@@ -175,12 +175,12 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
                 wrong("--method is missing: a scene can be drawn in several ways")
             })?;
             let size = arguments.size.unwrap_or([640, 480]);
-            let unless = room::Settings::default();
-            let stage = files::stage(*scene, size, method, &arguments.name)?
+            let unless = enclosure::Settings::default();
+            let prepared = files::prepared(*scene, size, method, &arguments.name)?
                 .with_settings(arguments.rays.or(Settings::default()))
                 .with_radiosity(arguments.solution.or(unless, arguments.limits)?);
             record_on(
-                stage,
+                prepared,
                 method,
                 focus.unwrap_or(Focus::Frame),
                 &arguments.name,
@@ -189,10 +189,15 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
     }
 }
 
-fn record_on(stage: Stage, method: Method, focus: Focus, name: &str) -> Result<Run, Failure> {
+fn record_on(
+    prepared: PreparedScene,
+    method: Method,
+    focus: Focus,
+    name: &str,
+) -> Result<Run, Failure> {
     if method == Method::Radiosity {
         let wrong = |error: &_| files::wrong(&name, error);
-        stage.room().map_err(|error| wrong(&error))?;
+        prepared.enclosure().map_err(|error| wrong(&error))?;
     }
     let option = match focus {
         Focus::Frame => "",
@@ -216,11 +221,11 @@ fn record_on(stage: Stage, method: Method, focus: Focus, name: &str) -> Result<R
             method.name()
         )));
     }
-    stage
+    prepared
         .check(focus)
         .map_err(|outside| Failure::Wrong(format!("{option} {outside}")))?;
     Ok(progress::named("recording", || {
-        Run::record(Arc::new(stage), method, focus, RecordingLimit::default())
+        Run::record(Arc::new(prepared), method, focus, RecordingLimit::default())
     }))
 }
 

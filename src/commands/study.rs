@@ -48,14 +48,14 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         let named = |name: &String| name == study.name;
         arguments.names.is_empty() || arguments.names.iter().any(named)
     };
-    let (mut found, mut left_out) = (Vec::new(), Vec::new());
+    let (mut found, mut skipped) = (Vec::new(), Vec::new());
     for &study in families::ALL.iter().filter(wanted) {
         let progress = Progress::new(study.name);
-        let told = |done, all| {
+        let recorded = |done, all| {
             progress.show(done, all);
             Ok(())
         };
-        let measured = study.measure(&request, &told, &|_| ());
+        let measured = study.measure(&request, &recorded, &|_| ());
         drop(progress);
         match measured {
             Ok(mut findings) => {
@@ -65,11 +65,11 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             }
             Err(why) => {
                 super::tell(format_args!("lightwalk: {} is left out: {why}", study.name));
-                left_out.push((study.name, why.to_string()));
+                skipped.push((study.name, why.to_string()));
             }
         }
     }
-    let text = summary(&found, &left_out, &machine);
+    let text = summary(&found, &skipped, &machine);
     let path = arguments.out.join("summary.md");
     make_folder(&arguments.out)?;
     files::write_whole(&path, |out| out.write_all(text.as_bytes()))
@@ -84,7 +84,7 @@ fn write(findings: &Findings, machine: &Machine, arguments: &Arguments) -> Resul
         .scene
         .as_ref()
         .map(|path| path.display().to_string());
-    let told = json(findings, machine, arguments.quick, scene.as_deref());
+    let recorded = json(findings, machine, arguments.quick, scene.as_deref());
     make_folder(&arguments.out)?;
     let put = |ending: &str, bytes: &[u8]| {
         let path = arguments
@@ -93,7 +93,7 @@ fn write(findings: &Findings, machine: &Machine, arguments: &Arguments) -> Resul
         files::write_whole(&path, |out| out.write_all(bytes))
     };
     put("csv", csv(findings).as_bytes())?;
-    put("json", format!("{told:#}\n").as_bytes())?;
+    put("json", format!("{recorded:#}\n").as_bytes())?;
     put("png", &to_png(&pixels))?;
     put("svg", to_svg(&picture, Theme::Light).as_bytes())
 }

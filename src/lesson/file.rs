@@ -1,7 +1,7 @@
 //! The lesson file as it is written: what is shown, and what is said and asked at which steps.
 
 use super::parameters::ParameterFile;
-use crate::panels::words::Language;
+use crate::panels::strings::Language;
 use crate::replay::Query;
 use crate::scene::SceneFile;
 use crate::scene::document::{Keyed, Schema, present};
@@ -92,7 +92,7 @@ pub enum FocusFile {
 pub struct StepFile {
     /// The first such event behind the narrated step before.
     pub at: Query,
-    pub say: Text,
+    pub localize: Text,
     /// What the lecture's slide prints, where it differs from the standard form.
     #[serde(default, deserialize_with = "present")]
     pub slide: Option<Text>,

@@ -5,11 +5,11 @@
 
 mod builtin;
 mod file;
-mod made;
 mod narrate;
 mod parameters;
 mod resolve;
 mod settings;
+mod synthetic;
 pub mod template;
 
 pub use builtin::{Builtin, builtin, builtins};

@@ -21,7 +21,7 @@ pub(super) fn narrate(steps: &[StepFile], walk: &dyn Walk) -> Result<Vec<Narrate
             continue;
         };
         from = at + 1;
-        let say = search.fill(&step.say, at, &format!("{place}.say"));
+        let localize = search.fill(&step.localize, at, &format!("{place}.say"));
         let slide = step
             .slide
             .as_ref()
@@ -31,7 +31,7 @@ pub(super) fn narrate(steps: &[StepFile], walk: &dyn Walk) -> Result<Vec<Narrate
         });
         narrated.push(Narrated {
             step: at,
-            say,
+            localize,
             slide,
             question,
         });

@@ -4,13 +4,13 @@ use super::file::{FocusFile, LessonFile, StepFile, Text};
 use super::narrate::narrate;
 use super::parameters::{Parameter, parameters};
 use super::settings::{compare, mapping, radiosity, rays};
+use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
-use crate::algorithms::room;
-use crate::algorithms::stage::Stage;
 use crate::algorithms::texture::Mapping;
 use crate::panels::Panel;
-use crate::panels::words::Language;
+use crate::panels::strings::Language;
 use crate::record::RecordingLimit;
 use crate::render::{MAX_PIXELS, MAX_SIDE, Method};
 use crate::replay::Run;
@@ -55,7 +55,7 @@ pub struct Lesson {
     /// How far the ray methods go.
     pub settings: Settings,
     /// How the light of a room is found.
-    pub radiosity: room::Settings,
+    pub radiosity: enclosure::Settings,
     /// Methods whose pictures are compared, the last one the reference.
     pub compare: Vec<Method>,
     /// Where the textures of polygons are looked up.
@@ -70,7 +70,7 @@ pub struct Lesson {
 /// A lesson that was run, with every narrated step found in the run.
 pub struct OpenLesson {
     pub lesson: Lesson,
-    pub stage: Arc<Stage>,
+    pub prepared: Arc<PreparedScene>,
     pub run: Run,
     /// In the order of their steps.
     pub narrated: Vec<Narrated>,
@@ -81,7 +81,7 @@ pub struct OpenLesson {
 pub struct Narrated {
     pub step: usize,
     /// By language, with the values of the run filled in.
-    pub(super) say: [String; 2],
+    pub(super) localize: [String; 2],
     pub(super) slide: Option<[String; 2]>,
     pub question: Option<Question>,
 }
@@ -115,8 +115,8 @@ pub enum Answer {
 }
 
 impl Narrated {
-    pub fn say(&self, language: Language) -> &str {
-        &self.say[language as usize]
+    pub fn localize(&self, language: Language) -> &str {
+        &self.localize[language as usize]
     }
 
     /// The note on what the lecture's slide prints instead.
@@ -240,18 +240,18 @@ impl Lesson {
 
     /// Runs the lesson and finds its narrated steps. Errors: every anchor, value and answer that is not in the run.
     pub fn open(self) -> Result<OpenLesson, LessonError> {
-        let stage = Arc::new(
-            self.stage(self.scene.clone())
+        let prepared = Arc::new(
+            self.prepared(self.scene.clone())
                 .ok_or_else(|| problem("scene.camera", "the key is missing"))?,
         );
         if self.method == Method::Radiosity {
             let wrong = |error: &_| problem("scene", format!("{error}"));
-            stage.room().map_err(wrong)?;
+            prepared.enclosure().map_err(wrong)?;
         }
         let outside = |outside| problem("focus", format!("found {outside}"));
-        stage.check(self.focus).map_err(outside)?;
+        prepared.check(self.focus).map_err(outside)?;
         let run = Run::record(
-            stage.clone(),
+            prepared.clone(),
             self.method,
             self.focus,
             RecordingLimit::default(),
@@ -259,19 +259,19 @@ impl Lesson {
         let narrated = self.narrate(&run)?;
         Ok(OpenLesson {
             lesson: self,
-            stage,
+            prepared,
             run,
             narrated,
         })
     }
 
     /// The lesson's scene, as it is or changed, in front of its camera. None without a camera.
-    pub fn stage(&self, scene: Scene) -> Option<Stage> {
+    pub fn prepared(&self, scene: Scene) -> Option<PreparedScene> {
         let [width, height] = self.size;
         let view = View::new(scene.camera.as_ref()?, width, height);
-        let stage = Stage::new(scene, view);
+        let prepared = PreparedScene::new(scene, view);
         Some(
-            stage
+            prepared
                 .with_settings(self.settings)
                 .with_radiosity(self.radiosity)
                 .with_mapping(self.mapping),
@@ -352,7 +352,7 @@ fn check_words(file: &LessonFile, problems: &mut Vec<Problem>) {
         .steps
         .iter()
         .enumerate()
-        .map(|(index, Keyed(step))| (format!("steps[{index}].say"), &step.say));
+        .map(|(index, Keyed(step))| (format!("steps[{index}].say"), &step.localize));
     for (place, text) in texts.into_iter().chain(says) {
         for (language, text) in text.both() {
             if text.trim().is_empty() {

@@ -3,10 +3,10 @@
 
 use super::file::LessonFile;
 use super::resolve::problem;
+use crate::algorithms::enclosure;
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
-use crate::algorithms::room;
 use crate::algorithms::texture::Mapping;
 use crate::render::Method as Picture;
 use crate::scene::document::{Keyed, Problem};
@@ -87,8 +87,8 @@ pub fn mapping(file: &LessonFile, problems: &mut Vec<Problem>) -> Mapping {
 }
 
 /// How the light of a room is to be found.
-pub fn radiosity(file: &LessonFile, problems: &mut Vec<Problem>) -> room::Settings {
-    let mut settings = room::Settings::default();
+pub fn radiosity(file: &LessonFile, problems: &mut Vec<Problem>) -> enclosure::Settings {
+    let mut settings = enclosure::Settings::default();
     let Some(Keyed(file)) = &file.radiosity else {
         return settings;
     };

@@ -59,10 +59,10 @@ pub fn fill(text: &str, fields: &Fields) -> Result<String, String> {
             Piece::Field(name, decimals) => match fields.get(name) {
                 Some(value) => Ok(write(value, decimals)),
                 None => {
-                    let told: Vec<&str> = fields.iter().map(|field| field.name).collect();
+                    let recorded: Vec<&str> = fields.iter().map(|field| field.name).collect();
                     Err(format!(
                         "found `{{{name}}}`, which is not told at this step; told are {}",
-                        told.join(", ")
+                        recorded.join(", ")
                     ))
                 }
             },

@@ -66,8 +66,8 @@ mod tests {
     #[test]
     fn even_light_and_even_slopes_look_as_they_are() {
         let row: Vec<f64> = (0..60).map(|x| 0.2 + 0.01 * f64::from(x)).collect();
-        for (seen, told) in perceived(&row).iter().zip(&row) {
-            assert!((seen - told).abs() < 1e-14);
+        for (seen, recorded) in perceived(&row).iter().zip(&row) {
+            assert!((seen - recorded).abs() < 1e-14);
         }
         assert!(perceived(&[]).is_empty());
         assert!((perceived(&[0.5])[0] - 0.5).abs() < 1e-15);

@@ -2,14 +2,14 @@
 
 mod columns;
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
+use super::strings::{Language, Words};
 use super::values::{told_in_words, value_of};
-use super::words::{Language, Words};
 use crate::algorithms::scan_line::Carried;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, fixed};
 use crate::record::Value;
-use crate::replay::shading::{EdgeInHand, State};
+use crate::replay::shading::{ActiveEdge, State};
 use crate::replay::{Run, Walk};
 use columns::{Column, columns, place};
 use glam::Vec2;
@@ -36,19 +36,19 @@ const WAITS: Words = Words::new("waits", "menunggu");
 const DONE: Words = Words::new("done", "selesai");
 const MORE: Words = Words::new("more", "lagi");
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let mut picture = match show.run {
-        Run::Gouraud(replay) => table(show, replay.state(), size),
-        Run::Phong(replay) => table(show, replay.state(), size),
-        Run::FastPhong(replay) => table(show, replay.state(), size),
-        Run::Exact(replay) => table(show, replay.state(), size),
-        Run::Flat(replay) => table(show, replay.state(), size),
-        Run::Wireframe(_) => message(NO_TABLE, show.language, size),
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let mut picture = match input.run {
+        Run::Gouraud(replay) => table(input, replay.state(), size),
+        Run::Phong(replay) => table(input, replay.state(), size),
+        Run::FastPhong(replay) => table(input, replay.state(), size),
+        Run::Exact(replay) => table(input, replay.state(), size),
+        Run::Flat(replay) => table(input, replay.state(), size),
+        Run::Wireframe(_) => message(NO_TABLE, input.language, size),
         Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
-            message(NO_POLYGONS, show.language, size)
+            message(NO_POLYGONS, input.language, size)
         }
     };
-    picture.alt = format!("{} {}", told_in_words(show), picture.alt);
+    picture.alt = format!("{} {}", told_in_words(input), picture.alt);
     picture
 }
 
@@ -63,25 +63,25 @@ enum Turn {
 struct Row {
     number: usize,
     turn: Turn,
-    in_hand: bool,
+    current: bool,
     /// What is carried where the scan line cuts the edge.
     color: Option<Value>,
     /// In the order of [`columns::ORDER`].
     cells: [String; 7],
 }
 
-fn table<A: Carried>(show: &Show, state: &State<A>, size: Vec2) -> Picture {
+fn table<A: Carried>(input: &PanelInput, state: &State<A>, size: Vec2) -> Picture {
     if state.edges.is_empty() {
-        return message(NO_EDGES, show.language, size);
+        return message(NO_EDGES, input.language, size);
     }
-    let y = row_in_hand(show.run.walk(), state);
+    let y = current_row(input.run.walk(), state);
     let rows: Vec<Row> = state
         .edges
         .iter()
         .enumerate()
-        .map(|(index, edge)| row(edge, y, state.edge == Some(index), show.language))
+        .map(|(index, edge)| row(edge, y, state.edge == Some(index), input.language))
         .collect();
-    let titles = titles::<A>(show.language);
+    let titles = titles::<A>(input.language);
     let columns = columns(&titles, &rows, size.x - 2.0 * MARGIN);
     let mut picture = Picture::new(size.x, size.y);
 
@@ -108,7 +108,7 @@ fn table<A: Carried>(show: &Show, state: &State<A>, size: Vec2) -> Picture {
         let top = ROW + 6.0 + i as f32 * ROW;
         let area = Rect::new(2.0, top, size.x - 4.0, ROW - 2.0);
         picture.tagged(Tag::Edge(row.number), |picture| {
-            draw_row(picture, row, &columns, area, show.language);
+            draw_row(picture, row, &columns, area, input.language);
         });
     }
     if count < rows.len() {
@@ -121,7 +121,7 @@ fn table<A: Carried>(show: &Show, state: &State<A>, size: Vec2) -> Picture {
         let text = format!(
             "… {} {}",
             rows.len() - count,
-            MORE.in_language(show.language)
+            MORE.in_language(input.language)
         );
         if area.bottom() <= size.y {
             picture.text_in(area, text, Style::Body.size(12.0).ink(Ink::Muted));
@@ -134,15 +134,15 @@ fn table<A: Carried>(show: &Show, state: &State<A>, size: Vec2) -> Picture {
 }
 
 /// The scan line in hand; as it is left, the one that was.
-fn row_in_hand<A>(walk: &dyn Walk, state: &State<A>) -> Option<u32> {
-    let told = || match walk.fields(walk.position()).get("y") {
+fn current_row<A>(walk: &dyn Walk, state: &State<A>) -> Option<u32> {
+    let recorded = || match walk.fields(walk.position()).get("y") {
         Some(Value::Integer(y)) => u32::try_from(y).ok(),
         _ => None,
     };
-    state.scan_line.map(|row| row.y).or_else(told)
+    state.scan_line.map(|row| row.y).or_else(recorded)
 }
 
-fn row<A: Carried>(edge: &EdgeInHand<A>, y: Option<u32>, in_hand: bool, language: Language) -> Row {
+fn row<A: Carried>(edge: &ActiveEdge<A>, y: Option<u32>, current: bool, language: Language) -> Row {
     let turn = match y {
         Some(y) if y >= edge.end => Turn::Done,
         Some(y) if y >= edge.first => Turn::Active,
@@ -162,7 +162,7 @@ fn row<A: Carried>(edge: &EdgeInHand<A>, y: Option<u32>, in_hand: bool, language
     Row {
         number: edge.edge as usize,
         turn,
-        in_hand,
+        current,
         color: carried,
         cells: [
             format!("{}–{}", edge.upper + 1, edge.lower + 1),
@@ -212,7 +212,7 @@ fn window(rows: &[Row], room: usize) -> (usize, usize) {
         return (0, rows.len());
     }
     let count = (room - 1).max(1);
-    let wanted = rows.iter().position(|row| row.in_hand);
+    let wanted = rows.iter().position(|row| row.current);
     let wanted = wanted.or(rows.iter().position(|row| row.turn == Turn::Active));
     let first = wanted.unwrap_or(0).saturating_sub(count / 2);
     (first.min(rows.len() - count), count)
@@ -226,11 +226,11 @@ fn draw_row(
     language: Language,
 ) {
     let set = match row.turn {
-        Turn::Active if row.in_hand => Style::MonoBold.size(SIZE).ink(Ink::This),
+        Turn::Active if row.current => Style::MonoBold.size(SIZE).ink(Ink::This),
         Turn::Active => Style::MonoBold.size(SIZE),
         Turn::Waits | Turn::Done => Style::Mono.size(SIZE).ink(Ink::Muted),
     };
-    if row.in_hand {
+    if row.current {
         let paint = Ink::ThisTint.fill().outlined(Ink::This.stroke(1.5));
         picture.rounded_rect(area, 4.0, paint);
     } else if row.turn == Turn::Active {
@@ -241,10 +241,10 @@ fn draw_row(
     for &(column, right, width) in columns {
         let cell = Rect::new(right - width, area.y, width, area.height);
         let text = &row.cells[place(column)];
-        let words = [WAITS, DONE].map(|words| words.in_language(language));
+        let strings = [WAITS, DONE].map(|strings| strings.in_language(language));
         let set = match column {
             Column::Edge => set,
-            _ if words.contains(&text.as_str()) => in_body(set).end(),
+            _ if strings.contains(&text.as_str()) => in_body(set).end(),
             _ => set.end(),
         };
         picture.text_in(cell, text.clone(), set);
@@ -269,27 +269,27 @@ fn in_body(set: Text) -> Text {
 
 #[cfg(test)]
 mod tests {
-    use super::super::crowd::{SIZES, assert_legible, crowd, nothing, texts};
-    use super::super::sample::Sample;
+    use super::super::fixture::Fixture;
+    use super::super::fixtures::{SIZES, assert_legible, fixtures, nothing, texts};
     use super::*;
     use crate::render::Method;
 
     #[test]
     fn numbers_are_those_of_the_event() {
-        let mut sample = Sample::triangle(Method::Gouraud);
-        sample.go_to("EdgeInterpolated", 20);
-        let walk = sample.run.walk();
-        let told = walk.fields(walk.position());
-        let picture = draw(&sample.show(), Vec2::new(600.0, 200.0));
+        let mut fixture = Fixture::triangle(Method::Gouraud);
+        fixture.go_to("EdgeInterpolated", 20);
+        let walk = fixture.run.walk();
+        let recorded = walk.fields(walk.position());
+        let picture = draw(&fixture.input(), Vec2::new(600.0, 200.0));
         let texts = texts(&picture);
         let shown = |text: &str| texts.iter().any(|(shown, _)| *shown == text);
-        let Some(Value::Number(x_4)) = told.get("x_4") else {
+        let Some(Value::Number(x_4)) = recorded.get("x_4") else {
             panic!("an edge tells x_4")
         };
         assert!(shown(&fixed(x_4, 2)));
-        assert!(shown(&numbers(told.get("I_4_incremental").unwrap(), 3)));
+        assert!(shown(&numbers(recorded.get("I_4_incremental").unwrap(), 3)));
         let (Some(Value::Integer(upper)), Some(Value::Integer(lower))) =
-            (told.get("upper"), told.get("lower"))
+            (recorded.get("upper"), recorded.get("lower"))
         else {
             panic!("an edge tells its ends")
         };
@@ -299,45 +299,45 @@ mod tests {
 
     #[test]
     fn a_row_answers_with_its_edge_and_edges_take_turns() {
-        let mut sample = Sample::triangle(Method::Flat);
-        sample.go_to("EdgeCut", 0);
-        let picture = draw(&sample.show(), Vec2::new(420.0, 200.0));
+        let mut fixture = Fixture::triangle(Method::Flat);
+        fixture.go_to("EdgeCut", 0);
+        let picture = draw(&fixture.input(), Vec2::new(420.0, 200.0));
         let row = |n: f32| (60.0, ROW + 6.0 + (n + 0.5) * ROW);
         assert_eq!(picture.hit(row(0.0)), Some(Tag::Edge(0)));
         assert_eq!(picture.hit(row(2.0)), Some(Tag::Edge(2)));
-        let words = |sample: &Sample| -> Vec<String> {
-            let picture = draw(&sample.show(), Vec2::new(420.0, 200.0));
+        let strings = |fixture: &Fixture| -> Vec<String> {
+            let picture = draw(&fixture.input(), Vec2::new(420.0, 200.0));
             let texts = texts(&picture);
             texts
                 .into_iter()
                 .map(|(text, _)| text.to_string())
                 .collect()
         };
-        assert!(words(&sample).contains(&"waits".to_string()));
-        let last = sample.run.walk().len() - 3;
-        sample.run.walk_mut().seek(last);
-        assert!(words(&sample).contains(&"done".to_string()));
+        assert!(strings(&fixture).contains(&"waits".to_string()));
+        let last = fixture.run.walk().len() - 3;
+        fixture.run.walk_mut().seek(last);
+        assert!(strings(&fixture).contains(&"done".to_string()));
     }
 
     #[test]
     fn nothing_is_cut_at_any_size() {
-        for mut sample in [
-            Sample::triangle(Method::Gouraud),
-            crowd(Method::Gouraud),
-            crowd(Method::Phong),
-            crowd(Method::Flat),
-            crowd(Method::Wireframe),
+        for mut fixture in [
+            Fixture::triangle(Method::Gouraud),
+            fixtures(Method::Gouraud),
+            fixtures(Method::Phong),
+            fixtures(Method::Flat),
+            fixtures(Method::Wireframe),
             nothing(),
         ] {
-            for step in (0..sample.run.walk().len().max(1)).step_by(23) {
-                sample.run.walk_mut().seek(step);
+            for step in (0..fixture.run.walk().len().max(1)).step_by(23) {
+                fixture.run.walk_mut().seek(step);
                 for size in SIZES {
                     for language in Language::ALL {
-                        let show = Show {
+                        let input = PanelInput {
                             language,
-                            ..sample.show()
+                            ..fixture.input()
                         };
-                        assert_legible(&draw(&show, size), &format!("step {step} at {size}"));
+                        assert_legible(&draw(&input, size), &format!("step {step} at {size}"));
                     }
                 }
             }

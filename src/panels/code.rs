@@ -1,8 +1,8 @@
 //! The pseudocode, with the line that this step carries out; a listing that was called stands below its caller.
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_STEPS, message};
-use super::words::Words;
+use super::strings::Words;
 use crate::picture::{Ink, Picture, Rect, Script, Style, Tag, braced, math, measure};
 use crate::record::{Line, Listing};
 use crate::replay::Walk;
@@ -21,10 +21,10 @@ const CONTINUED: f32 = 13.0;
 
 const SAYS: Words = Words::new("Pseudocode, at the line: ", "Kode semu, pada baris: ");
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let walk = show.run.walk();
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let walk = input.run.walk();
     if walk.is_empty() {
-        return message(NO_STEPS, show.language, size);
+        return message(NO_STEPS, input.language, size);
     }
     let blocks = blocks(walk, walk.position());
     let (text_size, rows) = lay_out(&blocks, size);
@@ -52,7 +52,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     let Line { listing, number } = walk.line(walk.position());
     picture.alt = format!(
         "{}{}",
-        SAYS.in_language(show.language),
+        SAYS.in_language(input.language),
         listing.lines[number].trim()
     );
     picture
@@ -295,8 +295,8 @@ fn set(text: &str, style: Style, size: f32, mut put: impl FnMut(String, Vec2, f3
 
 #[cfg(test)]
 mod tests {
-    use super::super::crowd::{self, SIZES, assert_legible};
-    use super::super::words::Language;
+    use super::super::fixtures::{self, SIZES, assert_legible};
+    use super::super::strings::Language;
     use super::*;
     use crate::picture::Shape;
     use crate::render::Method;
@@ -328,17 +328,17 @@ mod tests {
     #[test]
     fn the_line_that_lights_up_is_the_steps_at_every_step_and_size() {
         for method in Method::ALL {
-            let mut sample = crowd::crowd(method);
-            for step in sample.some_steps(997) {
-                sample.seek(step);
-                let line = sample.walk().line(step);
+            let mut fixture = fixtures::fixtures(method);
+            for step in fixture.some_steps(997) {
+                fixture.seek(step);
+                let line = fixture.walk().line(step);
                 let expected: String = line.listing.lines[line.number]
                     .chars()
                     .filter(|c| !matches!(c, ' ' | '_' | '^'))
                     .collect();
                 for size in SIZES {
-                    let picture = draw(&sample.show_in(Language::English), size);
-                    let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                    let picture = draw(&fixture.show_in(Language::English), size);
+                    let what = format!("{} {step} at {size}", fixture.walk().kind(step));
                     assert_eq!(highlighted(&picture), expected, "{what}");
                     assert_legible(&picture, &what);
                 }
@@ -348,9 +348,9 @@ mod tests {
 
     #[test]
     fn a_called_listing_stands_below_the_line_that_calls_it() {
-        let mut sample = crowd::crowd(Method::Gouraud);
-        let step = sample.first("Diffuse");
-        let blocks = blocks(sample.seek(step).walk(), step);
+        let mut fixture = fixtures::fixtures(Method::Gouraud);
+        let step = fixture.first("Diffuse");
+        let blocks = blocks(fixture.seek(step).walk(), step);
         let lines: Vec<&str> = blocks
             .iter()
             .map(|block| block.listing.lines[block.number].trim())
@@ -366,9 +366,9 @@ mod tests {
 
     #[test]
     fn nothing_recorded_is_said() {
-        let sample = crowd::nothing();
+        let fixture = fixtures::nothing();
         for language in Language::ALL {
-            assert_legible(&draw(&sample.show_in(language), SIZES[0]), "empty");
+            assert_legible(&draw(&fixture.show_in(language), SIZES[0]), "empty");
         }
     }
 }

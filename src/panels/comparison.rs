@@ -4,10 +4,10 @@
 pub(super) mod cells;
 pub(super) mod cursor;
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NOT_COMPARED, message};
+use super::strings::Words;
 use super::values::told_in_words;
-use super::words::Words;
 use crate::picture::{Image, Ink, Picture, Rect, Style, elide, fixed, number};
 use crate::render::Method;
 use crate::render::compare::Compared;
@@ -24,20 +24,20 @@ const SERIES: Words = Words::new("from a series", "dari deret");
 const RAYS: Words = Words::new("rays", "sinar");
 const A_PIXEL: Words = Words::new("a pixel", "per piksel");
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let Some(first) = show.compared.first() else {
-        return message(NOT_COMPARED, show.language, size);
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let Some(first) = input.compared.first() else {
+        return message(NOT_COMPARED, input.language, size);
     };
-    let cursor = Cursor::of(show);
+    let cursor = Cursor::of(input);
     let mut picture = Picture::new(size.x, size.y);
-    let mut words = told_in_words(show);
-    let all = show.compared;
+    let mut strings = told_in_words(input);
+    let all = input.compared;
     for (compared, cell) in all.iter().zip(cells(&first.frame, all.len(), 3, size)) {
-        let figures = figures(show, compared);
+        let figures = figures(input, compared);
         cell.title(
             &mut picture,
             compared.method,
-            show.run.method() == compared.method,
+            input.run.method() == compared.method,
         );
         let frame = &compared.frame;
         let colors = frame.color.iter();
@@ -58,18 +58,22 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         });
         let lines = [figures.1, figures.0, here];
         cell.lines(&mut picture, &lines);
-        words = format!("{words} {}: {}.", compared.method.name(), lines.join("; "));
+        strings = format!(
+            "{strings} {}: {}.",
+            compared.method.name(),
+            lines.join("; ")
+        );
     }
-    picture.alt = words;
+    picture.alt = strings;
     picture
 }
 
 /// A pixel's share of what was done and of the time.
-fn figures(show: &Show, compared: &Compared) -> (String, String) {
-    let say = |words: Words| words.in_language(show.language);
+fn figures(input: &PanelInput, compared: &Compared) -> (String, String) {
+    let localize = |strings: Words| strings.in_language(input.language);
     let done = compared.operations;
     let pixels = done.pixels.max(1) as f64;
-    let mut told = Vec::new();
+    let mut recorded = Vec::new();
     for (count, what) in [
         (done.illuminations, ILLUMINATED),
         (done.interpolations, INTERPOLATED),
@@ -78,13 +82,17 @@ fn figures(show: &Show, compared: &Compared) -> (String, String) {
         (done.rays, RAYS),
     ] {
         if count > 0 {
-            told.push(format!("{} {}", three(count as f64 / pixels), say(what)));
+            recorded.push(format!(
+                "{} {}",
+                three(count as f64 / pixels),
+                localize(what)
+            ));
         }
     }
     let time = 1e9 * compared.seconds / pixels;
     (
-        told.join(" · "),
-        format!("{} ns {}", three(time), say(A_PIXEL)),
+        recorded.join(" · "),
+        format!("{} ns {}", three(time), localize(A_PIXEL)),
     )
 }
 

@@ -1,12 +1,12 @@
 //! Relative residual and error bound, iteration by iteration, on a logarithmic axis: two lines for every channel told so far.
 
-use super::Show;
+use super::PanelInput;
 use super::labels::Labels;
 use super::message::{NO_PATCHES, message};
+use super::strings::{Language, Words};
 use super::values::told_in_words;
-use super::words::{Language, Words};
 use crate::algorithms::focus::Focus;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, elide, number, power_of_ten};
 use crate::replay::Run;
 use crate::replay::radiosity::{ChannelNow, IterationNow, State};
@@ -41,13 +41,13 @@ const CHANNELS: [(&str, &str, Ink); 3] = [
     ("blue", "B", Ink::Series(0)),
 ];
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let Run::Radiosity(stage, replay) = show.run else {
-        return message(NO_PATCHES, show.language, size);
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let Run::Radiosity(prepared, replay) = input.run else {
+        return message(NO_PATCHES, input.language, size);
     };
     let state = replay.state();
     let mut picture = Picture::new(size.x, size.y);
-    picture.alt = in_words(show, state);
+    picture.alt = in_words(input, state);
     let whole = picture.bounds().grown(-MARGIN);
     legend(
         &mut picture,
@@ -55,18 +55,18 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
             height: ROW,
             ..whole
         },
-        show.language,
+        input.language,
     );
-    let axes = Axes::new(stage, state, show.focus, whole);
-    axes.draw(&mut picture, show.language);
+    let axes = Axes::new(prepared, state, input.focus, whole);
+    axes.draw(&mut picture, input.language);
     let mut labels = Labels::new(axes.place.grown(2.0));
-    let name = axes.tolerance(&mut picture, stage.radiosity.stop.tolerance);
+    let name = axes.tolerance(&mut picture, prepared.radiosity.stop.tolerance);
     if let Some(name) = name {
-        labels.keep_free(name);
+        labels.reserve(name);
     }
-    let told = |channel: &ChannelNow| !channel.history.is_empty();
-    if !state.channels.iter().any(told) {
-        axes.nothing(&mut picture, name, show.language);
+    let recorded = |channel: &ChannelNow| !channel.history.is_empty();
+    if !state.channels.iter().any(recorded) {
+        axes.nothing(&mut picture, name, input.language);
     }
     axes.cursor(&mut picture, state);
     for channel in &state.channels {
@@ -79,7 +79,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
 
 /// Of the channel, and of those that share its solution.
 fn letters(channel: &ChannelNow, channels: &[ChannelNow]) -> String {
-    let alike = |other: &&ChannelNow| match other.left_out {
+    let alike = |other: &&ChannelNow| match other.skipped {
         Some((_, like)) => like.is_some() && like == channel.channel,
         None => std::ptr::eq(*other, channel),
     };
@@ -97,9 +97,9 @@ fn legend(picture: &mut Picture, row: Rect, language: Language) {
     const SAMPLE: f32 = 22.0;
     let style = Style::Body.size(TEXT).ink(Ink::Muted);
     let mut x = row.x;
-    for (words, dashed) in [(RESIDUAL, false), (BOUND, true)] {
-        let words = words.in_language(language);
-        let width = SAMPLE + 5.0 + style.width(words);
+    for (strings, dashed) in [(RESIDUAL, false), (BOUND, true)] {
+        let strings = strings.in_language(language);
+        let width = SAMPLE + 5.0 + style.width(strings);
         if x + width > row.right() {
             return;
         }
@@ -109,7 +109,7 @@ fn legend(picture: &mut Picture, row: Rect, language: Language) {
             x: x + SAMPLE + 5.0,
             ..row
         };
-        picture.text_in(place, words, style);
+        picture.text_in(place, strings, style);
         x += width + 14.0;
     }
 }
@@ -135,11 +135,11 @@ struct Axes {
 
 impl Axes {
     /// As far as the finished solution goes, where there is one, so that the axes stay as they are from step to step.
-    fn new(stage: &Stage, state: &State, focus: Focus, whole: Rect) -> Self {
-        let room = stage.room().ok();
+    fn new(prepared: &PreparedScene, state: &State, focus: Focus, whole: Rect) -> Self {
+        let room = prepared.enclosure().ok();
         let light = room.and_then(|room| room.light(room.matrix()?).ok());
         let solutions = light.iter().flat_map(|light| &light.solutions);
-        let mut values = vec![stage.radiosity.stop.tolerance, 1.0];
+        let mut values = vec![prepared.radiosity.stop.tolerance, 1.0];
         let mut last = solutions.clone().map(|found| found.iterations).max();
         last = last.map(|iterations| iterations.saturating_sub(1));
         let first = match focus {
@@ -153,14 +153,14 @@ impl Axes {
             }
         };
         let mut last = last.unwrap_or(0).max(state.iteration.unwrap_or(0));
-        for told in state
+        for recorded in state
             .channels
             .iter()
             .flat_map(|channel| channel.history.iter())
         {
-            values.push(told.residual);
-            values.extend(told.error_bound);
-            last = last.max(told.k);
+            values.push(recorded.residual);
+            values.extend(recorded.error_bound);
+            last = last.max(recorded.k);
         }
         let exponents = values
             .into_iter()
@@ -261,8 +261,8 @@ impl Axes {
     /// Says that there are no points yet, away from the name of the tolerance.
     fn nothing(&self, picture: &mut Picture, name: Option<Rect>, language: Language) {
         let style = Style::Body.size(12.0).ink(Ink::Muted).middle();
-        let words = NONE_YET.in_language(language);
-        let words = elide(words, style.style, style.size, self.place.width);
+        let strings = NONE_YET.in_language(language);
+        let strings = elide(strings, style.style, style.size, self.place.width);
         let high = name.is_some_and(|name| name.center().y < self.place.center().y);
         let height = 0.5 * self.place.height;
         let upper = Rect {
@@ -270,7 +270,7 @@ impl Axes {
             ..self.place
         };
         let down = if high { height } else { 0.0 };
-        picture.text_in(upper.shifted(Vec2::new(0.0, down)), words, style);
+        picture.text_in(upper.shifted(Vec2::new(0.0, down)), strings, style);
     }
 
     /// The iteration in hand.
@@ -306,15 +306,18 @@ impl Axes {
             .iter()
             .find(|(name, ..)| channel.channel == Some(name));
         let ink = known.map_or(Ink::Text, |&(_, _, ink)| ink);
-        let told = few(channel);
+        let recorded = few(channel);
         let place = |k: u32, value: f64| Vec2::new(self.x(k), self.y(value));
-        let bounds = told
-            .iter()
-            .filter_map(|told| Some((place(told.k, told.error_bound?), told.step as usize)));
+        let bounds = recorded.iter().filter_map(|recorded| {
+            Some((
+                place(recorded.k, recorded.error_bound?),
+                recorded.step as usize,
+            ))
+        });
         let bounds: Vec<(Vec2, usize)> = bounds.collect();
-        let residuals = told
+        let residuals = recorded
             .iter()
-            .map(|told| (place(told.k, told.residual), told.step as usize));
+            .map(|recorded| (place(recorded.k, recorded.residual), recorded.step as usize));
         let residuals: Vec<(Vec2, usize)> = residuals.collect();
 
         // Dashes of short pieces would run together, so the broken line is one.
@@ -362,33 +365,34 @@ fn round_stride(least: u32) -> u32 {
 fn few(channel: &ChannelNow) -> Vec<IterationNow> {
     let count = channel.history.len();
     let stride = count.div_ceil(MOST_POINTS).max(1);
-    let told = channel.history.iter().enumerate();
-    told.filter(|(n, _)| (count - 1 - n).is_multiple_of(stride) || *n == 0)
-        .map(|(_, told)| *told)
+    let recorded = channel.history.iter().enumerate();
+    recorded
+        .filter(|(n, _)| (count - 1 - n).is_multiple_of(stride) || *n == 0)
+        .map(|(_, recorded)| *recorded)
         .collect()
 }
 
-fn in_words(show: &Show, state: &State) -> String {
-    let say = |words: Words| words.in_language(show.language);
-    let mut words = told_in_words(show);
+fn in_words(input: &PanelInput, state: &State) -> String {
+    let localize = |strings: Words| strings.in_language(input.language);
+    let mut strings = told_in_words(input);
     for channel in &state.channels {
         let Some(last) = last_told(channel) else {
             continue;
         };
         let name = channel.channel.unwrap_or_default();
-        words = format!(
-            "{words} {name}: {} {}, {} {}",
-            say(ITERATION),
+        strings = format!(
+            "{strings} {name}: {} {}, {} {}",
+            localize(ITERATION),
             last.k,
-            say(RESIDUAL),
+            localize(RESIDUAL),
             number(last.residual)
         );
         if let Some(bound) = last.error_bound {
-            words = format!("{words}, {} {}", say(BOUND), number(bound));
+            strings = format!("{strings}, {} {}", localize(BOUND), number(bound));
         }
-        words.push('.');
+        strings.push('.');
     }
-    words
+    strings
 }
 
 #[cfg(test)]

@@ -1,12 +1,12 @@
 //! How far each method's picture is from the reference's, pixel by pixel: brighter, darker, and by how much at most and on average.
 
-use super::Show;
+use super::PanelInput;
 use super::comparison::cells::{ROW, cells};
 use super::comparison::cursor::Cursor;
 use super::comparison::three;
 use super::message::{NOT_COMPARED, message};
+use super::strings::Words;
 use super::values::told_in_words;
-use super::words::Words;
 use crate::color::Rgb;
 use crate::picture::{Image, Ink, Picture, Rect, Style, elide};
 use crate::render::Method;
@@ -21,19 +21,19 @@ const RMS: Words = Words::new("rms", "rms");
 const LARGEST: Words = Words::new("max", "maks");
 const HERE: Words = Words::new("here", "di sini");
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     // Wires shade nothing: how far they are says nothing.
-    let shaded: Vec<&Compared> = show
+    let shaded: Vec<&Compared> = input
         .compared
         .iter()
         .filter(|compared| compared.method != Method::Wireframe)
         .collect();
     let Some((&reference, others)) = shaded.split_last().filter(|(_, rest)| !rest.is_empty())
     else {
-        return message(NOT_COMPARED, show.language, size);
+        return message(NOT_COMPARED, input.language, size);
     };
-    let say = |words: Words| words.in_language(show.language);
-    let cursor = Cursor::of(show);
+    let localize = |strings: Words| strings.in_language(input.language);
+    let cursor = Cursor::of(input);
     let differences: Vec<Difference> = others
         .iter()
         .map(|compared| difference(&compared.frame, &reference.frame))
@@ -42,10 +42,10 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         .iter()
         .fold(0.0, |most: f64, d| most.max(d.largest));
     let mut picture = Picture::new(size.x, size.y);
-    let mut words = format!(
+    let mut strings = format!(
         "{} {} {}.",
-        told_in_words(show),
-        say(AGAINST),
+        told_in_words(input),
+        localize(AGAINST),
         reference.method.name()
     );
     let room = Vec2::new(size.x, size.y - SCALE - ROW);
@@ -58,7 +58,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         cell.title(
             &mut picture,
             compared.method,
-            show.run.method() == compared.method,
+            input.run.method() == compared.method,
         );
         picture.pixels(cell.image, image(compared, difference, most), (0, 0));
         cell.frame(&mut picture, &cursor);
@@ -67,11 +67,11 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
             (Some(x), Some(y)) => difference.signed.get(y as usize * width + x as usize),
             _ => None,
         };
-        let rms = format!("{} {}", say(RMS), three(difference.rms));
-        let largest = format!("{} {}", say(LARGEST), three(difference.largest));
+        let rms = format!("{} {}", localize(RMS), three(difference.rms));
+        let largest = format!("{} {}", localize(LARGEST), three(difference.largest));
         let figures = format!("{rms} · {largest}");
         let here = here.map_or_else(String::new, |here| {
-            format!("{}: {}", say(HERE), three(*here))
+            format!("{}: {}", localize(HERE), three(*here))
         });
         let style = Style::Body.size(TEXT);
         // In a narrow cell the two figures take both rows.
@@ -91,10 +91,10 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
                 style,
             );
         }
-        words = format!("{words} {}: {figures}.", compared.method.name());
+        strings = format!("{strings} {}: {figures}.", compared.method.name());
     }
-    scale(&mut picture, most, reference, show, size);
-    picture.alt = words;
+    scale(&mut picture, most, reference, input, size);
+    picture.alt = strings;
     picture
 }
 
@@ -126,18 +126,18 @@ fn diverging(share: f64) -> Rgb {
 }
 
 /// Under the images: what the colours mean.
-fn scale(picture: &mut Picture, most: f64, reference: &Compared, show: &Show, size: Vec2) {
+fn scale(picture: &mut Picture, most: f64, reference: &Compared, input: &PanelInput, size: Vec2) {
     const COLORS: u32 = 65;
     let style = Style::Body.size(TEXT).ink(Ink::Muted);
     let row = Rect::new(6.0, size.y - SCALE - ROW, size.x - 12.0, ROW);
-    let words = format!(
+    let strings = format!(
         "{} {}",
-        AGAINST.in_language(show.language),
+        AGAINST.in_language(input.language),
         reference.method.name()
     );
     picture.text_in(
         row,
-        elide(&words, style.style, style.size, row.width),
+        elide(&strings, style.style, style.size, row.width),
         style,
     );
     let row = Rect::new(6.0, size.y - SCALE, size.x - 12.0, SCALE - 2.0);

@@ -1,6 +1,6 @@
 //! From the screen of the rendered picture, in pixels, to places in a panel, in points.
 
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::picture::Rect;
 use crate::replay::shading::State;
 use glam::{DVec2, Vec2};
@@ -72,16 +72,16 @@ pub(super) fn outline<A>(state: &State<A>) -> Vec<DVec2> {
             .collect();
     }
     state.polygon.map_or_else(Vec::new, |polygon| {
-        staged(&state.stage, polygon.polygon as usize)
+        staged(&state.prepared, polygon.polygon as usize)
     })
 }
 
 /// The corners of a polygon of the stage, on the screen; those before the near plane have no place there.
-pub(super) fn staged(stage: &Stage, polygon: usize) -> Vec<DVec2> {
-    stage.polygon(polygon).map_or_else(Vec::new, |polygon| {
+pub(super) fn staged(prepared: &PreparedScene, polygon: usize) -> Vec<DVec2> {
+    prepared.polygon(polygon).map_or_else(Vec::new, |polygon| {
         let corners = polygon.corners().map(|(_, vertex)| vertex);
         corners
-            .filter(|vertex| vertex.camera.z >= stage.view.near)
+            .filter(|vertex| vertex.camera.z >= prepared.view.near)
             .map(|vertex| vertex.screen)
             .collect()
     })

@@ -6,13 +6,13 @@ mod curve;
 mod pair;
 mod view;
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_PATCHES, NO_STEPS, message};
 use super::names;
+use super::strings::Words;
 use super::values::told_in_words;
-use super::words::Words;
-use crate::algorithms::room::Room;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::enclosure::Enclosure;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::picture::{Ink, Picture, Rect, Style, Text, elide, number};
 use crate::replay::Run;
 use crate::replay::form_factor::{Running, State, Way};
@@ -30,50 +30,50 @@ const FREE: Words = Words::new("unblocked", "tak terhalang");
 const OF: Words = Words::new("of", "dari");
 
 /// All that is drawn.
-struct Sheet<'a> {
-    show: &'a Show<'a>,
-    stage: &'a Stage,
-    room: &'a Room,
+struct Layout<'a> {
+    input: &'a PanelInput<'a>,
+    prepared: &'a PreparedScene,
+    room: &'a Enclosure,
     state: &'a State,
     i: usize,
     j: usize,
 }
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let (stage, replay) = match show.run {
-        Run::FormFactor(stage, replay) => (stage, replay),
-        Run::Radiosity(..) => return message(NO_PAIR, show.language, size),
-        _ => return message(NO_PATCHES, show.language, size),
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let (prepared, replay) = match input.run {
+        Run::FormFactor(prepared, replay) => (prepared, replay),
+        Run::Radiosity(..) => return message(NO_PAIR, input.language, size),
+        _ => return message(NO_PATCHES, input.language, size),
     };
-    if show.run.walk().is_empty() {
-        return message(NO_STEPS, show.language, size);
+    if input.run.walk().is_empty() {
+        return message(NO_STEPS, input.language, size);
     }
     let (state, crate::algorithms::focus::Focus::FormFactor { i, j }, Ok(room)) =
-        (replay.state(), show.focus, stage.room())
+        (replay.state(), input.focus, prepared.enclosure())
     else {
-        return message(NO_PATCHES, show.language, size);
+        return message(NO_PATCHES, input.language, size);
     };
-    let sheet = Sheet {
-        show,
-        stage,
+    let layout = Layout {
+        input,
+        prepared,
         room,
         state,
         i: i as usize,
         j: j as usize,
     };
     let mut picture = Picture::new(size.x, size.y);
-    sheet.draw(&mut picture);
-    let said: Vec<String> = sheet.lines().into_iter().map(|(text, _)| text).collect();
+    layout.draw(&mut picture);
+    let said: Vec<String> = layout.lines().into_iter().map(|(text, _)| text).collect();
     picture.alt = format!(
         "{} {}: {}.",
-        told_in_words(show),
-        sheet.title(),
+        told_in_words(input),
+        layout.title(),
         said.join(", ")
     );
     picture
 }
 
-impl Sheet<'_> {
+impl Layout<'_> {
     /// The patches beside the curve, above it, or alone above the words where there is room for no more.
     fn draw(&self, picture: &mut Picture) {
         let whole = picture.bounds().grown(-4.0);
@@ -81,7 +81,7 @@ impl Sheet<'_> {
         let mut lines = self.lines();
         let share = if is_wide { 1.0 } else { 0.4 };
         lines.truncate((share * whole.height / LINE) as usize);
-        let words = LINE * lines.len() as f32;
+        let strings = LINE * lines.len() as f32;
         let (view, beside) = if is_wide {
             let width = (0.6 * whole.width).floor();
             let beside = Rect::new(
@@ -94,7 +94,7 @@ impl Sheet<'_> {
         } else {
             let share = if whole.height >= 300.0 { 0.55 } else { 1.0 };
             let height = (share * whole.height)
-                .min(whole.height - words - 4.0)
+                .min(whole.height - strings - 4.0)
                 .floor();
             let beside = Rect::new(
                 whole.x,
@@ -106,7 +106,7 @@ impl Sheet<'_> {
         };
         pair::draw(picture, self, view);
 
-        let mut top = beside.bottom() - words;
+        let mut top = beside.bottom() - strings;
         for (at, (text, set)) in lines.into_iter().enumerate() {
             let y = top + at as f32 * LINE;
             let place = Rect::new(beside.x, y, beside.width, LINE);
@@ -164,18 +164,21 @@ impl Sheet<'_> {
     }
 
     fn title(&self) -> String {
-        let name = |patch| names::patch(self.stage, self.room, patch);
+        let name = |patch| names::patch(self.prepared, self.room, patch);
         let (i, j) = (self.i, self.j);
         format!("i = {i}: {} → j = {j}: {}", name(i), name(j))
     }
 
     /// The value, the reference, how far they are apart, how many rays met, and what nothing blocks.
     fn lines(&self) -> Vec<(String, Text)> {
-        let say = |words: Words| words.in_language(self.show.language);
+        let localize = |strings: Words| strings.in_language(self.input.language);
         let strong = Style::LabelBold.size(12.0).ink(Ink::This);
         let quiet = Style::Label.size(11.0).ink(Ink::Muted);
-        let counted = |words: Words, part: usize, all: usize| {
-            (format!("{}: {part} {} {all}", say(words), say(OF)), quiet)
+        let counted = |strings: Words, part: usize, all: usize| {
+            (
+                format!("{}: {part} {} {all}", localize(strings), localize(OF)),
+                quiet,
+            )
         };
         let mut lines = Vec::new();
         let last = self.running().last().map(|&(f, _)| f);
@@ -185,13 +188,13 @@ impl Sheet<'_> {
             (None, None) => {}
         }
         if let Some((exact, _)) = self.state.reference {
-            let text = format!("{}: {}", say(EXACT), number(exact));
+            let text = format!("{}: {}", localize(EXACT), number(exact));
             lines.push((text, quiet.ink(Ink::Text)));
             let found = self.state.found.map(|(f, _)| f);
             let whole = found.or(last.filter(|_| self.runs_as_mean()));
             if let Some(f) = whole.filter(|_| exact > 0.0) {
                 let error = percent((f - exact) / exact);
-                lines.push((format!("{}: {error}", say(ERROR)), quiet));
+                lines.push((format!("{}: {error}", localize(ERROR)), quiet));
             }
         }
         let rays = self.state.running.len();

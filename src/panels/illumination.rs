@@ -1,17 +1,17 @@
 //! The illumination model at the point in hand: its terms as bars, the standard factor f_att·N·L of the light in hand beside
 //! the slide's, and both against the distance of the light.
 
-use super::Show;
+use super::PanelInput;
 use super::log_axes::LogAxes;
 use super::message::{NO_STEPS, message};
+use super::strings::{Language, Words};
 use super::values::{short, told_in_words};
-use super::words::{Language, Words};
 use crate::algorithms::illumination::{attenuation, slide_factor};
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, symbol};
 use crate::record::Value;
-use crate::replay::shading::{LightInHand, PointInHand};
+use crate::replay::shading::{CurrentLight, CurrentPoint};
 use crate::scene::Light;
 use glam::Vec2;
 
@@ -40,19 +40,19 @@ const PARTS: u32 = 60;
 const OF_STANDARD: Ink = Ink::Series(0);
 const OF_SLIDE: Ink = Ink::Series(1);
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    if show.run.walk().is_empty() {
-        return message(NO_STEPS, show.language, size);
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    if input.run.walk().is_empty() {
+        return message(NO_STEPS, input.language, size);
     }
-    let (Some(stage), point) = show.run.lit() else {
-        return message(NO_LIGHT, show.language, size);
+    let (Some(prepared), point) = input.run.lit() else {
+        return message(NO_LIGHT, input.language, size);
     };
     let Some(point) = point else {
-        return message(NOTHING, show.language, size);
+        return message(NOTHING, input.language, size);
     };
     let mut picture = Picture::new(size.x, size.y);
     let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-MARGIN);
-    let rows = rows(point, show.language);
+    let rows = rows(point, input.language);
     let height = rows.len() as f32 * ROW;
     let beside = whole.width >= 2.0 * PLOT.x + 60.0 && whole.height < height + PLOT.y;
     let (list, plot) = if beside {
@@ -78,7 +78,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
             ),
         )
     };
-    let walk = show.run.walk();
+    let walk = input.run.walk();
     let kind = walk.kind(walk.position());
     let fitting = (list.height / ROW) as usize;
     for (i, row) in rows.iter().take(fitting).enumerate() {
@@ -86,10 +86,10 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         row.draw(&mut picture, kind, Rect::new(list.x, y, list.width, ROW));
     }
     if plot.width >= PLOT.x && plot.height >= PLOT.y {
-        curves(&mut picture, stage, point, show.language, plot);
+        curves(&mut picture, prepared, point, input.language, plot);
     }
-    let told: Vec<String> = rows.iter().map(Row::in_words).collect();
-    picture.alt = format!("{} {}.", told_in_words(show), told.join("; "));
+    let recorded: Vec<String> = rows.iter().map(Row::in_words).collect();
+    picture.alt = format!("{} {}.", told_in_words(input), recorded.join("; "));
     picture
 }
 
@@ -104,7 +104,7 @@ struct Row {
     bar: Option<f32>,
 }
 
-fn rows(point: &PointInHand, language: Language) -> Vec<Row> {
+fn rows(point: &CurrentPoint, language: Language) -> Vec<Row> {
     let light = point.lights.last();
     let terms = [
         ("I_a", point.ambient, "Ambient", Ink::Series(0)),
@@ -122,8 +122,8 @@ fn rows(point: &PointInHand, language: Language) -> Vec<Row> {
         ),
         ("I", point.intensity, "Illuminated", Ink::Muted),
     ];
-    let told = terms.iter().filter_map(|(_, term, ..)| *term);
-    let longest = told.map(Rgb::max_channel).fold(1.0, f64::max);
+    let recorded = terms.iter().filter_map(|(_, term, ..)| *term);
+    let longest = recorded.map(Rgb::max_channel).fold(1.0, f64::max);
     let mut rows: Vec<Row> = terms
         .into_iter()
         .map(|(name, term, told_by, ink)| Row {
@@ -139,7 +139,7 @@ fn rows(point: &PointInHand, language: Language) -> Vec<Row> {
         return rows;
     };
     let standard = standard(light, n_dot_l);
-    let words = |words: Words| words.in_language(language);
+    let strings = |strings: Words| strings.in_language(language);
     let mut factor = |name: String, value: f64, tag, ink| {
         rows.push(Row {
             name,
@@ -150,18 +150,18 @@ fn rows(point: &PointInHand, language: Language) -> Vec<Row> {
             bar: None,
         });
     };
-    let name = format!("{}: {} · N·L", words(STANDARD), symbol("f_att"));
+    let name = format!("{}: {} · N·L", strings(STANDARD), symbol("f_att"));
     factor(name, standard, "f_att", OF_STANDARD);
-    let name = format!("{}: d · cos φ / √d", words(SLIDE));
+    let name = format!("{}: d · cos φ / √d", strings(SLIDE));
     factor(name, light.slide_factor, "slide_factor", OF_SLIDE);
     if standard > 0.0 && light.distance.is_finite() {
         let ratio = light.slide_factor / standard;
-        factor(words(RATIO).into(), ratio, "slide_factor", Ink::Text);
+        factor(strings(RATIO).into(), ratio, "slide_factor", Ink::Text);
     }
     rows
 }
 
-fn standard(light: &LightInHand, n_dot_l: f64) -> f64 {
+fn standard(light: &CurrentLight, n_dot_l: f64) -> f64 {
     light.attenuation * n_dot_l.max(0.0)
 }
 
@@ -215,8 +215,8 @@ impl Row {
 /// Both factors against the distance, at the angle of the light in hand; none where it is behind the surface or far away.
 fn curves(
     picture: &mut Picture,
-    stage: &Stage,
-    point: &PointInHand,
+    prepared: &PreparedScene,
+    point: &CurrentPoint,
     language: Language,
     place: Rect,
 ) {
@@ -229,7 +229,7 @@ fn curves(
     let Some(&Light::Point {
         attenuation: coefficients,
         ..
-    }) = stage.scene.lights.get(light.light as usize)
+    }) = prepared.scene.lights.get(light.light as usize)
     else {
         return;
     };
@@ -243,8 +243,8 @@ fn curves(
         .iter()
         .flat_map(|&d| [of_standard(d), of_slide(d)]);
     let axes = LogAxes::new(DISTANCES, values, place);
-    let words = |words: Words| words.in_language(language);
-    axes.draw(picture, words(FACTOR), words(DISTANCE));
+    let strings = |strings: Words| strings.in_language(language);
+    axes.draw(picture, strings(FACTOR), strings(DISTANCE));
     let x = axes.point(light.distance, 1.0).x;
     let (top, bottom) = (axes.place.y, axes.place.bottom());
     picture.line((x, top), (x, bottom), Ink::This.stroke(1.5).dashed());
@@ -262,21 +262,21 @@ fn curves(
 
 #[cfg(test)]
 mod tests {
-    use super::super::crowd::{SIZES, crowd, texts};
-    use super::super::sample::Sample;
+    use super::super::fixture::Fixture;
+    use super::super::fixtures::{SIZES, fixtures, texts};
     use super::*;
     use crate::render::Method;
 
     #[test]
     fn nothing_overlaps_or_is_cut_at_any_step_and_size() {
-        for mut sample in [
-            crowd(Method::Flat),
-            crowd(Method::Phong),
-            crowd(Method::RayTracing),
+        for mut fixture in [
+            fixtures(Method::Flat),
+            fixtures(Method::Phong),
+            fixtures(Method::RayTracing),
         ] {
-            for step in sample.some_steps(2003) {
+            for step in fixture.some_steps(2003) {
                 for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                    let picture = draw(&sample.seek(step).show_in(language), size);
+                    let picture = draw(&fixture.seek(step).show_in(language), size);
                     let texts = texts(&picture);
                     for (i, (text, place)) in texts.iter().enumerate() {
                         let inside = picture.bounds().encloses(place);
@@ -294,17 +294,17 @@ mod tests {
 
     #[test]
     fn both_factors_stand_side_by_side_with_their_ratio() {
-        let mut sample = Sample::pyramid(Method::Gouraud);
-        sample.go_to("ToLight", 0);
-        let walk = sample.run.walk();
+        let mut fixture = Fixture::pyramid(Method::Gouraud);
+        fixture.go_to("ToLight", 0);
+        let walk = fixture.run.walk();
         let fields = walk.fields(walk.position());
-        let told = |name| match fields.get(name) {
+        let recorded = |name| match fields.get(name) {
             Some(Value::Number(value)) => value,
             other => panic!("{name}: {other:?}"),
         };
-        let standard = told("f_att") * told("N_dot_L");
-        let slide = told("slide_factor");
-        let picture = draw(&sample.show(), Vec2::new(420.0, 400.0));
+        let standard = recorded("f_att") * recorded("N_dot_L");
+        let slide = recorded("slide_factor");
+        let picture = draw(&fixture.input(), Vec2::new(420.0, 400.0));
         for value in [standard, slide, slide / standard] {
             let shown = short(Value::Number(value), 4);
             let found = texts(&picture).iter().any(|(text, _)| *text == shown);

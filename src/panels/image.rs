@@ -5,10 +5,10 @@
 
 mod marks;
 
-use super::Show;
+use super::PanelInput;
 use super::fit::Fit;
+use super::strings::{Language, Words, focus};
 use super::values::step_in_words;
-use super::words::{Language, Words, focus};
 use crate::algorithms::focus::Focus;
 use crate::color::Rgb;
 use crate::picture::{Image, Ink, Picture, Rect, Style, ascent, elide};
@@ -28,9 +28,9 @@ const CAPTION_HEIGHT: f32 = 20.0;
 const ONLY: Words = Words::new("focus:", "fokus:");
 const DRAWN: Words = Words::new("pixels drawn so far:", "piksel yang sudah digambar:");
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
-    let marks = match show.run {
+    let marks = match input.run {
         Run::Wireframe(replay) => Marks::of_wireframe(replay.state()),
         Run::Flat(replay) => Marks::of_shading(replay.state()),
         Run::Gouraud(replay) => Marks::of_shading(replay.state()),
@@ -39,9 +39,9 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         Run::Exact(replay) => Marks::of_shading(replay.state()),
         Run::RayCasting(replay) => Marks::of_rays(replay.state()),
         Run::RayTracing(replay) => Marks::of_rays(replay.state()),
-        Run::Radiosity(..) | Run::FormFactor(..) => return finished(show, size),
+        Run::Radiosity(..) | Run::FormFactor(..) => return finished(input, size),
     };
-    let (canvas, background) = (marks.canvas, marks.stage.scene.background);
+    let (canvas, background) = (marks.canvas, marks.prepared.scene.background);
     let (width, height) = (canvas.width(), canvas.height());
     let area = Rect::new(0.0, 0.0, size.x, size.y - CAPTION_HEIGHT);
     if width == 0 || height == 0 || area.is_empty() {
@@ -54,30 +54,30 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     let frame = Rect::between(origin, origin + extent);
     let fit = Fit::at_origin(origin, zoom);
 
-    let (image, drawn) = image(show, canvas, background);
+    let (image, drawn) = image(input, canvas, background);
     picture.pixels(frame, image, (0, 0));
     picture.clipped(frame, |picture| {
         if zoom >= GRID {
             grid(picture, width as u32, height as u32, &fit);
         }
-        marks.draw(picture, show.focus, &fit);
+        marks.draw(picture, input.focus, &fit);
     });
     picture.rect(frame, Ink::Rule.stroke(1.0));
-    caption(&mut picture, show, &marks, (width, height), zoom);
+    caption(&mut picture, input, &marks, (width, height), zoom);
 
     picture.alt = format!(
         "{}: {}. {} {drawn}.",
-        step_in_words(show),
-        in_hand(&marks, show.language).unwrap_or_else(|| focus(show.focus, show.language)),
-        DRAWN.in_language(show.language),
+        step_in_words(input),
+        current(&marks, input.language).unwrap_or_else(|| focus(input.focus, input.language)),
+        DRAWN.in_language(input.language),
     );
     picture
 }
 
 /// The finished picture alone: the exchange of light between patches draws no pixels.
-fn finished(show: &Show, size: Vec2) -> Picture {
+fn finished(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
-    let (width, height) = (show.finished.width, show.finished.rows.len() as u32);
+    let (width, height) = (input.finished.width, input.finished.rows.len() as u32);
     let area = Rect::new(0.0, 0.0, size.x, size.y);
     if width == 0 || height == 0 || area.is_empty() {
         return picture;
@@ -86,14 +86,14 @@ fn finished(show: &Show, size: Vec2) -> Picture {
     let extent = Vec2::new(width as f32, height as f32) * zoom as f32;
     let origin = (0.5 * (size - extent)).floor();
     let frame = Rect::between(origin, origin + extent);
-    let colors = show.finished.color.iter();
+    let colors = input.finished.color.iter();
     let bytes: Vec<u8> = colors.flat_map(|color| color.to_srgb8()).collect();
     picture.pixels(frame, Image::new(width, height, bytes), (0, 0));
     picture.rect(frame, Ink::Rule.stroke(1.0));
     picture.alt = format!(
         "{}: {}.",
-        step_in_words(show),
-        focus(show.focus, show.language)
+        step_in_words(input),
+        focus(input.focus, input.language)
     );
     picture
 }
@@ -109,13 +109,13 @@ fn zoom(picture: Vec2, area: Rect) -> f64 {
 }
 
 /// The canvas, and where nothing is drawn on it yet the finished picture as a ghost; and how many pixels are drawn.
-fn image(show: &Show, canvas: &Canvas<Dot>, background: Rgb) -> (Image, usize) {
+fn image(input: &PanelInput, canvas: &Canvas<Dot>, background: Rgb) -> (Image, usize) {
     let ground = background.to_srgb8();
     let mut bytes = vec![0; 3 * canvas.width() * canvas.height()];
     let (pixels, _) = bytes.as_chunks_mut();
-    let follows_rays = matches!(show.run, Run::RayCasting(_) | Run::RayTracing(_));
-    let around = follows_rays && matches!(show.focus, Focus::Pixel { .. });
-    let mut both = iter::zip(pixels, &show.finished.color);
+    let follows_rays = matches!(input.run, Run::RayCasting(_) | Run::RayTracing(_));
+    let around = follows_rays && matches!(input.focus, Focus::Pixel { .. });
+    let mut both = iter::zip(pixels, &input.finished.color);
     let mut drawn = 0;
     // `for_each`, not `for`: the canvas hands out its tiles' rows much faster.
     canvas.iter().for_each(|dot| {
@@ -168,7 +168,7 @@ fn grid(picture: &mut Picture, width: u32, height: u32, fit: &Fit) {
 /// Size, zoom, focus and what is in hand, as far as there is room.
 fn caption(
     picture: &mut Picture,
-    show: &Show,
+    input: &PanelInput,
     marks: &Marks,
     (width, height): (usize, usize),
     zoom: f64,
@@ -181,12 +181,12 @@ fn caption(
     let mut text = format!("{width} × {height}, {zoom}");
     let focus = format!(
         "{} {}",
-        ONLY.in_language(show.language),
-        focus(show.focus, show.language)
+        ONLY.in_language(input.language),
+        focus(input.focus, input.language)
     );
     let room = picture.width - 8.0;
     let set = Style::Body.size(CAPTION);
-    for more in iter::once(focus).chain(in_hand(marks, show.language)) {
+    for more in iter::once(focus).chain(current(marks, input.language)) {
         let longer = format!("{text} · {more}");
         if set.width(&longer) <= room {
             text = longer;
@@ -199,7 +199,7 @@ fn caption(
 }
 
 /// The smallest thing in hand, in words.
-fn in_hand(marks: &Marks, language: Language) -> Option<String> {
+fn current(marks: &Marks, language: Language) -> Option<String> {
     if let Some((x, y)) = marks.pixel {
         return Some(focus(Focus::Pixel { x, y }, language));
     }
@@ -212,7 +212,7 @@ fn in_hand(marks: &Marks, language: Language) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sample::Sample;
+    use super::super::fixture::Fixture;
     use super::*;
     use crate::picture::{Shape, Tag, Theme, rasterize};
     use crate::render::Method;
@@ -228,14 +228,14 @@ mod tests {
 
     #[test]
     fn the_centre_of_a_pixel_is_that_pixel() {
-        for sample in [
-            Sample::triangle(Method::Gouraud).go_to("SpanInterpolated", 40),
-            Sample::pyramid(Method::Flat).go_to("PixelColored", 700),
-            Sample::triangle(Method::Wireframe).go_to("PixelPlotted", 30),
+        for fixture in [
+            Fixture::triangle(Method::Gouraud).go_to("SpanInterpolated", 40),
+            Fixture::pyramid(Method::Flat).go_to("PixelColored", 700),
+            Fixture::triangle(Method::Wireframe).go_to("PixelPlotted", 30),
         ] {
             for size in [[260.0, 180.0], [460.0, 380.0], [1400.0, 900.0]] {
-                let picture = draw(&sample.show(), Vec2::from(size));
-                let (width, height) = (sample.finished.width, sample.finished.rows.end);
+                let picture = draw(&fixture.input(), Vec2::from(size));
+                let (width, height) = (fixture.finished.width, fixture.finished.rows.end);
                 let frame = frame(&picture);
                 assert!(picture.bounds().encloses(&frame));
                 let pixel = Vec2::new(frame.width / width as f32, frame.height / height as f32);
@@ -257,25 +257,25 @@ mod tests {
 
     #[test]
     fn what_is_to_come_is_fainter_than_what_is_drawn() {
-        let mut sample = Sample::triangle(Method::Gouraud);
+        let mut fixture = Fixture::triangle(Method::Gouraud);
         let size = Vec2::new(480.0, 380.0);
         // Before anything is drawn, and once the whole run is over.
-        let ghost = draw(&sample.show(), size);
-        let last = sample.run.walk().len() - 1;
-        sample.run.walk_mut().seek(last);
-        let drawn = draw(&sample.show(), size);
+        let ghost = draw(&fixture.input(), size);
+        let last = fixture.run.walk().len() - 1;
+        fixture.run.walk_mut().seek(last);
+        let drawn = draw(&fixture.input(), size);
         let color = |picture: &Picture, x: u32, y: u32| {
             let frame = frame(picture);
-            let scale = frame.width / sample.finished.width as f32;
+            let scale = frame.width / fixture.finished.width as f32;
             let at = frame.min() + scale * (Vec2::new(x as f32, y as f32) + 0.5);
             let pixels = rasterize(picture, Theme::Light, 1.0).unwrap();
             let color = pixels.pixel(at.x as u32, at.y as u32).unwrap();
             [color.red(), color.green(), color.blue()]
         };
-        let finished = sample.finished.pixel(22, 16).to_srgb8();
+        let finished = fixture.finished.pixel(22, 16).to_srgb8();
         assert_eq!(color(&drawn, 22, 16), finished);
         // A ghost is nearer to the background than to the finished colour, and not the background.
-        let background = sample.finished.pixel(2, 33).to_srgb8();
+        let background = fixture.finished.pixel(2, 33).to_srgb8();
         let faint = color(&ghost, 22, 16)[0];
         assert!(faint.abs_diff(background[0]) * 2 < faint.abs_diff(finished[0]));
         assert!(faint.abs_diff(background[0]) > 10);
@@ -285,9 +285,9 @@ mod tests {
 
     #[test]
     fn the_alternative_text_says_the_step() {
-        let mut sample = Sample::triangle(Method::Gouraud);
-        sample.go_to("PixelColored", 3);
-        let alt = draw(&sample.show(), Vec2::new(300.0, 200.0)).alt;
+        let mut fixture = Fixture::triangle(Method::Gouraud);
+        fixture.go_to("PixelColored", 3);
+        let alt = draw(&fixture.input(), Vec2::new(300.0, 200.0)).alt;
         assert!(
             alt.contains("PixelColored") && alt.contains("so far: 4."),
             "{alt}"

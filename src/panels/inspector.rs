@@ -1,14 +1,14 @@
 //! All values known at the step: its own first, then those of the scopes around it from the innermost outwards, each with
 //! where it was told. A name that several scopes tell is shown once: the inner one holds.
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::names;
+use super::strings::Words;
 use super::values::shown;
-use super::words::Words;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide, measure, symbol};
 use crate::record::{Field, Value};
-use crate::replay::{Told, Walk};
+use crate::replay::{RecordedField, Walk};
 use glam::Vec2;
 
 const MARGIN: f32 = 10.0;
@@ -28,39 +28,39 @@ const NO_VALUES: Words = Words::new(
     "Langkah ini tidak memuat nilai.",
 );
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let walk = show.run.walk();
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let walk = input.run.walk();
     if walk.is_empty() {
-        return message(NO_STEPS, show.language, size);
+        return message(NO_STEPS, input.language, size);
     }
     let step = walk.position();
-    let told = known(walk, step);
-    let sheet = Sheet::of(&told, show, size);
+    let recorded = known(walk, step);
+    let layout = Layout::of(&recorded, input, size);
 
     let mut picture = Picture::new(size.x, size.y);
-    picture.alt = sheet.in_words(&told, show);
-    title(&mut picture, show, size);
-    if told.is_empty() {
+    picture.alt = layout.in_words(&recorded, input);
+    title(&mut picture, input, size);
+    if recorded.is_empty() {
         let style = Style::Body.size(12.0).ink(Ink::Muted);
         let line = Rect::new(MARGIN, TITLE, size.x - 2.0 * MARGIN, 20.0);
-        picture.text_in(line, NO_VALUES.in_language(show.language), style);
+        picture.text_in(line, NO_VALUES.in_language(input.language), style);
         return picture;
     }
-    let room = sheet.capacity(size);
-    let (rows, more) = if sheet.rows.len() <= room {
-        (sheet.rows.len(), 0)
+    let room = layout.capacity(size);
+    let (rows, more) = if layout.rows.len() <= room {
+        (layout.rows.len(), 0)
     } else {
-        (room.saturating_sub(1), sheet.rows.len() + 1 - room)
+        (room.saturating_sub(1), layout.rows.len() + 1 - room)
     };
-    for (i, row) in sheet.rows.iter().take(rows).enumerate() {
-        picture.tagged(Tag::Field(row.told.field.name), |picture| {
-            sheet.draw(picture, row, sheet.place(i, size), step);
+    for (i, row) in layout.rows.iter().take(rows).enumerate() {
+        picture.tagged(Tag::Field(row.recorded.field.name), |picture| {
+            layout.draw(picture, row, layout.place(i, size), step);
         });
     }
     if more > 0 {
-        let style = Style::Body.size(sheet.size).ink(Ink::Muted);
-        let text = format!("… {more} {}", MORE.in_language(show.language));
-        picture.text_in(sheet.place(rows, size), text, style);
+        let style = Style::Body.size(layout.size).ink(Ink::Muted);
+        let text = format!("… {more} {}", MORE.in_language(input.language));
+        picture.text_in(layout.place(rows, size), text, style);
     }
     picture
 }
@@ -68,20 +68,20 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
 const TITLE: f32 = 30.0;
 
 /// The kind of the step, its number and its depth.
-fn title(picture: &mut Picture, show: &Show, size: Vec2) {
-    let walk = show.run.walk();
+fn title(picture: &mut Picture, input: &PanelInput, size: Vec2) {
+    let walk = input.run.walk();
     let step = walk.position();
     let line = Rect::new(MARGIN, 6.0, size.x - 2.0 * MARGIN, 20.0);
-    let words = |words: Words| words.in_language(show.language);
+    let strings = |strings: Words| strings.in_language(input.language);
     let place = Style::Body.size(12.0).ink(Ink::Muted).end();
     let long = format!(
         "{} {} · {} {}",
-        words(STEP),
+        strings(STEP),
         step,
-        words(DEPTH),
+        strings(DEPTH),
         walk.outline().depth(step)
     );
-    let short = format!("{} {}", words(STEP), step);
+    let short = format!("{} {}", strings(STEP), step);
     let kind = Style::Bold.size(14.0).ink(Ink::This);
     let room = line.width - kind.width(walk.kind(step)) - GAP;
     let text = if place.width(&long) <= room {
@@ -98,10 +98,10 @@ fn title(picture: &mut Picture, show: &Show, size: Vec2) {
 }
 
 /// What is known at `step`, each name once, the latest teller first.
-fn known(walk: &dyn Walk, step: usize) -> Vec<Told> {
-    let told = walk.told(step);
-    let mut known: Vec<Told> = Vec::new();
-    for group in told.chunk_by(|a, b| a.step == b.step).rev() {
+fn known(walk: &dyn Walk, step: usize) -> Vec<RecordedField> {
+    let recorded = walk.recorded(step);
+    let mut known: Vec<RecordedField> = Vec::new();
+    for group in recorded.chunk_by(|a, b| a.step == b.step).rev() {
         for &value in group {
             if known
                 .iter()
@@ -115,14 +115,14 @@ fn known(walk: &dyn Walk, step: usize) -> Vec<Told> {
 }
 
 struct Row {
-    told: Told,
+    recorded: RecordedField,
     name: String,
     value: String,
     from: String,
 }
 
 /// The rows as they are written, and the widths of their columns.
-struct Sheet {
+struct Layout {
     rows: Vec<Row>,
     size: f32,
     name: f32,
@@ -132,61 +132,66 @@ struct Sheet {
     columns: usize,
 }
 
-impl Sheet {
+impl Layout {
     /// The largest text at which all rows fit, shorter forms only where the smallest text does not help; where no form
     /// lets all rows fit, the first of the smallest text that is not too wide.
-    fn of(told: &[Told], show: &Show, size: Vec2) -> Self {
+    fn of(recorded: &[RecordedField], input: &PanelInput, size: Vec2) -> Self {
         /// Decimals, and whether an origin names its kind.
         const FORMS: [(usize, bool); 5] =
             [(4, true), (3, true), (3, false), (2, false), (1, false)];
         let steps = (2.0 * (LARGEST - SMALLEST)) as usize;
         let mut narrow = None;
         for (decimals, with_kind) in FORMS {
-            let mut sheet = Sheet::with(told, show, decimals, with_kind);
+            let mut layout = Layout::with(recorded, input, decimals, with_kind);
             for i in 0..=steps {
-                sheet.set_size(LARGEST - 0.5 * i as f32, size);
-                if sheet.columns > 0 && sheet.rows.len() <= sheet.capacity(size) {
-                    return sheet;
+                layout.set_size(LARGEST - 0.5 * i as f32, size);
+                if layout.columns > 0 && layout.rows.len() <= layout.capacity(size) {
+                    return layout;
                 }
             }
-            if sheet.columns > 0 {
-                narrow.get_or_insert(sheet);
+            if layout.columns > 0 {
+                narrow.get_or_insert(layout);
             }
         }
         narrow.unwrap_or_else(|| {
-            let mut sheet = Sheet::with(told, show, 1, false);
-            sheet.set_size(SMALLEST, size);
-            sheet.columns = 1;
+            let mut layout = Layout::with(recorded, input, 1, false);
+            layout.set_size(SMALLEST, size);
+            layout.columns = 1;
             // Long names are shortened; a longer value takes the place of its origin.
-            let room = size.x - 2.0 * MARGIN - sheet.from - 2.0 * GAP;
-            sheet.value = sheet.value.min(room - sheet.name.min(60.0));
-            sheet.name = room - sheet.value;
-            sheet
+            let room = size.x - 2.0 * MARGIN - layout.from - 2.0 * GAP;
+            layout.value = layout.value.min(room - layout.name.min(60.0));
+            layout.name = room - layout.value;
+            layout
         })
     }
 
     /// The widths are in sizes of the text until it has one.
-    fn with(told: &[Told], show: &Show, decimals: usize, with_kind: bool) -> Self {
-        let walk = show.run.walk();
-        let words = |words: Words| words.in_language(show.language);
-        let stage = names::stage(show.run);
+    fn with(
+        recorded: &[RecordedField],
+        input: &PanelInput,
+        decimals: usize,
+        with_kind: bool,
+    ) -> Self {
+        let walk = input.run.walk();
+        let strings = |strings: Words| strings.in_language(input.language);
+        let prepared = names::prepared(input.run);
         let value = |field: Field| {
-            let value = shown(field.value, decimals, show.language);
-            match names::of_field(stage, field.name, field.value, show.language) {
+            let value = shown(field.value, decimals, input.language);
+            match names::of_field(prepared, field.name, field.value, input.language) {
                 Some(name) => format!("{value} · {name}"),
                 None => value,
             }
         };
-        let rows: Vec<Row> = told
+        let rows: Vec<Row> = recorded
             .iter()
-            .map(|&told| Row {
-                told,
-                name: symbol(told.field.name),
-                value: value(told.field),
-                from: match (told.step == walk.position(), with_kind) {
-                    (true, _) => words(THIS_STEP).to_string(),
-                    (false, true) => format!("{} {}", walk.kind(told.step), told.step),
-                    (false, false) => format!("{} {}", words(STEP), told.step),
+            .map(|&recorded| Row {
+                recorded,
+                name: symbol(recorded.field.name),
+                value: value(recorded.field),
+                from: match (recorded.step == walk.position(), with_kind) {
+                    (true, _) => strings(THIS_STEP).to_string(),
+                    (false, true) => format!("{} {}", walk.kind(recorded.step), recorded.step),
+                    (false, false) => format!("{} {}", strings(STEP), recorded.step),
                 },
             })
             .collect();
@@ -197,7 +202,7 @@ impl Sheet {
             swatch + measure(&row.value, Style::Mono, 1.0)
         });
         let from = widest(&|row| measure(&row.from, Style::Body, 1.0));
-        Sheet {
+        Layout {
             rows,
             size: 1.0,
             name,
@@ -245,7 +250,7 @@ impl Sheet {
     }
 
     fn draw(&self, picture: &mut Picture, row: &Row, place: Rect, step: usize) {
-        let own = row.told.step == step;
+        let own = row.recorded.step == step;
         let name = elide(&row.name, Style::Label, self.size, self.name);
         picture.text_in(place, name, Style::Label.size(self.size).ink(Ink::Muted));
 
@@ -267,27 +272,27 @@ impl Sheet {
             return;
         }
         let ink = if own { Ink::This } else { Ink::Linked };
-        picture.tagged(Tag::Step(row.told.step), |picture| {
+        picture.tagged(Tag::Step(row.recorded.step), |picture| {
             let from = Style::Body.size(self.size).ink(ink);
             picture.text_in(Rect { x, ..place }, row.from.as_str(), from);
         });
     }
 
     /// The step with its own values.
-    fn in_words(&self, told: &[Told], show: &Show) -> String {
-        let walk = show.run.walk();
+    fn in_words(&self, recorded: &[RecordedField], input: &PanelInput) -> String {
+        let walk = input.run.walk();
         let step = walk.position();
-        let own: Vec<String> = told
+        let own: Vec<String> = recorded
             .iter()
-            .filter(|told| told.step == step)
-            .map(|told| {
-                let value = shown(told.field.value, 4, show.language);
-                format!("{} = {value}", told.field.name)
+            .filter(|recorded| recorded.step == step)
+            .map(|recorded| {
+                let value = shown(recorded.field.value, 4, input.language);
+                format!("{} = {value}", recorded.field.name)
             })
             .collect();
         let head = format!(
             "{} {}, {}",
-            STEP.in_language(show.language),
+            STEP.in_language(input.language),
             step,
             walk.kind(step)
         );
@@ -300,7 +305,7 @@ impl Sheet {
 }
 
 fn swatch(row: &Row) -> Option<Ink> {
-    match row.told.field.value {
+    match row.recorded.field.value {
         Value::Rgb(color) => Some(Ink::Rgb(color)),
         _ => None,
     }
@@ -308,21 +313,21 @@ fn swatch(row: &Row) -> Option<Ink> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::crowd::{self, SIZES, assert_legible, texts};
-    use super::super::words::Language;
+    use super::super::fixtures::{self, SIZES, assert_legible, texts};
+    use super::super::strings::Language;
     use super::*;
     use crate::render::Method;
 
     #[test]
     fn every_step_is_legible_at_every_size() {
         for method in Method::ALL {
-            let mut sample = crowd::crowd(method);
-            for step in sample.some_steps(997) {
-                sample.seek(step);
+            let mut fixture = fixtures::fixtures(method);
+            for step in fixture.some_steps(997) {
+                fixture.seek(step);
                 for size in SIZES {
                     for language in Language::ALL {
-                        let picture = draw(&sample.show_in(language), size);
-                        let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                        let picture = draw(&fixture.show_in(language), size);
+                        let what = format!("{} {step} at {size}", fixture.walk().kind(step));
                         assert_legible(&picture, &what);
                     }
                 }
@@ -332,12 +337,12 @@ mod tests {
 
     #[test]
     fn all_names_are_there_once_or_counted_as_more() {
-        let mut sample = crowd::crowd(Method::Gouraud);
-        for step in sample.some_steps(997) {
-            sample.seek(step);
-            let names = known(sample.walk(), step);
+        let mut fixture = fixtures::fixtures(Method::Gouraud);
+        for step in fixture.some_steps(997) {
+            fixture.seek(step);
+            let names = known(fixture.walk(), step);
             for size in SIZES {
-                let picture = draw(&sample.show(), size);
+                let picture = draw(&fixture.input(), size);
                 let more = texts(&picture).into_iter().find_map(|(text, _)| {
                     let count = text.strip_prefix("… ")?.strip_suffix(" more")?;
                     count.parse::<usize>().ok()
@@ -362,22 +367,22 @@ mod tests {
 
     #[test]
     fn the_inner_word_holds_and_own_values_come_first() {
-        let mut sample = crowd::crowd(Method::Gouraud);
-        let step = sample.first("EdgeInterpolated");
-        let known = known(sample.seek(step).walk(), step);
+        let mut fixture = fixtures::fixtures(Method::Gouraud);
+        let step = fixture.first("EdgeInterpolated");
+        let known = known(fixture.seek(step).walk(), step);
         assert_eq!(known[0].field.name, "I_4");
         assert_eq!(known[0].step, step);
-        let fields = sample.walk().fields(step);
-        for told in &known {
-            assert_eq!(fields.get(told.field.name), Some(told.field.value));
+        let fields = fixture.walk().fields(step);
+        for recorded in &known {
+            assert_eq!(fields.get(recorded.field.name), Some(recorded.field.value));
         }
     }
 
     #[test]
     fn objects_and_lights_are_called_by_their_names() {
-        let mut sample = crowd::rays(Method::RayTracing, 1);
-        sample.go_to("BetweenTested", 0);
-        let picture = draw(&sample.show(), SIZES[5]);
+        let mut fixture = fixtures::rays(Method::RayTracing, 1);
+        fixture.go_to("BetweenTested", 0);
+        let picture = draw(&fixture.input(), SIZES[5]);
         for value in ["0 · floor", "0 · point light"] {
             assert!(
                 texts(&picture).iter().any(|(text, _)| *text == value),
@@ -388,9 +393,9 @@ mod tests {
 
     #[test]
     fn nothing_recorded_is_said() {
-        let sample = crowd::nothing();
+        let fixture = fixtures::nothing();
         for language in Language::ALL {
-            assert_legible(&draw(&sample.show_in(language), SIZES[0]), "empty");
+            assert_legible(&draw(&fixture.show_in(language), SIZES[0]), "empty");
         }
     }
 }

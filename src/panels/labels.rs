@@ -47,17 +47,17 @@ impl Labels {
     }
 
     /// No label may cover `rect`.
-    pub fn keep_free(&mut self, rect: Rect) {
+    pub fn reserve(&mut self, rect: Rect) {
         self.taken.push(rect);
     }
 
     /// Labels should not cover the line, but may.
-    pub fn spare(&mut self, from: Vec2, to: Vec2) {
-        self.spare_stroke(from, to, 0.0);
+    pub fn avoid(&mut self, from: Vec2, to: Vec2) {
+        self.avoid_stroke(from, to, 0.0);
     }
 
-    /// As [`Labels::spare`], of a line so wide that its middle alone does not tell what would be covered.
-    pub fn spare_stroke(&mut self, from: Vec2, to: Vec2, width: f32) {
+    /// As [`Labels::avoid`], of a line so wide that its middle alone does not tell what would be covered.
+    pub fn avoid_stroke(&mut self, from: Vec2, to: Vec2, width: f32) {
         self.lines.push(Spared {
             ends: [from, to],
             half: 0.5 * width,
@@ -65,7 +65,7 @@ impl Labels {
     }
 
     /// Labels should rather not cover the outline, whose lines count as one.
-    pub fn spare_outline(&mut self, lines: Vec<[Vec2; 2]>) {
+    pub fn avoid_outline(&mut self, lines: Vec<[Vec2; 2]>) {
         let boxes = lines.iter().map(|&[from, to]| Rect::between(from, to));
         if let Some(bounds) = boxes.reduce(|all, other| all.union(&other)) {
             self.outlines.push((bounds, lines));
@@ -90,7 +90,7 @@ impl Labels {
         if gap >= LED {
             let [start, end] = leader(at, radius, place);
             picture.line(start, end, Ink::Muted.stroke(0.75));
-            self.spare(start, end);
+            self.avoid(start, end);
         }
         let baseline = Vec2::new(place.x, place.y + above);
         let set = Text {
@@ -246,18 +246,18 @@ mod tests {
         let area = Rect::new(0.0, 0.0, 200.0, 200.0);
         let (at, set) = (Vec2::new(100.0, 100.0), Style::Label.size(12.0));
         let [left, right] = [Vec2::new(0.0, 112.0), Vec2::new(200.0, 112.0)];
-        let place = |spare: &dyn Fn(&mut Labels)| {
+        let place = |avoid: &dyn Fn(&mut Labels)| {
             let mut labels = Labels::new(area);
-            spare(&mut labels);
+            avoid(&mut labels);
             let mut picture = Picture::new(200.0, 200.0);
             labels.put(&mut picture, (at, 0.0), Vec2::Y, "floor", set);
             labels.taken[0]
         };
         let free = place(&|_| ());
         assert!(crosses([left, right], free));
-        let beside_line = place(&|labels| labels.spare_stroke(left, right, 8.0));
+        let beside_line = place(&|labels| labels.avoid_stroke(left, right, 8.0));
         assert!(!crosses([left, right], beside_line.grown(4.0)));
-        let beside_outline = place(&|labels| labels.spare_outline(vec![[left, right]]));
+        let beside_outline = place(&|labels| labels.avoid_outline(vec![[left, right]]));
         assert!(!crosses([left, right], beside_outline));
     }
 

@@ -4,12 +4,12 @@ mod draw;
 mod grid;
 mod viridis;
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_PATCHES, NO_STEPS, message};
-use super::words::{Language, Words};
-use crate::algorithms::radiosity::Told;
-use crate::algorithms::room::Room;
-use crate::algorithms::stage::Stage;
+use super::strings::{Language, Words};
+use crate::algorithms::enclosure::Enclosure;
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::radiosity::SolverEvent;
 use crate::picture::{Picture, number};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
@@ -29,9 +29,9 @@ const MATRIX: Words = Words::new("Matrix of form factors", "Matriks faktor bentu
 const SUM: Words = Words::new("sum of the row", "jumlah baris");
 
 /// All that is drawn.
-struct Sheet<'a> {
-    stage: &'a Stage,
-    room: &'a Room,
+struct Layout<'a> {
+    prepared: &'a PreparedScene,
+    room: &'a Enclosure,
     matrix: &'a [f64],
     n: usize,
     hand: Option<Hand>,
@@ -42,7 +42,7 @@ struct Sheet<'a> {
 #[derive(Clone, Copy)]
 struct Hand {
     i: usize,
-    told: Told,
+    recorded: SolverEvent,
     /// The row and column of the form factor in hand, and what was told of it.
     entry: Option<(usize, usize, f64)>,
 }
@@ -52,62 +52,62 @@ impl Hand {
         let focused = state.focused?;
         let i = focused.i as usize;
         let entry = match focused.exchange {
-            Some((j, Told::Exchanged { f_ij, .. })) => Some((i, j as usize, f_ij)),
-            Some((j, Told::Received { f_ji, .. })) => Some((j as usize, i, f_ji)),
+            Some((j, SolverEvent::Exchanged { f_ij, .. })) => Some((i, j as usize, f_ij)),
+            Some((j, SolverEvent::Received { f_ji, .. })) => Some((j as usize, i, f_ji)),
             _ => None,
         };
         Some(Hand {
             i,
-            told: focused.told,
+            recorded: focused.recorded,
             entry,
         })
     }
 
     fn shoots(&self) -> bool {
-        matches!(self.told, Told::Shooting { .. })
+        matches!(self.recorded, SolverEvent::Shooting { .. })
     }
 }
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let (stage, replay) = match show.run {
-        Run::Radiosity(stage, replay) => (stage, replay),
-        Run::FormFactor(..) => return message(NO_MATRIX, show.language, size),
-        _ => return message(NO_PATCHES, show.language, size),
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let (prepared, replay) = match input.run {
+        Run::Radiosity(prepared, replay) => (prepared, replay),
+        Run::FormFactor(..) => return message(NO_MATRIX, input.language, size),
+        _ => return message(NO_PATCHES, input.language, size),
     };
-    let Some((room, matrix)) = stage
-        .room()
+    let Some((room, matrix)) = prepared
+        .enclosure()
         .ok()
         .and_then(|room| Some((room, room.matrix()?)))
     else {
-        return message(NO_ROOM, show.language, size);
+        return message(NO_ROOM, input.language, size);
     };
     if room.patches.is_empty() {
-        return message(NO_ROOM, show.language, size);
+        return message(NO_ROOM, input.language, size);
     }
-    if show.run.walk().is_empty() {
-        return message(NO_STEPS, show.language, size);
+    if input.run.walk().is_empty() {
+        return message(NO_STEPS, input.language, size);
     }
-    let sheet = Sheet {
-        stage,
+    let layout = Layout {
+        prepared,
         room,
         matrix,
         n: room.patches.len(),
         hand: Hand::of(replay.state()),
-        language: show.language,
+        language: input.language,
     };
     let mut picture = Picture::new(size.x, size.y);
-    draw::draw(&mut picture, &sheet);
+    draw::draw(&mut picture, &layout);
     picture.alt = format!(
         "{}: {}",
-        super::values::step_in_words(show),
-        sheet.in_words()
+        super::values::step_in_words(input),
+        layout.in_words()
     );
     picture
 }
 
-impl Sheet<'_> {
+impl Layout<'_> {
     fn name(&self, patch: usize) -> String {
-        super::names::patch(self.stage, self.room, patch)
+        super::names::patch(self.prepared, self.room, patch)
     }
 
     fn row(&self, i: usize) -> &[f64] {
@@ -119,14 +119,14 @@ impl Sheet<'_> {
     }
 
     fn in_words(&self) -> String {
-        let say = |words: Words| words.in_language(self.language);
-        let mut text = format!("{} {} × {}.", say(MATRIX), self.n, self.n);
+        let localize = |strings: Words| strings.in_language(self.language);
+        let mut text = format!("{} {} × {}.", localize(MATRIX), self.n, self.n);
         if let Some(hand) = self.hand {
             let does = if hand.shoots() { SHOOTS } else { GATHERS };
             let (i, name) = (hand.i, self.name(hand.i));
-            text.push_str(&format!(" {name} {} {i}", say(does)));
+            text.push_str(&format!(" {name} {} {i}", localize(does)));
             if !hand.shoots() {
-                text.push_str(&format!(", {} {}", say(SUM), number(self.sum(i))));
+                text.push_str(&format!(", {} {}", localize(SUM), number(self.sum(i))));
             }
             if let Some((row, column, f)) = hand.entry {
                 text.push_str(&format!("; F({row}, {column}) = {}", number(f)));

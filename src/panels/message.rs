@@ -1,6 +1,6 @@
 //! What a panel says instead of a picture.
 
-use super::words::{Language, Words};
+use super::strings::{Language, Words};
 use crate::picture::{Ink, Picture, Style, wrap};
 use glam::Vec2;
 
@@ -35,9 +35,9 @@ pub const NOT_COMPARED: Words = Words::new(
 );
 
 /// A picture of one friendly sentence, centred.
-pub fn message(words: Words, language: Language, size: Vec2) -> Picture {
+pub fn message(strings: Words, language: Language, size: Vec2) -> Picture {
     const LINE: f32 = 18.0;
-    let text = words.in_language(language);
+    let text = strings.in_language(language);
     let mut picture = Picture::new(size.x, size.y);
     picture.alt = text.to_string();
     let style = Style::Body.size(13.0).ink(Ink::Muted).middle();

@@ -1,13 +1,15 @@
-//! The panels: what each draws of a run at its step. A picture depends on a [`Show`] and its size alone.
+//! The panels: what each draws of a run at its step. A picture depends on a [`PanelInput`] and its size alone.
 
 mod active_edges;
 mod code;
 mod comparison;
 mod convergence;
-#[cfg(test)]
-mod crowd;
 mod difference;
 mod fit;
+#[cfg(test)]
+pub(crate) mod fixture;
+#[cfg(test)]
+mod fixtures;
 mod form_factor;
 mod formula;
 mod illumination;
@@ -23,14 +25,12 @@ mod race;
 mod radiosity;
 mod ray_tree;
 mod rays;
-#[cfg(test)]
-pub(crate) mod sample;
 mod scan_line;
+pub mod strings;
 mod time_line;
 mod values;
 mod vectors;
 mod vertex;
-pub mod words;
 
 pub use ray_tree::TreeView;
 pub use ray_tree::{area as tree_area, middle as tree_middle};
@@ -44,7 +44,7 @@ use crate::picture::Picture;
 use crate::render::compare::Compared;
 use crate::replay::Run;
 use glam::Vec2;
-use words::Language;
+use strings::Language;
 
 /// A panel, by what it shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -153,7 +153,7 @@ impl Panel {
 
 /// All that a panel's picture depends on.
 #[derive(Clone, Copy)]
-pub struct Show<'a> {
+pub struct PanelInput<'a> {
     /// The recorded run, at the step that is shown.
     pub run: &'a Run,
     /// The whole picture, rendered unrecorded.
@@ -174,27 +174,27 @@ pub struct Show<'a> {
 }
 
 /// The picture of a panel, `size` points large, without title or frame.
-pub fn draw(panel: Panel, show: &Show, size: Vec2) -> Picture {
+pub fn draw(panel: Panel, input: &PanelInput, size: Vec2) -> Picture {
     match panel {
-        Panel::Image => image::draw(show, size),
-        Panel::ScanLine => scan_line::draw(show, size),
-        Panel::ActiveEdges => active_edges::draw(show, size),
-        Panel::Vertex => vertex::draw(show, size),
-        Panel::RayTree => ray_tree::draw(show, size),
-        Panel::Vectors => vectors::draw(show, size),
-        Panel::Rays => rays::draw(show, size),
-        Panel::Illumination => illumination::draw(show, size),
-        Panel::Radiosity => radiosity::draw(show, size),
-        Panel::FormFactor => form_factor::draw(show, size),
-        Panel::Matrix => matrix::draw(show, size),
-        Panel::Convergence => convergence::draw(show, size),
-        Panel::Race => race::draw(show, size),
-        Panel::Comparison => comparison::draw(show, size),
-        Panel::Difference => difference::draw(show, size),
-        Panel::Profile => profile::draw(show, size),
-        Panel::Inspector => inspector::draw(show, size),
-        Panel::Code => code::draw(show, size),
-        Panel::Formula => formula::draw(show, size),
-        Panel::TimeLine => time_line::draw(show, size),
+        Panel::Image => image::draw(input, size),
+        Panel::ScanLine => scan_line::draw(input, size),
+        Panel::ActiveEdges => active_edges::draw(input, size),
+        Panel::Vertex => vertex::draw(input, size),
+        Panel::RayTree => ray_tree::draw(input, size),
+        Panel::Vectors => vectors::draw(input, size),
+        Panel::Rays => rays::draw(input, size),
+        Panel::Illumination => illumination::draw(input, size),
+        Panel::Radiosity => radiosity::draw(input, size),
+        Panel::FormFactor => form_factor::draw(input, size),
+        Panel::Matrix => matrix::draw(input, size),
+        Panel::Convergence => convergence::draw(input, size),
+        Panel::Race => race::draw(input, size),
+        Panel::Comparison => comparison::draw(input, size),
+        Panel::Difference => difference::draw(input, size),
+        Panel::Profile => profile::draw(input, size),
+        Panel::Inspector => inspector::draw(input, size),
+        Panel::Code => code::draw(input, size),
+        Panel::Formula => formula::draw(input, size),
+        Panel::TimeLine => time_line::draw(input, size),
     }
 }

@@ -1,8 +1,8 @@
 //! What objects, lights and rays are called.
 
-use super::words::{Language, Words};
-use crate::algorithms::room::Room;
-use crate::algorithms::stage::Stage;
+use super::strings::{Language, Words};
+use crate::algorithms::enclosure::Enclosure;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::record::Value;
 use crate::replay::{Run, Walk};
 use crate::scene::Light;
@@ -59,35 +59,35 @@ const WORDS: [(&str, Words); 11] = [
 
 /// A word that an event tells, in a sentence.
 pub(super) fn word(word: &'static str, language: Language) -> &'static str {
-    let known = WORDS.iter().find(|(told, _)| *told == word);
-    known.map_or(word, |(_, words)| words.in_language(language))
+    let known = WORDS.iter().find(|(recorded, _)| *recorded == word);
+    known.map_or(word, |(_, strings)| strings.in_language(language))
 }
 
 /// What the run shows.
-pub(super) fn stage(run: &Run) -> &Stage {
+pub(super) fn prepared(run: &Run) -> &PreparedScene {
     match run {
-        Run::Wireframe(replay) => &replay.state().stage,
-        Run::Flat(replay) => &replay.state().stage,
-        Run::Gouraud(replay) => &replay.state().stage,
-        Run::Phong(replay) => &replay.state().stage,
-        Run::FastPhong(replay) => &replay.state().stage,
-        Run::Exact(replay) => &replay.state().stage,
-        Run::RayCasting(replay) => &replay.state().stage,
-        Run::RayTracing(replay) => &replay.state().stage,
-        Run::Radiosity(stage, _) | Run::FormFactor(stage, _) => stage,
+        Run::Wireframe(replay) => &replay.state().prepared,
+        Run::Flat(replay) => &replay.state().prepared,
+        Run::Gouraud(replay) => &replay.state().prepared,
+        Run::Phong(replay) => &replay.state().prepared,
+        Run::FastPhong(replay) => &replay.state().prepared,
+        Run::Exact(replay) => &replay.state().prepared,
+        Run::RayCasting(replay) => &replay.state().prepared,
+        Run::RayTracing(replay) => &replay.state().prepared,
+        Run::Radiosity(prepared, _) | Run::FormFactor(prepared, _) => prepared,
     }
 }
 
 /// The object of that number.
-pub(super) fn object(stage: &Stage, number: u32) -> &str {
-    let object = stage.scene.objects.get(number as usize);
+pub(super) fn object(prepared: &PreparedScene, number: u32) -> &str {
+    let object = prepared.scene.objects.get(number as usize);
     object.map_or("", |object| object.name.as_str())
 }
 
 /// A patch of the room: its object, and its cell where there is more than one.
-pub(super) fn patch(stage: &Stage, room: &Room, number: usize) -> String {
+pub(super) fn patch(prepared: &PreparedScene, room: &Enclosure, number: usize) -> String {
     let patch = &room.patches[number];
-    let name = object(stage, patch.object);
+    let name = object(prepared, patch.object);
     let [nu, nv] = room.patches.surfaces[patch.object as usize].grid;
     match patch.cell {
         _ if nu * nv == 1 => name.to_string(),
@@ -103,7 +103,7 @@ pub(super) fn light(number: u32, language: Language) -> String {
 
 /// What the number told under a field's name stands for, where it stands for a thing of the scene.
 pub(super) fn of_field<'a>(
-    stage: &'a Stage,
+    prepared: &'a PreparedScene,
     field: &str,
     value: Value,
     language: Language,
@@ -113,8 +113,8 @@ pub(super) fn of_field<'a>(
     };
     let number = u32::try_from(number).ok()?;
     match field {
-        "object" | "blocker" => Some(object(stage, number)).filter(|name| !name.is_empty()),
-        "light" => Some(match stage.scene.lights.get(number as usize)? {
+        "object" | "blocker" => Some(object(prepared, number)).filter(|name| !name.is_empty()),
+        "light" => Some(match prepared.scene.lights.get(number as usize)? {
             Light::Point { .. } => POINT.in_language(language),
             Light::Directional { .. } => DIRECTIONAL.in_language(language),
         }),
@@ -125,8 +125,8 @@ pub(super) fn of_field<'a>(
 /// A kind of ray in words, and the letters for it.
 pub(super) fn ray_kind(name: &str, language: Language) -> (&'static str, &'static str) {
     let known = RAYS.iter().find(|(kind, ..)| *kind == name);
-    let (_, words, letters) = known.unwrap_or(&RAYS[0]);
-    (words.in_language(language), letters)
+    let (_, strings, letters) = known.unwrap_or(&RAYS[0]);
+    (strings.in_language(language), letters)
 }
 
 /// What the ray is called that `scope` opens, from the longest form to the shortest: its kind and what it meets, its kind,
@@ -134,7 +134,7 @@ pub(super) fn ray_kind(name: &str, language: Language) -> (&'static str, &'stati
 pub(super) fn ray(
     walk: &dyn Walk,
     scope: usize,
-    stage: &Stage,
+    prepared: &PreparedScene,
     language: Language,
 ) -> Option<[String; 3]> {
     if walk.kind(scope) != "Ray" {
@@ -145,7 +145,7 @@ pub(super) fn ray(
         Some(Value::Word(kind)) => ray_kind(kind, language),
         _ => ray_kind("primary", language),
     };
-    let goes = match goal(walk, scope, stage, language) {
+    let goes = match goal(walk, scope, prepared, language) {
         Some(goal) => format!("{kind} → {goal}"),
         None => kind.to_string(),
     };
@@ -153,7 +153,12 @@ pub(super) fn ray(
 }
 
 /// What the ray meets that `scope` opens: its search says so at its end.
-fn goal(walk: &dyn Walk, scope: usize, stage: &Stage, language: Language) -> Option<String> {
+fn goal(
+    walk: &dyn Walk,
+    scope: usize,
+    prepared: &PreparedScene,
+    language: Language,
+) -> Option<String> {
     let search = Some(scope + 1).filter(|&step| step < walk.len())?;
     if walk.kind(search) != "Search" {
         return None;
@@ -164,7 +169,7 @@ fn goal(walk: &dyn Walk, scope: usize, stage: &Stage, language: Language) -> Opt
         _ => None,
     };
     match found.get("met")? {
-        Value::Word("object") => Some(object(stage, number("object")?).to_string()),
+        Value::Word("object") => Some(object(prepared, number("object")?).to_string()),
         Value::Word("light") => Some(light(number("light")?, language)),
         _ => Some(BACKGROUND.in_language(language).to_string()),
     }

@@ -1,11 +1,11 @@
 //! Intensity along one scan line by several methods: the luminance itself, its slope, and how bright it looks. A jump of the slope is
 //! seen as a band that is in no pixel: a Mach band.
 
-use super::Show;
+use super::PanelInput;
 use super::comparison::cursor::Cursor;
 use super::message::{NOT_COMPARED, message};
+use super::strings::Words;
 use super::values::told_in_words;
-use super::words::Words;
 use crate::numeric::perceived;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide, number};
 use crate::render::Method;
@@ -35,24 +35,24 @@ const SEEN: Words = Words::new(
 const LINE: Words = Words::new("scan line", "garis scan");
 const LARGEST_JUMP: Words = Words::new("largest jump of slope", "lompatan kemiringan terbesar");
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let Some(first) = show.compared.first() else {
-        return message(NOT_COMPARED, show.language, size);
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let Some(first) = input.compared.first() else {
+        return message(NOT_COMPARED, input.language, size);
     };
-    let say = |words: Words| words.in_language(show.language);
-    let cursor = Cursor::of(show);
+    let localize = |strings: Words| strings.in_language(input.language);
+    let cursor = Cursor::of(input);
     let row = cursor.row(&first.frame);
-    let profiles: Vec<Profile> = shaded(show.compared)
+    let profiles: Vec<Profile> = shaded(input.compared)
         .map(|(number, compared)| Profile::of(number, compared, row))
         .collect();
-    let columns = columns(show.compared, row, first.frame.width);
+    let columns = columns(input.compared, row, first.frame.width);
     let mut picture = Picture::new(size.x, size.y);
     let whole = picture.bounds().grown(-MARGIN);
     let title = Rect {
         height: ROW,
         ..whole
     };
-    let caption = format!("{} y = {row}", say(LINE));
+    let caption = format!("{} y = {row}", localize(LINE));
     let style = Style::Bold.size(TEXT).ink(Ink::This);
     picture.text_in(title, caption.clone(), style);
     let beside = title.x + style.width(&caption) + 14.0;
@@ -89,7 +89,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     let style = Style::Body.size(TEXT);
     let widths = numbers.map(|end| style.width(&number(three(end))));
     let left = widths.fold(0.0, f32::max) + 8.0;
-    for (strip, ((words, values, _), (low, high))) in fields.into_iter().zip(ranges).enumerate() {
+    for (strip, ((strings, values, _), (low, high))) in fields.into_iter().zip(ranges).enumerate() {
         let field = Field {
             place: Rect::new(
                 whole.x + left,
@@ -101,7 +101,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
             low,
             high,
         };
-        field.frame(&mut picture, say(words), cursor.x);
+        field.frame(&mut picture, localize(strings), cursor.x);
         for profile in &profiles {
             field.curve(&mut picture, profile, values(profile));
         }
@@ -113,14 +113,14 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         let name = profile.method.name();
         format!(
             "{name}: {} {}",
-            say(LARGEST_JUMP),
+            localize(LARGEST_JUMP),
             number(three(profile.jump))
         )
     });
     picture.alt = format!(
         "{} {} {row}. {}.",
-        told_in_words(show),
-        say(LINE),
+        told_in_words(input),
+        localize(LINE),
         jumps.collect::<Vec<_>>().join("; ")
     );
     picture
@@ -334,10 +334,10 @@ impl Field {
         let mut points = Vec::new();
         for first in columns.clone().step_by(stride) {
             let part = first..(first + stride).min(columns.end);
-            let told = || part.clone().filter(|&x| !values[x].is_nan());
+            let recorded = || part.clone().filter(|&x| !values[x].is_nan());
             let by_value = |a: &usize, b: &usize| values[*a].total_cmp(&values[*b]);
-            match (told().min_by(by_value), told().max_by(by_value)) {
-                (Some(least), Some(most)) if told().count() == part.len() => {
+            match (recorded().min_by(by_value), recorded().max_by(by_value)) {
+                (Some(least), Some(most)) if recorded().count() == part.len() => {
                     points.push(at(least.min(most)));
                     if least != most {
                         points.push(at(least.max(most)));

@@ -1,12 +1,12 @@
 //! All solvers on the same room, side by side: what is left by iteration and by time, as far as the recorded run has come. Where
 //! there is room, the residual, which a solver knows, stands above the error, which it does not.
 
-use super::Show;
+use super::PanelInput;
 use super::labels::Labels;
 use super::log_axes::LogAxes;
 use super::message::{NO_PATCHES, message};
+use super::strings::{Language, Words};
 use super::values::told_in_words;
-use super::words::{Language, Words};
 use crate::algorithms::radiosity::race::{Lap, Race, Racer};
 use crate::algorithms::radiosity::{Solver, Unsolved};
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide, number};
@@ -43,28 +43,28 @@ const GAVE_UP: Words = Words::new("gave up", "menyerah");
 const ON_THE_WAY: Words = Words::new("under way", "di jalan");
 const PATCHES: Words = Words::new("patches", "patch");
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let Run::Radiosity(stage, replay) = show.run else {
-        return message(NO_PATCHES, show.language, size);
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let Run::Radiosity(prepared, replay) = input.run else {
+        return message(NO_PATCHES, input.language, size);
     };
-    let race = match stage.room().ok().and_then(|room| room.race()) {
-        None => return message(RUNNING, show.language, size),
-        Some(Err(_)) => return message(NO_SOLUTION, show.language, size),
+    let race = match prepared.enclosure().ok().and_then(|room| room.race()) {
+        None => return message(RUNNING, input.language, size),
+        Some(Err(_)) => return message(NO_SOLUTION, input.language, size),
         Some(Ok(race)) => race,
     };
     let state = replay.state();
     let Some(now) = Now::of(state, race) else {
-        return message(NOT_BEGUN, show.language, size);
+        return message(NOT_BEGUN, input.language, size);
     };
     let mut picture = Picture::new(size.x, size.y);
-    picture.alt = in_words(show, race, now);
+    picture.alt = in_words(input, race, now);
     let whole = picture.bounds().grown(-MARGIN);
-    let below = standings(&mut picture, race, now, whole, show.language);
+    let below = standings(&mut picture, race, now, whole, input.language);
     for (plot, place) in plots(Rect {
         height: below - whole.y,
         ..whole
     }) {
-        plot.draw(&mut picture, race, now, place, show.language);
+        plot.draw(&mut picture, race, now, place, input.language);
     }
     picture
 }
@@ -85,7 +85,7 @@ impl Now {
         };
         let first = state.channels.first()?;
         let channel = state.channel()?;
-        if first.converged.is_some() || first.left_out.is_some() {
+        if first.converged.is_some() || first.skipped.is_some() {
             return Some(END);
         }
         let last = channel.history.get(channel.history.len().checked_sub(1)?)?;
@@ -176,9 +176,9 @@ impl Plot {
         );
         let up = if self.error { ERROR } else { RESIDUAL };
         let right = if self.time { TIME } else { ITERATIONS };
-        let [up, right] = [up, right].map(|words| {
-            let words = words.in_language(language);
-            elide(words, Style::Body, TEXT, axes.place.width)
+        let [up, right] = [up, right].map(|strings| {
+            let strings = strings.in_language(language);
+            elide(strings, Style::Body, TEXT, axes.place.width)
         });
         axes.draw(picture, &up, &right);
         if !self.error {
@@ -199,7 +199,7 @@ impl Plot {
             let Some(&head) = points.last() else { continue };
             let (ink, stroke) = stroke(number);
             for pair in points.windows(2) {
-                labels.spare(pair[0], pair[1]);
+                labels.avoid(pair[0], pair[1]);
             }
             if points.len() > 1 {
                 picture.polyline(points, stroke);
@@ -208,7 +208,7 @@ impl Plot {
             heads.push((head, racer.solver));
         }
         for &(head, _) in &heads {
-            labels.keep_free(Rect::new(head.x, head.y, 0.0, 0.0).grown(3.0));
+            labels.reserve(Rect::new(head.x, head.y, 0.0, 0.0).grown(3.0));
         }
         for (head, solver) in heads {
             let style = Style::Bold.size(TEXT);
@@ -285,7 +285,7 @@ fn standings(picture: &mut Picture, race: &Race, now: Now, whole: Rect, language
             ..cell
         };
         let style = Style::Body.size(TEXT).ink(Ink::Muted);
-        let words = elide(
+        let strings = elide(
             &match named {
                 true => format!(
                     "{}: {}",
@@ -298,19 +298,19 @@ fn standings(picture: &mut Picture, race: &Race, now: Now, whole: Rect, language
             style.size,
             cell.right() - text.x - 4.0,
         );
-        picture.text_in(text, words, style);
+        picture.text_in(text, strings, style);
     }
     top - 4.0
 }
 
 /// Iterations and time to its end, or that it is not there yet.
 fn standing(racer: &Racer, now: Now, language: Language) -> String {
-    let say = |words: Words| words.in_language(language);
+    let localize = |strings: Words| strings.in_language(language);
     let Some(last) = racer.laps.last() else {
-        return say(ON_THE_WAY).to_owned();
+        return localize(ON_THE_WAY).to_owned();
     };
     if last.seconds > now.seconds {
-        return say(ON_THE_WAY).to_owned();
+        return localize(ON_THE_WAY).to_owned();
     }
     let (unit, many) = if last.seconds < 1e-3 {
         ("µs", 1e6)
@@ -324,8 +324,8 @@ fn standing(racer: &Racer, now: Now, language: Language) -> String {
     );
     match racer.unsolved {
         None => effort,
-        Some(Unsolved::NotConverged { .. }) => format!("{} ({effort})", say(GAVE_UP)),
-        Some(_) => say(GAVE_UP).to_owned(),
+        Some(Unsolved::NotConverged { .. }) => format!("{} ({effort})", localize(GAVE_UP)),
+        Some(_) => localize(GAVE_UP).to_owned(),
     }
 }
 
@@ -335,30 +335,35 @@ fn three(value: f64) -> f64 {
     text.parse().unwrap_or(value)
 }
 
-fn in_words(show: &Show, race: &Race, now: Now) -> String {
-    let say = |words: Words| words.in_language(show.language);
-    let mut words = format!("{} {} {}.", told_in_words(show), race.patches, say(PATCHES));
+fn in_words(input: &PanelInput, race: &Race, now: Now) -> String {
+    let localize = |strings: Words| strings.in_language(input.language);
+    let mut strings = format!(
+        "{} {} {}.",
+        told_in_words(input),
+        race.patches,
+        localize(PATCHES)
+    );
     for racer in &race.racers {
-        let standing = standing(racer, now, show.language);
-        words = format!("{words} {}: {standing}.", racer.solver.name());
+        let standing = standing(racer, now, input.language);
+        strings = format!("{strings} {}: {standing}.", racer.solver.name());
     }
-    words
+    strings
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::crowd::{self, SIZES, assert_legible};
-    use super::super::sample::Sample;
+    use super::super::fixture::Fixture;
+    use super::super::fixtures::{self, SIZES, assert_legible};
     use super::*;
     use crate::algorithms::focus::Focus;
     use crate::picture::Shape;
     use crate::render::Method;
 
     /// The sample room whose race was run on a clock that ticks.
-    fn sample(solver: Solver, focus: Focus) -> Sample {
-        let sample = Sample::room(solver, focus);
-        if let Run::Radiosity(stage, _) = &sample.run {
-            let room = stage.room().unwrap();
+    fn fixture(solver: Solver, focus: Focus) -> Fixture {
+        let fixture = Fixture::room(solver, focus);
+        if let Run::Radiosity(prepared, _) = &fixture.run {
+            let room = prepared.enclosure().unwrap();
             let mut ticks = 0.0;
             let clock = || {
                 ticks += 1e-6;
@@ -366,23 +371,23 @@ mod tests {
             };
             room.race_or(room.matrix().unwrap(), clock).unwrap();
         }
-        sample
+        fixture
     }
 
     #[test]
     fn every_step_is_legible_at_every_size() {
-        for mut sample in [
-            sample(Solver::GaussSeidel, Focus::Frame),
-            sample(Solver::Shooting, Focus::Iterations { start: 5, end: 9 }),
-            sample(Solver::Auto, Focus::Patch(3)),
-            Sample::room(Solver::Auto, Focus::Frame),
-            crowd::crowd(Method::Gouraud),
+        for mut fixture in [
+            fixture(Solver::GaussSeidel, Focus::Frame),
+            fixture(Solver::Shooting, Focus::Iterations { start: 5, end: 9 }),
+            fixture(Solver::Auto, Focus::Patch(3)),
+            Fixture::room(Solver::Auto, Focus::Frame),
+            fixtures::fixtures(Method::Gouraud),
         ] {
-            for step in sample.some_steps(9973) {
-                sample.seek(step);
+            for step in fixture.some_steps(9973) {
+                fixture.seek(step);
                 for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                    let picture = draw(&sample.show_in(language), size);
-                    let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                    let picture = draw(&fixture.show_in(language), size);
+                    let what = format!("{} {step} at {size}", fixture.walk().kind(step));
                     assert_legible(&picture, &what);
                     assert!(!picture.items.is_empty(), "{what}");
                 }
@@ -392,19 +397,19 @@ mod tests {
 
     #[test]
     fn nobody_is_ahead_of_the_run_that_is_walked_through() {
-        let mut sample = sample(Solver::GaussSeidel, Focus::Frame);
-        let heads = |sample: &Sample| {
-            let picture = draw(&sample.show(), Vec2::new(640.0, 460.0));
+        let mut fixture = fixture(Solver::GaussSeidel, Focus::Frame);
+        let heads = |fixture: &Fixture| {
+            let picture = draw(&fixture.input(), Vec2::new(640.0, 460.0));
             let circles = picture.items.iter().filter_map(|item| match item.shape {
                 Shape::Circle { center, .. } => Some(center.x),
                 _ => None,
             });
             circles.collect::<Vec<f32>>()
         };
-        sample.go_to("IterationDone", 0);
-        let early = heads(&sample);
-        sample.go_to("RoomDone", 0);
-        let late = heads(&sample);
+        fixture.go_to("IterationDone", 0);
+        let early = heads(&fixture);
+        fixture.go_to("RoomDone", 0);
+        let late = heads(&fixture);
         assert_eq!(late.len(), 4 * (Solver::ALL.len() - 1));
         assert!(early.len() < late.len());
         // The first field counts iterations: all who have done one stand at the first, and shots before it.

@@ -7,12 +7,12 @@ mod order;
 mod room_view;
 mod smooth;
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_PATCHES, message};
+use super::strings::{Language, Words};
 use super::values::told_in_words;
-use super::words::{Language, Words};
-use crate::algorithms::room::Room;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::enclosure::Enclosure;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
 use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, Text, elide};
 use crate::replay::Run;
@@ -52,24 +52,24 @@ const CHANNELS: [(&str, Words); 3] = [
     ("blue", Words::new("blue", "biru")),
 ];
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let (Run::Radiosity(stage, _) | Run::FormFactor(stage, _)) = show.run else {
-        return message(NO_PATCHES, show.language, size);
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let (Run::Radiosity(prepared, _) | Run::FormFactor(prepared, _)) = input.run else {
+        return message(NO_PATCHES, input.language, size);
     };
-    let Ok(room) = stage.room() else {
-        return message(NO_ROOM, show.language, size);
+    let Ok(room) = prepared.enclosure() else {
+        return message(NO_ROOM, input.language, size);
     };
-    let view = RoomView::new(stage, room);
-    let exchange = Exchange::of(show.run, show.focus);
+    let view = RoomView::new(prepared, room);
+    let exchange = Exchange::of(input.run, input.focus);
     let mut picture = Picture::new(size.x, size.y);
-    picture.alt = in_words(show, stage, room, &view, exchange.as_ref());
-    let colorings = colorings(show, room);
+    picture.alt = in_words(input, prepared, room, &view, exchange.as_ref());
+    let colorings = colorings(input, room);
     let places = places(size, colorings.len());
     let outlined = view.corners() * places.len() <= MOST_LINES;
     for (coloring, place) in colorings.iter().zip(places) {
         let area = coloring.frame(&mut picture, place);
         let fit = view.fit(area);
-        let smooth = show.smooth && coloring.may_be_smooth;
+        let smooth = input.smooth && coloring.may_be_smooth;
         if smooth {
             let (place, image) = smooth::image(room, &view, &fit, &coloring.patches);
             picture.image(place, image);
@@ -91,7 +91,7 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
             });
         }
         if let Some(exchange) = &exchange {
-            exchange.draw(&mut picture, stage, room, &view, &fit, area);
+            exchange.draw(&mut picture, prepared, room, &view, &fit, area);
         }
     }
     picture
@@ -113,11 +113,11 @@ struct Scale {
 }
 
 /// The light so far, and where patches shoot what they have still to shoot. Of a form factor, what the surfaces look like.
-fn colorings(show: &Show, room: &Room) -> Vec<Coloring> {
-    let say = |words: Words| words.in_language(show.language);
-    let Run::Radiosity(_, replay) = show.run else {
+fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
+    let localize = |strings: Words| strings.in_language(input.language);
+    let Run::Radiosity(_, replay) = input.run else {
         return vec![Coloring {
-            title: say(REFLECTANCE).to_string(),
+            title: localize(REFLECTANCE).to_string(),
             patches: room.reflectance.clone(),
             may_be_smooth: false,
             scale: None,
@@ -126,7 +126,7 @@ fn colorings(show: &Show, room: &Room) -> Vec<Coloring> {
     let state = replay.state();
     let exposure = exposure(room);
     let mut colorings = vec![Coloring {
-        title: title(state, room, show.language),
+        title: title(state, room, input.language),
         patches: light(state, room)
             .into_iter()
             .map(|b| b * exposure)
@@ -145,8 +145,8 @@ fn colorings(show: &Show, room: &Room) -> Vec<Coloring> {
         colorings.push(Coloring {
             title: format!(
                 "{}, {}",
-                say(UNSHOT),
-                channel(unshot.channel, show.language)
+                localize(UNSHOT),
+                channel(unshot.channel, input.language)
             ),
             patches: unshot.shares.into_iter().map(viridis).collect(),
             may_be_smooth: false,
@@ -163,28 +163,28 @@ fn colorings(show: &Show, room: &Room) -> Vec<Coloring> {
 }
 
 /// What is shown, and of which channels.
-fn title(state: &State, room: &Room, language: Language) -> String {
-    let say = |words: Words| words.in_language(language);
+fn title(state: &State, room: &Enclosure, language: Language) -> String {
+    let localize = |strings: Words| strings.in_language(language);
     let Some(now) = state.channel() else {
-        return say(EMISSION).to_string();
+        return localize(EMISSION).to_string();
     };
     let what = if shoots(now.solver) {
         WITH_UNSHOT
     } else {
         RADIOSITY
     };
-    let told = |c: usize| {
-        let mut told = state.channels.iter();
-        told.any(|channel| channel.channel == Some(CHANNELS[c].0))
+    let recorded = |c: usize| {
+        let mut recorded = state.channels.iter();
+        recorded.any(|channel| channel.channel == Some(CHANNELS[c].0))
     };
-    let lit = (0..CHANNELS.len()).filter(|&c| told(c) || told(twin(room, c)));
-    let names: Vec<&str> = lit.map(|c| say(CHANNELS[c].1)).collect();
-    format!("{}: {}", say(what), names.join(", "))
+    let lit = (0..CHANNELS.len()).filter(|&c| recorded(c) || recorded(twin(room, c)));
+    let names: Vec<&str> = lit.map(|c| localize(CHANNELS[c].1)).collect();
+    format!("{}: {}", localize(what), names.join(", "))
 }
 
 fn channel(name: &'static str, language: Language) -> &'static str {
     let known = CHANNELS.iter().find(|(known, _)| *known == name);
-    known.map_or(name, |(_, words)| words.in_language(language))
+    known.map_or(name, |(_, strings)| strings.in_language(language))
 }
 
 /// Two pictures beside or below each other; the first alone where there is no room for both.
@@ -278,29 +278,29 @@ fn overlapping(corners: &[Vec2]) -> Vec<Vec2> {
 }
 
 fn in_words(
-    show: &Show,
-    stage: &Stage,
-    room: &Room,
+    input: &PanelInput,
+    prepared: &PreparedScene,
+    room: &Enclosure,
     view: &RoomView,
     exchange: Option<&Exchange>,
 ) -> String {
-    let say = |words: Words| words.in_language(show.language);
-    let mut words = format!(
+    let localize = |strings: Words| strings.in_language(input.language);
+    let mut strings = format!(
         "{} {} {}, {} {}.",
-        told_in_words(show),
-        say(PATCHES),
+        told_in_words(input),
+        localize(PATCHES),
         room.patches.len(),
-        say(SEEN),
+        localize(SEEN),
         view.seen.len()
     );
     if let Some(exchange) = exchange {
-        words = format!(
-            "{words} {} {}",
-            say(IN_HAND),
-            exchange.in_words(stage, room)
+        strings = format!(
+            "{strings} {} {}",
+            localize(IN_HAND),
+            exchange.in_words(prepared, room)
         );
     }
-    words
+    strings
 }
 
 #[cfg(test)]

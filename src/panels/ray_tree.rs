@@ -6,27 +6,27 @@ mod card;
 mod edges;
 mod node;
 mod pick;
+mod strings;
 mod tidy;
 mod view;
-mod words;
 
 #[cfg(test)]
 mod tests;
 
 pub use view::TreeView;
 
-use super::Show;
+use super::PanelInput;
 use super::message::message;
 use super::values::step_in_words;
 use crate::algorithms::ray_tree::RayKind;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::replay::Run;
-use crate::replay::rays::{Outcome, RayInHand, State};
+use crate::replay::rays::{Outcome, RayState, State};
 use arrange::{Arrangement, Detail, arrange};
 use glam::Vec2;
-use node::{Speaker, Standing, letter, line, number};
+use node::{Describer, Standing, letter, line, number};
 use pick::{Node, Rays};
-use words::*;
+use strings::*;
 
 const MARGIN: f32 = 6.0;
 /// Of the line above the tree.
@@ -34,51 +34,57 @@ const HEAD: f32 = 18.0;
 /// Of the sign that collapses and expands.
 const SIGN: f32 = 6.0;
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let state = match show.run.rays() {
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let state = match input.run.rays() {
         Some(state) => state,
-        None => return message(NO_RAYS, show.language, size),
+        None => return message(NO_RAYS, input.language, size),
     };
     let Some(ray) = state.ray() else {
-        let mut picture = message(NO_RAY, show.language, size);
-        picture.alt = format!("{}. {}", step_in_words(show), picture.alt);
+        let mut picture = message(NO_RAY, input.language, size);
+        picture.alt = format!("{}. {}", step_in_words(input), picture.alt);
         return picture;
     };
-    let speaker = Speaker {
+    let describer = Describer {
         state,
-        language: show.language,
+        language: input.language,
     };
     let rays = Rays::new(state);
     let places = Places::new(size);
-    let arrangement = arrange(&rays, show.tree, places.tree);
-    let (rising, returning) = rising(show, state);
+    let arrangement = arrange(&rays, input.tree, places.tree);
+    let (rising, returning) = rising(input, state);
 
     let mut picture = Picture::new(size.x, size.y);
     edges::draw(&mut picture, &rays, &arrangement, rising, places.tree);
-    nodes(&mut picture, &speaker, &rays, &arrangement, places.tree);
-    let levels = matches!(show.run, Run::RayTracing(_));
-    let said = said_of_tree(&speaker, &rays, &arrangement, levels);
+    nodes(&mut picture, &describer, &rays, &arrangement, places.tree);
+    let levels = matches!(input.run, Run::RayTracing(_));
+    let said = said_of_tree(&describer, &rays, &arrangement, levels);
     let branches = arrangement.tree.nodes.len() > 1;
     head(&mut picture, &said, branches, places.head);
     if let Some(place) = places.card {
         picture.line(place.rule[0], place.rule[1], Ink::Rule.stroke(1.0));
-        card::draw(&mut picture, &speaker, ray, (rising, returning), place.rect);
+        card::draw(
+            &mut picture,
+            &describer,
+            ray,
+            (rising, returning),
+            place.rect,
+        );
     } else {
-        card::line(&mut picture, &speaker, ray, places.foot);
+        card::line(&mut picture, &describer, ray, places.foot);
     }
     picture.alt = format!(
         "{}: {said}. {}.",
-        step_in_words(show),
-        in_words(&speaker, ray)
+        step_in_words(input),
+        in_words(&describer, ray)
     );
     picture
 }
 
 /// Where the middle of the tree's area lies, as shares of the tree's box; none where no tree is drawn.
-pub fn middle(show: &Show, size: Vec2) -> Option<Vec2> {
-    let state = show.run.rays()?;
+pub fn middle(input: &PanelInput, size: Vec2) -> Option<Vec2> {
+    let state = input.run.rays()?;
     state.ray()?;
-    let arrangement = arrange(&Rays::new(state), show.tree, Places::new(size).tree);
+    let arrangement = arrange(&Rays::new(state), input.tree, Places::new(size).tree);
     Some(arrangement.middle)
 }
 
@@ -156,8 +162,8 @@ impl Places {
 }
 
 /// The ray whose light came back last, if it is this step that it rises or is added at; and whether light comes back at all.
-fn rising(show: &Show, state: &State) -> (Option<usize>, bool) {
-    let walk = show.run.walk();
+fn rising(input: &PanelInput, state: &State) -> (Option<usize>, bool) {
+    let walk = input.run.walk();
     let step = walk.position();
     let added = matches!(walk.kind(step), "Attenuated" | "BranchAdded");
     let current = state.current;
@@ -181,15 +187,15 @@ fn rising(show: &Show, state: &State) -> (Option<usize>, bool) {
 
 fn nodes(
     picture: &mut Picture,
-    speaker: &Speaker,
+    describer: &Describer,
     rays: &Rays,
     arrangement: &Arrangement,
     area: Rect,
 ) {
-    let in_hand = arrangement.tree.in_hand;
+    let current = arrangement.tree.current;
     // The node in hand lies on top.
-    let order = (0..arrangement.rects.len()).filter(|&node| node != in_hand);
-    for index in order.chain([in_hand]) {
+    let order = (0..arrangement.rects.len()).filter(|&node| node != current);
+    for index in order.chain([current]) {
         let node = &arrangement.tree.nodes[index];
         let (whole, detail) = (arrangement.rects[index], arrangement.details[index]);
         let rect = whole.intersection(&area);
@@ -198,7 +204,7 @@ fn nodes(
         }
         let ray = rays.ray(node);
         let standing = match ray {
-            _ if index == in_hand => Standing::InHand,
+            _ if index == current => Standing::Current,
             None => Standing::Asked,
             Some(ray) if ray.returned.is_some() => Standing::Returned,
             Some(_) => Standing::Open,
@@ -209,7 +215,7 @@ fn nodes(
                 node::frame(picture, rect, standing, ray, detail);
             }
             if seen_whole && detail > Detail::Dot {
-                node::write(picture, speaker, whole, ray, detail, arrangement.scale);
+                node::write(picture, describer, whole, ray, detail, arrangement.scale);
             }
         };
         match ray {
@@ -227,7 +233,7 @@ fn nodes(
 /// Under a node what collapses it, or how many rays are hidden below.
 fn sign(
     picture: &mut Picture,
-    ray: &RayInHand,
+    ray: &RayState,
     node: &Node,
     (rect, detail): (Rect, Detail),
     area: Rect,
@@ -278,22 +284,31 @@ fn sign(
 }
 
 /// How large the tree is.
-fn said_of_tree(speaker: &Speaker, rays: &Rays, arrangement: &Arrangement, levels: bool) -> String {
+fn said_of_tree(
+    describer: &Describer,
+    rays: &Rays,
+    arrangement: &Arrangement,
+    levels: bool,
+) -> String {
     let count = rays.len();
-    let word = speaker.say(if count == 1 { RAY } else { RAYS });
+    let word = describer.localize(if count == 1 { RAY } else { RAYS });
     let mut said = format!("{count} {word}");
     if arrangement.tree.hidden > 0 {
-        said += &format!(", {} {}", arrangement.tree.hidden, speaker.say(HIDDEN));
+        said += &format!(
+            ", {} {}",
+            arrangement.tree.hidden,
+            describer.localize(HIDDEN)
+        );
     }
     if !levels {
         return said;
     }
-    let level = speaker.state.ray().map_or(0, |ray| ray.level);
-    let deepest = speaker.state.stage.settings.depth;
+    let level = describer.state.ray().map_or(0, |ray| ray.level);
+    let deepest = describer.state.prepared.settings.depth;
     format!(
         "{said} · {} {level} {} {deepest}",
-        speaker.say(LEVEL),
-        speaker.say(OF)
+        describer.localize(LEVEL),
+        describer.localize(OF)
     )
 }
 
@@ -327,21 +342,21 @@ fn head(picture: &mut Picture, said: &str, legend: bool, area: Rect) {
 }
 
 /// The ray in hand in a sentence.
-fn in_words(speaker: &Speaker, ray: &RayInHand) -> String {
-    let mut said = speaker.name(ray)[0].clone();
+fn in_words(describer: &Describer, ray: &RayState) -> String {
+    let mut said = describer.name(ray)[0].clone();
     if let Some(met) = ray.met.filter(|met| met.t().is_finite()) {
         said += &format!(", t {}", number(met.t()));
     }
     if node::nothing_passes(ray) {
-        said += &format!(", {}", speaker.say(TIR));
+        said += &format!(", {}", describer.localize(TIR));
     }
     for verdict in &ray.shadows {
-        let light = speaker.light(verdict.light);
-        let by = verdict.by.map(|hit| speaker.object(hit.object));
+        let light = describer.light(verdict.light);
+        let by = verdict.by.map(|hit| describer.object(hit.object));
         said += &match (verdict.blocked, by) {
-            (true, Some(by)) => format!("; {light} {} {by}", speaker.say(BLOCKED_BY)),
-            (true, None) => format!("; {light} {}", speaker.say(BLOCKED)),
-            (false, _) => format!("; {light} {}", speaker.say(CLEAR)),
+            (true, Some(by)) => format!("; {light} {} {by}", describer.localize(BLOCKED_BY)),
+            (true, None) => format!("; {light} {}", describer.localize(BLOCKED)),
+            (false, _) => format!("; {light} {}", describer.localize(CLEAR)),
         };
     }
     match (ray.returned, ray.sum) {

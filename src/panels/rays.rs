@@ -12,12 +12,12 @@ mod view;
 
 pub use grip::{Grip, grip};
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_RAYS, NO_STEPS, message};
 use super::names;
+use super::strings::{Language, Words};
 use super::values::{short, told_in_words};
-use super::words::{Language, Words};
-use crate::algorithms::visible::Met;
+use crate::algorithms::visible::Intersection;
 use crate::picture::{Picture, Rect};
 use crate::record::Value;
 use crate::replay::rays::State;
@@ -34,24 +34,28 @@ const NO_PIXEL: Words = Words::new(
     "Belum ada sinar yang diikuti. Lanjutkan ke piksel pertama.",
 );
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    if show.run.walk().is_empty() {
-        return message(NO_STEPS, show.language, size);
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    if input.run.walk().is_empty() {
+        return message(NO_STEPS, input.language, size);
     }
-    let Some(state) = show.run.rays() else {
-        return message(NO_RAYS, show.language, size);
+    let Some(state) = input.run.rays() else {
+        return message(NO_RAYS, input.language, size);
     };
     let mut picture = Picture::new(size.x, size.y);
     for (view, title) in views(state, size) {
         draw::draw(
             &mut picture,
-            show,
+            input,
             state,
             &view,
-            title.in_language(show.language),
+            title.in_language(input.language),
         );
     }
-    picture.alt = format!("{} {}", told_in_words(show), in_words(state, show.language));
+    picture.alt = format!(
+        "{} {}",
+        told_in_words(input),
+        in_words(state, input.language)
+    );
     picture
 }
 
@@ -71,41 +75,41 @@ fn views(state: &State, size: Vec2) -> Vec<(View, Words)> {
     };
     match halves {
         Some([side, above]) => vec![
-            (View::from_side(&state.stage, side), SIDE),
-            (View::from_above(&state.stage, above), ABOVE),
+            (View::from_side(&state.prepared, side), SIDE),
+            (View::from_above(&state.prepared, above), ABOVE),
         ],
-        None => vec![(View::from_side(&state.stage, whole), SIDE)],
+        None => vec![(View::from_side(&state.prepared, whole), SIDE)],
     }
 }
 
 fn in_words(state: &State, language: Language) -> String {
-    let words = |words: Words| words.in_language(language);
+    let strings = |strings: Words| strings.in_language(language);
     let Some(ray) = state.ray() else {
-        return words(NO_PIXEL).to_string();
+        return strings(NO_PIXEL).to_string();
     };
     let (kind, _) = names::ray_kind(ray.kind.name(), language);
     let goal = match ray.met {
         None => String::new(),
-        Some(Met::Nothing) => " → ∞".to_string(),
-        Some(Met::Light { light, t }) => {
+        Some(Intersection::Nothing) => " → ∞".to_string(),
+        Some(Intersection::Light { light, t }) => {
             format!(
                 " → {}, t {}",
                 names::light(light, language),
                 short(Value::Number(t), 3)
             )
         }
-        Some(Met::Object(hit)) => format!(
+        Some(Intersection::Object(hit)) => format!(
             " → {}, t {}",
-            names::object(&state.stage, hit.object),
+            names::object(&state.prepared, hit.object),
             short(Value::Number(hit.t), 3)
         ),
     };
     format!(
         "{} {}. {} {kind}, {} {}{goal}.",
-        words(RAYS),
+        strings(RAYS),
         state.rays.len(),
-        words(IN_HAND),
-        words(LEVEL),
+        strings(IN_HAND),
+        strings(LEVEL),
         ray.level
     )
 }

@@ -6,10 +6,10 @@ mod corners;
 mod line;
 mod polygon;
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
+use super::strings::Words;
 use super::values::{told_in_words, value_of};
-use super::words::Words;
 use crate::algorithms::scan_line::Carried;
 use crate::picture::{Picture, Rect};
 use crate::replay::Run;
@@ -29,31 +29,31 @@ const NO_LINE: Words = Words::new(
     "Tidak ada sisi yang digambar pada langkah ini. Lanjutkan (→) ke sisi berikutnya: garis dan pikselnya tampil di sini.",
 );
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    match show.run {
-        Run::Gouraud(replay) => of_state(show, replay.state(), size),
-        Run::Phong(replay) => of_state(show, replay.state(), size),
-        Run::FastPhong(replay) => of_state(show, replay.state(), size),
-        Run::Exact(replay) => of_state(show, replay.state(), size),
-        Run::Flat(replay) => of_state(show, replay.state(), size),
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    match input.run {
+        Run::Gouraud(replay) => of_state(input, replay.state(), size),
+        Run::Phong(replay) => of_state(input, replay.state(), size),
+        Run::FastPhong(replay) => of_state(input, replay.state(), size),
+        Run::Exact(replay) => of_state(input, replay.state(), size),
+        Run::Flat(replay) => of_state(input, replay.state(), size),
         Run::Wireframe(replay) => match replay.state().line {
             Some(ends) => {
                 let mut picture = Picture::new(size.x, size.y);
                 line::draw(&mut picture, replay, ends);
-                picture.alt = told_in_words(show);
+                picture.alt = told_in_words(input);
                 picture
             }
-            None => silent(show, NO_LINE, size),
+            None => silent(input, NO_LINE, size),
         },
         Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
-            message(NO_POLYGONS, show.language, size)
+            message(NO_POLYGONS, input.language, size)
         }
     }
 }
 
-fn of_state<A: Carried>(show: &Show, state: &State<A>, size: Vec2) -> Picture {
+fn of_state<A: Carried>(input: &PanelInput, state: &State<A>, size: Vec2) -> Picture {
     if state.polygon.is_none() {
-        return silent(show, NO_POLYGON, size);
+        return silent(input, NO_POLYGON, size);
     }
     let mut picture = Picture::new(size.x, size.y);
     // The bars keep their place whether they are filled or not, so that the polygon stands still.
@@ -65,12 +65,12 @@ fn of_state<A: Carried>(show: &Show, state: &State<A>, size: Vec2) -> Picture {
     polygon::draw(&mut picture, state, area);
     if bars > 0.0 {
         let area = Rect::new(0.0, area.bottom(), size.x, bars).grown(-2.0);
-        match bars::Interpolation::in_hand(state) {
-            Some(interpolation) => interpolation.draw(&mut picture, area, show.language),
+        match bars::Interpolation::current(state) {
+            Some(interpolation) => interpolation.draw(&mut picture, area, input.language),
             None if area.height >= 36.0 => {
                 let hint = message(
                     NO_WEIGHTS,
-                    show.language,
+                    input.language,
                     Vec2::new(area.width, area.height),
                 );
                 picture.place(area.min(), hint);
@@ -78,21 +78,21 @@ fn of_state<A: Carried>(show: &Show, state: &State<A>, size: Vec2) -> Picture {
             None => {}
         }
     }
-    picture.alt = told_in_words(show);
+    picture.alt = told_in_words(input);
     picture
 }
 
 /// Says why there is nothing to see.
-fn silent(show: &Show, words: Words, size: Vec2) -> Picture {
-    let mut picture = message(words, show.language, size);
-    picture.alt = format!("{} {}", told_in_words(show), picture.alt);
+fn silent(input: &PanelInput, strings: Words, size: Vec2) -> Picture {
+    let mut picture = message(strings, input.language, size);
+    picture.alt = format!("{} {}", told_in_words(input), picture.alt);
     picture
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::crowd::{SIZES, crowd, nothing, texts};
-    use super::super::sample::Sample;
+    use super::super::fixture::Fixture;
+    use super::super::fixtures::{SIZES, fixtures, nothing, texts};
     use super::*;
     use crate::picture::Tag;
     use crate::render::Method;
@@ -111,21 +111,21 @@ mod tests {
     #[test]
     fn no_label_covers_another_at_any_step_and_size() {
         let mut samples = [
-            (Sample::triangle(Method::Gouraud), 1),
-            (Sample::triangle(Method::Flat), 3),
-            (Sample::triangle(Method::Wireframe), 1),
-            (crowd(Method::Gouraud), 37),
-            (Sample::triangle(Method::Phong), 3),
-            (crowd(Method::Phong), 97),
-            (Sample::triangle(Method::FastPhong), 3),
-            (crowd(Method::FastPhong), 97),
+            (Fixture::triangle(Method::Gouraud), 1),
+            (Fixture::triangle(Method::Flat), 3),
+            (Fixture::triangle(Method::Wireframe), 1),
+            (fixtures(Method::Gouraud), 37),
+            (Fixture::triangle(Method::Phong), 3),
+            (fixtures(Method::Phong), 97),
+            (Fixture::triangle(Method::FastPhong), 3),
+            (fixtures(Method::FastPhong), 97),
         ];
-        for (sample, stride) in &mut samples {
-            for step in (0..sample.run.walk().len()).step_by(*stride) {
-                sample.run.walk_mut().seek(step);
+        for (fixture, stride) in &mut samples {
+            for step in (0..fixture.run.walk().len()).step_by(*stride) {
+                fixture.run.walk_mut().seek(step);
                 for size in SIZES {
-                    let picture = draw(&sample.show(), size);
-                    let kind = sample.run.walk().kind(step);
+                    let picture = draw(&fixture.input(), size);
+                    let kind = fixture.run.walk().kind(step);
                     assert_apart(&picture, &format!("step {step}, {kind}, {size}"));
                     assert!(picture.alt.contains(kind));
                 }
@@ -135,16 +135,16 @@ mod tests {
 
     #[test]
     fn what_the_step_is_about_is_always_labelled() {
-        let mut sample = Sample::triangle(Method::Gouraud);
+        let mut fixture = Fixture::triangle(Method::Gouraud);
         for (kind, name) in [
             ("EdgeInterpolated", "I_4"),
             ("SpanInterpolated", "I_P"),
             ("Pixel", "x_P"),
         ] {
             for n in [0, 7, 16] {
-                sample.go_to(kind, n);
+                fixture.go_to(kind, n);
                 for size in SIZES {
-                    let picture = draw(&sample.show(), size);
+                    let picture = draw(&fixture.input(), size);
                     let found = picture.tagged_bounds(Tag::Field(name));
                     assert!(found.is_some(), "{name} at {kind} {n}, {size}");
                 }
@@ -154,12 +154,15 @@ mod tests {
 
     #[test]
     fn a_label_says_what_the_event_told() {
-        let mut sample = Sample::triangle(Method::Gouraud);
-        sample.go_to("EdgeInterpolated", 9);
-        let walk = sample.run.walk();
-        let told = walk.own_fields(walk.position()).get("I_4_incremental");
-        let expected = format!("I_4 = {}", super::super::values::short(told.unwrap(), 3));
-        let picture = draw(&sample.show(), Vec2::new(480.0, 400.0));
+        let mut fixture = Fixture::triangle(Method::Gouraud);
+        fixture.go_to("EdgeInterpolated", 9);
+        let walk = fixture.run.walk();
+        let recorded = walk.own_fields(walk.position()).get("I_4_incremental");
+        let expected = format!(
+            "I_4 = {}",
+            super::super::values::short(recorded.unwrap(), 3)
+        );
+        let picture = draw(&fixture.input(), Vec2::new(480.0, 400.0));
         assert!(
             texts(&picture).iter().any(|(text, _)| *text == expected),
             "{expected}"
@@ -168,7 +171,7 @@ mod tests {
 
     #[test]
     fn without_a_polygon_a_sentence_says_so() {
-        let picture = draw(&nothing().show(), Vec2::new(260.0, 180.0));
+        let picture = draw(&nothing().input(), Vec2::new(260.0, 180.0));
         assert!(picture.alt.contains("No polygon"));
         assert_apart(&picture, "nothing");
     }

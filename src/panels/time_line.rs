@@ -4,10 +4,10 @@
 //! scope that contains the cursor one depth further out, so that its bars stay readable however long the run is; what is
 //! too narrow is drawn as one quiet bar for many. Drawing looks at a few steps for every bar, never at all steps of the run.
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::names;
-use super::words::{Language, Words};
+use super::strings::{Language, Words};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::record::{Outline, Value};
 use crate::replay::Walk;
@@ -29,37 +29,37 @@ const TEXT: f32 = 12.0;
 const SAYS: Words = Words::new("Time line at step", "Garis waktu pada langkah");
 const OF: Words = Words::new("of", "dari");
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let walk = show.run.walk();
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let walk = input.run.walk();
     if walk.is_empty() {
-        return message(NO_STEPS, show.language, size);
+        return message(NO_STEPS, input.language, size);
     }
     let position = walk.position();
     let track = track(size);
     let rows = rows(walk, size);
     let mut picture = Picture::new(size.x, size.y);
-    picture.alt = in_words(show, &rows);
+    picture.alt = in_words(input, &rows);
 
     let whole = Span::new(0..walk.len(), track);
     let y = MARGIN + 0.5 * TRACK;
     let rule = Ink::Rule.stroke(2.0);
     picture.line((track.x, y), (track.right(), y), rule);
-    marks(&mut picture, show, &whole, y);
+    marks(&mut picture, input, &whole, y);
     for (i, row) in rows.iter().enumerate() {
         if i > 0 && row.span.steps != rows[i - 1].span.steps {
             funnel(&mut picture, &rows[i - 1], row);
         }
     }
     for row in &rows {
-        row.draw(&mut picture, show);
+        row.draw(&mut picture, input);
     }
     cursor(&mut picture, &whole, &rows, position, y);
     picture
 }
 
 /// The step under `x` on the track that spans the whole run, in a time line of that size; 0 in an empty run.
-pub fn step_at(show: &Show, size: Vec2, x: f32) -> usize {
-    let len = show.run.walk().len();
+pub fn step_at(input: &PanelInput, size: Vec2, x: f32) -> usize {
+    let len = input.run.walk().len();
     let step = Span::new(0..len, track(size)).step(x);
     step.min(len.saturating_sub(1))
 }
@@ -240,8 +240,8 @@ impl Row {
         self.current.is_some_and(|scope| bar.steps.contains(&scope))
     }
 
-    fn draw(&self, picture: &mut Picture, show: &Show) {
-        let walk = show.run.walk();
+    fn draw(&self, picture: &mut Picture, input: &PanelInput) {
+        let walk = input.run.walk();
         let mut kinds: Vec<&str> = Vec::new();
         let mut before = "";
         for bar in &self.bars {
@@ -266,10 +266,10 @@ impl Row {
             before = kind;
             let cursor = current.then(|| self.span.middle(walk.position()));
             picture.tagged(tag(scope), |picture| {
-                label(picture, rect, show, scope, (cursor, long));
+                label(picture, rect, input, scope, (cursor, long));
             });
         }
-        self.draw_name(picture, walk, kinds, show.language);
+        self.draw_name(picture, walk, kinds, input.language);
     }
 
     /// The kinds of scope in the row, the one in hand first, as many as fit.
@@ -309,18 +309,18 @@ impl Row {
 fn label(
     picture: &mut Picture,
     rect: Rect,
-    show: &Show,
+    input: &PanelInput,
     scope: usize,
     (cursor, long): (Option<f32>, bool),
 ) {
-    let walk = show.run.walk();
+    let walk = input.run.walk();
     let style = if cursor.is_some() {
         Style::Bold.size(TEXT)
     } else {
         Style::Body.size(TEXT).ink(Ink::Muted)
     };
-    let kind = in_text(walk.kind(scope), show.language);
-    let ray = names::ray(walk, scope, names::stage(show.run), show.language);
+    let kind = in_text(walk.kind(scope), input.language);
+    let ray = names::ray(walk, scope, names::prepared(input.run), input.language);
     let names = match (ray, number_of(walk, scope)) {
         (Some(names), _) => names.to_vec(),
         (None, Some(number)) if long => vec![format!("{kind} {number}"), number.to_string()],
@@ -376,9 +376,9 @@ const KINDS: [(&str, Words); 13] = [
 
 /// The kind of a scope in words; a kind that is not in the table as it is written.
 fn in_text(kind: &str, language: Language) -> String {
-    let words = KINDS.iter().find(|(known, _)| *known == kind);
-    words
-        .map_or(kind, |(_, words)| words.in_language(language))
+    let strings = KINDS.iter().find(|(known, _)| *known == kind);
+    strings
+        .map_or(kind, |(_, strings)| strings.in_language(language))
         .to_string()
 }
 
@@ -401,13 +401,13 @@ fn funnel(picture: &mut Picture, above: &Row, below: &Row) {
 }
 
 /// Green dots where something is said, red diamonds where playing stops; one mark for all that lie closer than it is wide.
-fn marks(picture: &mut Picture, show: &Show, whole: &Span, y: f32) {
-    for step in apart(show.narrated, whole, 7.0) {
+fn marks(picture: &mut Picture, input: &PanelInput, whole: &Span, y: f32) {
+    for step in apart(input.narrated, whole, 7.0) {
         picture.tagged(Tag::Step(step), |picture| {
             picture.circle((whole.middle(step), y), 3.5, Ink::Good);
         });
     }
-    for step in apart(show.breakpoints, whole, 7.0) {
+    for step in apart(input.breakpoints, whole, 7.0) {
         let x = whole.middle(step);
         picture.tagged(Tag::Step(step), |picture| {
             let corners = [(x, y - 5.0), (x + 5.0, y), (x, y + 5.0), (x - 5.0, y)];
@@ -449,14 +449,14 @@ fn cursor(picture: &mut Picture, whole: &Span, rows: &[Row], position: usize, y:
 }
 
 /// Where the cursor stands, from the outermost scope shown to the innermost.
-fn in_words(show: &Show, rows: &[Row]) -> String {
-    let walk = show.run.walk();
+fn in_words(input: &PanelInput, rows: &[Row]) -> String {
+    let walk = input.run.walk();
     let scopes: Vec<String> = rows
         .iter()
         .filter_map(|row| {
             let scope = row.current?;
-            let kind = in_text(walk.kind(scope), show.language);
-            let ray = names::ray(walk, scope, names::stage(show.run), show.language);
+            let kind = in_text(walk.kind(scope), input.language);
+            let ray = names::ray(walk, scope, names::prepared(input.run), input.language);
             Some(match (ray, number_of(walk, scope)) {
                 (Some([ray, ..]), _) => format!("{kind}: {ray}"),
                 (None, Some(number)) => format!("{kind} {number}"),
@@ -466,9 +466,9 @@ fn in_words(show: &Show, rows: &[Row]) -> String {
         .collect();
     let head = format!(
         "{} {} {} {}",
-        SAYS.in_language(show.language),
+        SAYS.in_language(input.language),
         walk.position(),
-        OF.in_language(show.language),
+        OF.in_language(input.language),
         walk.len()
     );
     if scopes.is_empty() {

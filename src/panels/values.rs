@@ -1,7 +1,7 @@
 //! How panels write and colour the values that events tell.
 
-use super::Show;
-use super::words::{Language, Words};
+use super::PanelInput;
+use super::strings::{Language, Words};
 use crate::algorithms::scan_line::Carried;
 use crate::color::Rgb;
 use crate::picture::{Ink, fixed, number};
@@ -65,9 +65,9 @@ pub(super) fn on_swatch(value: Option<Value>) -> Ink {
 }
 
 /// How the sentence begins that says a step in words: its number and kind.
-pub(super) fn step_in_words(show: &Show) -> String {
-    let walk = show.run.walk();
-    let step = STEP.in_language(show.language);
+pub(super) fn step_in_words(input: &PanelInput) -> String {
+    let walk = input.run.walk();
+    let step = STEP.in_language(input.language);
     if walk.is_empty() {
         return format!("{step} –");
     }
@@ -108,10 +108,10 @@ fn component(v: f64, decimals: usize) -> String {
 }
 
 /// The whole step as a sentence: its number, its kind, and what it tells.
-pub(super) fn told_in_words(show: &Show) -> String {
-    let walk = show.run.walk();
+pub(super) fn told_in_words(input: &PanelInput) -> String {
+    let walk = input.run.walk();
     if walk.is_empty() {
-        return step_in_words(show);
+        return step_in_words(input);
     }
     let values: Vec<String> = walk
         .own_fields(walk.position())
@@ -119,9 +119,9 @@ pub(super) fn told_in_words(show: &Show) -> String {
         .map(|field| format!("{} = {}", field.name, short(field.value, 6)))
         .collect();
     if values.is_empty() {
-        return format!("{}.", step_in_words(show));
+        return format!("{}.", step_in_words(input));
     }
-    format!("{}: {}.", step_in_words(show), values.join(", "))
+    format!("{}: {}.", step_in_words(input), values.join(", "))
 }
 
 fn trimmed(decimal: &str) -> String {

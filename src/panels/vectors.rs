@@ -12,11 +12,11 @@ mod point;
 
 pub use plane::{Held, PlaneGrip};
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_STEPS, message};
+use super::strings::Words;
 use super::values::told_in_words;
-use super::words::Words;
-use crate::algorithms::visible::Met;
+use crate::algorithms::visible::Intersection;
 use crate::picture::{Picture, Rect};
 use crate::replay::rays::State;
 use crate::scene::Scene;
@@ -37,26 +37,26 @@ const NO_SURFACE: Words = Words::new(
     "Sinar ini tidak mengenai permukaan: mendapat warna latar belakang atau cahaya. Klik sebuah objek pada gambar.",
 );
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    if show.run.walk().is_empty() {
-        return message(NO_STEPS, show.language, size);
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    if input.run.walk().is_empty() {
+        return message(NO_STEPS, input.language, size);
     }
-    let Some(state) = show.run.rays() else {
-        return at_point(show, size);
+    let Some(state) = input.run.rays() else {
+        return at_point(input, size);
     };
     let Some(surface) = SurfaceInSight::of(state) else {
-        let words = if over(state) { NO_SURFACE } else { NOT_YET };
-        return message(words, show.language, size);
+        let strings = if over(state) { NO_SURFACE } else { NOT_YET };
+        return message(strings, input.language, size);
     };
-    let walk = show.run.walk();
+    let walk = input.run.walk();
     let kind = walk.kind(walk.position());
     let text = (1.4 * small(size)).min(24.0).round();
-    let angles = Angles::of(&surface, show.language);
+    let angles = Angles::of(&surface, input.language);
 
     let mut picture = Picture::new(size.x, size.y);
-    let layout = Layout::of(size, &state.stage.scene, text);
+    let layout = Layout::of(size, &state.prepared.scene, text);
     let drawing = layout.drawing;
-    arrows::draw(&mut picture, &surface, kind, text, show.language, drawing);
+    arrows::draw(&mut picture, &surface, kind, text, input.language, drawing);
     angles.draw(
         &mut picture,
         kind,
@@ -64,42 +64,45 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
         layout.table,
         layout.columns,
     );
-    picture.alt = format!("{} {}", told_in_words(show), angles.in_words());
+    picture.alt = format!("{} {}", told_in_words(input), angles.in_words());
     picture
 }
 
 /// The vectors at a point of a polygon.
-fn at_point(show: &Show, size: Vec2) -> Picture {
-    let (Some(stage), Some(point)) = show.run.lit() else {
-        return message(NO_POINT, show.language, size);
+fn at_point(input: &PanelInput, size: Vec2) -> Picture {
+    let (Some(prepared), Some(point)) = input.run.lit() else {
+        return message(NO_POINT, input.language, size);
     };
-    let walk = show.run.walk();
+    let walk = input.run.walk();
     let kind = walk.kind(walk.position());
     let mut picture = Picture::new(size.x, size.y);
-    let angles = point::draw(&mut picture, point, stage.view.eye, kind, size);
-    picture.alt = format!("{} {angles}.", told_in_words(show));
+    let angles = point::draw(&mut picture, point, prepared.view.eye, kind, size);
+    picture.alt = format!("{} {angles}.", told_in_words(input));
     picture
 }
 
 /// The vector toward a light or the eye whose tip is at `at` in the panel of that size.
-pub fn grip(show: &Show, size: Vec2, at: Vec2) -> Option<PlaneGrip> {
-    let Some(state) = show.run.rays() else {
-        let (Some(stage), Some(point)) = show.run.lit() else {
+pub fn grip(input: &PanelInput, size: Vec2, at: Vec2) -> Option<PlaneGrip> {
+    let Some(state) = input.run.rays() else {
+        let (Some(prepared), Some(point)) = input.run.lit() else {
             return None;
         };
-        let eye = stage.view.eye;
+        let eye = prepared.view.eye;
         return point::plane(point, eye, size).grip(&point::tips(point, eye), at);
     };
     let surface = SurfaceInSight::of(state)?;
     let text = (1.4 * small(size)).min(24.0).round();
-    let drawing = Layout::of(size, &state.stage.scene, text).drawing;
+    let drawing = Layout::of(size, &state.prepared.scene, text).drawing;
     arrows::plane(&surface, text, drawing).grip(&surface.tips(), at)
 }
 
 /// Whether the ray in hand has found out that it meets no surface.
 fn over(state: &State) -> bool {
     let met = state.ray().and_then(|ray| ray.met);
-    matches!(met, Some(Met::Nothing | Met::Light { .. }))
+    matches!(
+        met,
+        Some(Intersection::Nothing | Intersection::Light { .. })
+    )
 }
 
 /// Size of the text of the list.

@@ -7,10 +7,10 @@
 mod arrows;
 mod terms;
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
+use super::strings::Words;
 use super::values::told_in_words;
-use super::words::Words;
 use crate::picture::{Picture, Rect};
 use crate::replay::Run;
 use crate::replay::shading::State;
@@ -25,32 +25,32 @@ const WIREFRAME: Words = Words::new(
     "Rangka kawat tidak diberi pencahayaan: hanya sisi yang digambar. Buka pelajaran datar atau Gouraud.",
 );
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let mut picture = match show.run {
-        Run::Gouraud(replay) => of_state(show, replay.state(), size),
-        Run::Phong(replay) => of_state(show, replay.state(), size),
-        Run::FastPhong(replay) => of_state(show, replay.state(), size),
-        Run::Exact(replay) => of_state(show, replay.state(), size),
-        Run::Flat(replay) => of_state(show, replay.state(), size),
-        Run::Wireframe(_) => message(WIREFRAME, show.language, size),
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let mut picture = match input.run {
+        Run::Gouraud(replay) => of_state(input, replay.state(), size),
+        Run::Phong(replay) => of_state(input, replay.state(), size),
+        Run::FastPhong(replay) => of_state(input, replay.state(), size),
+        Run::Exact(replay) => of_state(input, replay.state(), size),
+        Run::Flat(replay) => of_state(input, replay.state(), size),
+        Run::Wireframe(_) => message(WIREFRAME, input.language, size),
         Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
-            message(NO_POLYGONS, show.language, size)
+            message(NO_POLYGONS, input.language, size)
         }
     };
-    picture.alt = format!("{} {}", told_in_words(show), picture.alt);
+    picture.alt = format!("{} {}", told_in_words(input), picture.alt);
     picture
 }
 
-fn of_state<A>(show: &Show, state: &State<A>, size: Vec2) -> Picture {
+fn of_state<A>(input: &PanelInput, state: &State<A>, size: Vec2) -> Picture {
     if state.vertex.is_none() && state.point.is_none() {
-        return message(NOTHING, show.language, size);
+        return message(NOTHING, input.language, size);
     }
-    let walk = show.run.walk();
+    let walk = input.run.walk();
     let kind = walk.kind(walk.position());
     let mut picture = Picture::new(size.x, size.y);
     let (left, right) = halves(size);
     arrows::draw(&mut picture, state, kind, left);
-    terms::draw(&mut picture, state, show.language, right);
+    terms::draw(&mut picture, state, input.language, right);
     picture
 }
 
@@ -71,33 +71,33 @@ fn halves(size: Vec2) -> (Rect, Rect) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::crowd::{SIZES, crowd, nothing, texts};
-    use super::super::sample::Sample;
+    use super::super::fixture::Fixture;
+    use super::super::fixtures::{SIZES, fixtures, nothing, texts};
+    use super::super::strings::Language;
     use super::super::values::short;
-    use super::super::words::Language;
     use super::*;
     use crate::picture::Tag;
     use crate::render::Method;
 
     #[test]
     fn nothing_overlaps_or_is_cut_at_any_step_and_size() {
-        for mut sample in [
-            Sample::pyramid(Method::Gouraud),
-            crowd(Method::Gouraud),
-            crowd(Method::Flat),
-            crowd(Method::Phong),
-            crowd(Method::Wireframe),
+        for mut fixture in [
+            Fixture::pyramid(Method::Gouraud),
+            fixtures(Method::Gouraud),
+            fixtures(Method::Flat),
+            fixtures(Method::Phong),
+            fixtures(Method::Wireframe),
             nothing(),
         ] {
             // Every step of the first vertices, then some of the rest.
-            for step in (0..90).chain((90..sample.run.walk().len()).step_by(1009)) {
-                sample.run.walk_mut().seek(step);
+            for step in (0..90).chain((90..fixture.run.walk().len()).step_by(1009)) {
+                fixture.run.walk_mut().seek(step);
                 for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                    let show = Show {
+                    let input = PanelInput {
                         language,
-                        ..sample.show()
+                        ..fixture.input()
                     };
-                    let picture = draw(&show, size);
+                    let picture = draw(&input, size);
                     let texts = texts(&picture);
                     for (i, (text, place)) in texts.iter().enumerate() {
                         assert!(
@@ -119,7 +119,7 @@ mod tests {
 
     #[test]
     fn values_are_those_of_the_events() {
-        let mut sample = Sample::pyramid(Method::Gouraud);
+        let mut fixture = Fixture::pyramid(Method::Gouraud);
         for (kind, name) in [
             ("ToLight", "N_dot_L"),
             ("Mirrored", "R_dot_V"),
@@ -128,11 +128,11 @@ mod tests {
             ("Specular", "I_s"),
             ("Illuminated", "I"),
         ] {
-            sample.go_to(kind, 1);
-            let walk = sample.run.walk();
-            let told = walk.own_fields(walk.position()).get(name).unwrap();
-            let picture = draw(&sample.show(), Vec2::new(560.0, 360.0));
-            let shown = short(told, 3);
+            fixture.go_to(kind, 1);
+            let walk = fixture.run.walk();
+            let recorded = walk.own_fields(walk.position()).get(name).unwrap();
+            let picture = draw(&fixture.input(), Vec2::new(560.0, 360.0));
+            let shown = short(recorded, 3);
             let found = texts(&picture).iter().any(|(text, _)| *text == shown);
             assert!(found, "{name} = {shown}");
             assert!(picture.tagged_bounds(Tag::Field(name)).is_some());
@@ -142,10 +142,10 @@ mod tests {
 
     #[test]
     fn each_face_added_has_its_arrow() {
-        let mut sample = Sample::pyramid(Method::Gouraud);
+        let mut fixture = Fixture::pyramid(Method::Gouraud);
         for faces in 1..=4 {
-            sample.go_to("FaceNormalAdded", faces - 1);
-            let picture = draw(&sample.show(), Vec2::new(560.0, 360.0));
+            fixture.go_to("FaceNormalAdded", faces - 1);
+            let picture = draw(&fixture.input(), Vec2::new(560.0, 360.0));
             let arrows = (1..=4).filter(|k| {
                 let name = format!("N_{k}");
                 texts(&picture).iter().any(|(text, _)| *text == name)

@@ -9,7 +9,7 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Painter<'_, P> {
     /// The picture whose bands of rows `draw` fills, one call a band. Progress is told after each band.
     pub fn bands(self, draw: impl Fn(&mut Frame) + Sync) -> Result<Frame, E> {
         let [width, height] = self.size;
-        let bands = bands(height, self.crew.size());
+        let bands = bands(height, self.thread_pool.size());
         let (done, all) = (AtomicUsize::new(0), bands.len());
         let fill = |rows| {
             let mut frame = Frame::new(width, rows, self.background);
@@ -17,7 +17,7 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Painter<'_, P> {
             (self.progress)(done.fetch_add(1, Ordering::Relaxed) + 1, all)?;
             Ok(frame)
         };
-        self.crew.map(bands, fill).map(join)
+        self.thread_pool.map(bands, fill).map(join)
     }
 }
 

@@ -8,10 +8,10 @@ use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud::gouraud;
 use crate::algorithms::phong::phong;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::ray_casting::{RayCaster, ray_casting};
 use crate::algorithms::ray_tracing::{RayTracer, ray_tracing};
-use crate::algorithms::stage::Stage;
-use crate::algorithms::visible::Hierarchy;
+use crate::algorithms::visible::Bvh;
 use crate::algorithms::wireframe::wireframe;
 use crate::record::Counter;
 use std::iter::zip;
@@ -49,14 +49,18 @@ pub struct Operations {
 }
 
 /// Draws the stage's whole picture by `method`; on the clock of this machine.
-pub fn compare(stage: &Stage, method: Method) -> Compared {
+pub fn compare(prepared: &PreparedScene, method: Method) -> Compared {
     let start = Instant::now();
-    compare_on(stage, method, || start.elapsed().as_secs_f64())
+    compare_on(prepared, method, || start.elapsed().as_secs_f64())
 }
 
 /// As [`compare`], on a clock that tells seconds.
-pub fn compare_on(stage: &Stage, method: Method, mut clock: impl FnMut() -> f64) -> Compared {
-    let draw = || render(stage, method, NonZeroUsize::MIN, &|_, _| {});
+pub fn compare_on(
+    prepared: &PreparedScene,
+    method: Method,
+    mut clock: impl FnMut() -> f64,
+) -> Compared {
+    let draw = || render(prepared, method, NonZeroUsize::MIN, &|_, _| {});
     // The first one warms up.
     let frame = draw();
     let mut times = [0.0; REPEATS].map(|_: f64| {
@@ -69,28 +73,28 @@ pub fn compare_on(stage: &Stage, method: Method, mut clock: impl FnMut() -> f64)
         method,
         frame,
         seconds: times[REPEATS / 2],
-        operations: operations(stage, method),
+        operations: operations(prepared, method),
     }
 }
 
 /// Heard from a run that is told, but of which nothing is kept. Radiosity tells of patches, not of pixels.
-fn operations(stage: &Stage, method: Method) -> Operations {
-    let view = &stage.view;
-    let mut frame = Frame::new(view.width, 0..view.height, stage.scene.background);
+fn operations(prepared: &PreparedScene, method: Method) -> Operations {
+    let view = &prepared.view;
+    let mut frame = Frame::new(view.width, 0..view.height, prepared.scene.background);
     let (frame, counter, focus) = (&mut frame, &mut Counter::default(), Focus::Frame);
     match method {
-        Method::Wireframe => wireframe(stage, focus, frame, counter),
-        Method::Flat => flat(stage, focus, frame, counter),
-        Method::Gouraud => gouraud(stage, focus, frame, counter),
-        Method::Phong => phong(stage, focus, frame, counter),
-        Method::FastPhong => fast_phong(stage, focus, frame, counter),
-        Method::Exact => exact(stage, focus, frame, counter),
+        Method::Wireframe => wireframe(prepared, focus, frame, counter),
+        Method::Flat => flat(prepared, focus, frame, counter),
+        Method::Gouraud => gouraud(prepared, focus, frame, counter),
+        Method::Phong => phong(prepared, focus, frame, counter),
+        Method::FastPhong => fast_phong(prepared, focus, frame, counter),
+        Method::Exact => exact(prepared, focus, frame, counter),
         Method::RayCasting => {
-            let caster = RayCaster::new(stage, stage.needs(), Hierarchy);
+            let caster = RayCaster::new(prepared, prepared.needs(), Bvh);
             ray_casting(&caster, focus, frame, counter);
         }
         Method::RayTracing => {
-            let tracer = RayTracer::new(stage, stage.needs(), Hierarchy);
+            let tracer = RayTracer::new(prepared, prepared.needs(), Bvh);
             ray_tracing(&tracer, focus, frame, counter);
         }
         Method::Radiosity => {}

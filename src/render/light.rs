@@ -1,9 +1,9 @@
 //! The light of a room: all form factors, in blocks of rows, and then the solution.
 
-use super::crew::Crew;
+use super::thread_pool::ThreadPool;
+use crate::algorithms::enclosure::{Enclosure, Light};
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::radiosity::ChannelUnsolved;
-use crate::algorithms::room::{Light, Room};
-use crate::algorithms::stage::Stage;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use web_time::Instant;
@@ -15,49 +15,49 @@ const BLOCKS: usize = 16;
 ///
 /// `progress` hears how many of how many rows are done. Errors: those of `progress`, which end the work.
 pub fn matrix<'a, E: Send>(
-    room: &'a Room,
+    enclosure: &'a Enclosure,
     threads: NonZeroUsize,
     progress: &(impl Fn(usize, usize) -> Result<(), E> + Sync),
 ) -> Result<&'a [f64], E> {
-    matrix_by(room, &Crew::new(threads), progress)
+    matrix_by(enclosure, &ThreadPool::new(threads), progress)
 }
 
 /// Lets all solvers run on the stage's room, where its matrix is made, one after the other and on one thread; the room keeps how
 /// they did.
-pub fn race(stage: &Stage) {
+pub fn race(prepared: &PreparedScene) {
     let start = Instant::now();
-    if let Ok(room) = stage.room()
-        && let Some(matrix) = room.matrix()
+    if let Ok(enclosure) = prepared.enclosure()
+        && let Some(matrix) = enclosure.matrix()
     {
         // Why there is no solution, the room keeps too.
-        let _ = room.race_or(matrix, || start.elapsed().as_secs_f64());
+        let _ = enclosure.race_or(matrix, || start.elapsed().as_secs_f64());
     }
 }
 
 /// What a room's light is, or why there is none to be shown.
 pub(super) fn light<'a, E: Send>(
-    room: &'a Room,
-    crew: &Crew,
+    enclosure: &'a Enclosure,
+    thread_pool: &ThreadPool,
     progress: &(impl Fn(usize, usize) -> Result<(), E> + Sync),
 ) -> Result<Result<&'a Light, &'a ChannelUnsolved>, E> {
-    matrix_by(room, crew, progress).map(|matrix| room.light(matrix))
+    matrix_by(enclosure, thread_pool, progress).map(|matrix| enclosure.light(matrix))
 }
 
 fn matrix_by<'a, E: Send>(
-    room: &'a Room,
-    crew: &Crew,
+    enclosure: &'a Enclosure,
+    thread_pool: &ThreadPool,
     progress: &(impl Fn(usize, usize) -> Result<(), E> + Sync),
 ) -> Result<&'a [f64], E> {
-    if let Some(matrix) = room.matrix() {
+    if let Some(matrix) = enclosure.matrix() {
         return Ok(matrix);
     }
-    let n = room.patches.len();
-    let form_factors = room.form_factors();
-    let rows = n.div_ceil(BLOCKS * crew.size()).max(1);
+    let n = enclosure.patches.len();
+    let form_factors = enclosure.form_factors();
+    let rows = n.div_ceil(BLOCKS * thread_pool.size()).max(1);
     let mut matrix = vec![0.0; n * n];
     let blocks = matrix.chunks_mut((rows * n).max(1)).enumerate().collect();
     let done = AtomicUsize::new(0);
-    crew.map(blocks, |(index, block): (usize, &mut [f64])| {
+    thread_pool.map(blocks, |(index, block): (usize, &mut [f64])| {
         for (row, entries) in (index * rows..).zip(block.chunks_mut(n)) {
             form_factors.block(row..row + 1, entries);
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, n)?;
@@ -65,5 +65,5 @@ fn matrix_by<'a, E: Send>(
         Ok(())
     })?;
     form_factors.complete(&mut matrix);
-    Ok(room.matrix_or(|| matrix))
+    Ok(enclosure.matrix_or(|| matrix))
 }

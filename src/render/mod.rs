@@ -2,13 +2,13 @@
 
 mod bands;
 pub mod compare;
-mod crew;
 pub mod lanes;
-mod left_out;
 mod light;
 mod painter;
 mod pixels;
+mod skipped;
 mod tally;
+mod thread_pool;
 
 use crate::algorithms::exact::exact;
 use crate::algorithms::fast_phong::fast_phong;
@@ -18,10 +18,10 @@ use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud::gouraud;
 use crate::algorithms::patch_view::PatchView;
 use crate::algorithms::phong::phong;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::ray_casting::RayCaster;
 use crate::algorithms::ray_tracing::RayTracer;
-use crate::algorithms::stage::Stage;
-use crate::algorithms::visible::Hierarchy;
+use crate::algorithms::visible::Bvh;
 use crate::algorithms::wireframe::wireframe;
 use crate::color::Rgb;
 use crate::record::Unrecorded;
@@ -30,9 +30,9 @@ use std::convert::Infallible;
 use std::num::NonZeroUsize;
 use tally::Totals;
 
-pub use left_out::left_out;
 pub use light::{matrix, race};
 pub use painter::Painter;
+pub use skipped::skipped;
 pub use tally::RayCounts;
 
 /// A way to make a picture of a scene.
@@ -131,11 +131,11 @@ pub const MAX_PIXELS: u64 = 1 << 26;
 #[error("the picture was called off")]
 pub struct Cancelled;
 
-/// Draws the whole picture of `stage` on `threads` threads; without the feature `parallel`, on one.
+/// Draws the whole picture of `prepared` on `threads` threads; without the feature `parallel`, on one.
 ///
 /// The picture is the same, bit for bit, for any number of threads. `progress` hears how many of how many parts are done.
 pub fn render(
-    stage: &Stage,
+    prepared: &PreparedScene,
     method: Method,
     threads: NonZeroUsize,
     progress: &(impl Fn(usize, usize) + Sync),
@@ -144,14 +144,14 @@ pub fn render(
         progress(done, all);
         Ok::<(), Infallible>(())
     };
-    let painter = Painter::new(stage, threads, progress);
-    let Ok(frame) = draw(stage, method, stage.needs(), None, painter);
+    let painter = Painter::new(prepared, threads, progress);
+    let Ok(frame) = draw(prepared, method, prepared.needs(), None, painter);
     frame
 }
 
 /// Draws the picture of [`render`] with what `needs` says is needed, and counts its rays. The scan-line methods have none.
 pub fn render_counted(
-    stage: &Stage,
+    prepared: &PreparedScene,
     method: Method,
     needs: &Needs,
     threads: NonZeroUsize,
@@ -162,8 +162,8 @@ pub fn render_counted(
         Ok::<(), Infallible>(())
     };
     let totals = Totals::default();
-    let painter = Painter::new(stage, threads, progress);
-    let Ok(frame) = draw(stage, method, needs, Some(&totals), painter);
+    let painter = Painter::new(prepared, threads, progress);
+    let Ok(frame) = draw(prepared, method, needs, Some(&totals), painter);
     (frame, totals.sum())
 }
 
@@ -172,18 +172,18 @@ pub fn render_counted(
 /// `progress` is heard at least every few milliseconds where pixels are coloured one by one, else after each band of rows.
 /// Errors: those of `progress`, which end the work.
 pub fn preview(
-    stage: &Stage,
+    prepared: &PreparedScene,
     method: Method,
     threads: NonZeroUsize,
     progress: impl Fn(usize, usize) -> Result<(), Cancelled> + Sync,
     show: &mut dyn FnMut(&Frame),
 ) -> Result<Frame, Cancelled> {
-    let painter = Painter::new(stage, threads, progress).coarse_first(show);
-    draw(stage, method, stage.needs(), None, painter)
+    let painter = Painter::new(prepared, threads, progress).coarse_first(show);
+    draw(prepared, method, prepared.needs(), None, painter)
 }
 
 fn draw<E: Send>(
-    stage: &Stage,
+    prepared: &PreparedScene,
     method: Method,
     needs: &Needs,
     totals: Option<&Totals>,
@@ -191,19 +191,19 @@ fn draw<E: Send>(
 ) -> Result<Frame, E> {
     match method {
         Method::Wireframe => {
-            painter.bands(|band| wireframe(stage, Focus::Frame, band, &mut Unrecorded))
+            painter.bands(|band| wireframe(prepared, Focus::Frame, band, &mut Unrecorded))
         }
-        Method::Flat => painter.bands(|band| flat(stage, Focus::Frame, band, &mut Unrecorded)),
+        Method::Flat => painter.bands(|band| flat(prepared, Focus::Frame, band, &mut Unrecorded)),
         Method::Gouraud => {
-            painter.bands(|band| gouraud(stage, Focus::Frame, band, &mut Unrecorded))
+            painter.bands(|band| gouraud(prepared, Focus::Frame, band, &mut Unrecorded))
         }
-        Method::Exact => painter.bands(|band| exact(stage, Focus::Frame, band, &mut Unrecorded)),
-        Method::Phong => painter.bands(|band| phong(stage, Focus::Frame, band, &mut Unrecorded)),
+        Method::Exact => painter.bands(|band| exact(prepared, Focus::Frame, band, &mut Unrecorded)),
+        Method::Phong => painter.bands(|band| phong(prepared, Focus::Frame, band, &mut Unrecorded)),
         Method::FastPhong => {
-            painter.bands(|band| fast_phong(stage, Focus::Frame, band, &mut Unrecorded))
+            painter.bands(|band| fast_phong(prepared, Focus::Frame, band, &mut Unrecorded))
         }
         Method::RayCasting => {
-            let caster = RayCaster::new(stage, needs, Hierarchy);
+            let caster = RayCaster::new(prepared, needs, Bvh);
             match totals {
                 None => painter.pixels(|x, y| caster.pixel(x, y, &mut Unrecorded)),
                 Some(totals) => {
@@ -212,7 +212,7 @@ fn draw<E: Send>(
             }
         }
         Method::RayTracing => {
-            let tracer = RayTracer::new(stage, needs, Hierarchy);
+            let tracer = RayTracer::new(prepared, needs, Bvh);
             match totals {
                 None => painter.pixels(|x, y| tracer.pixel(x, y, &mut Unrecorded)),
                 Some(totals) => {
@@ -220,17 +220,17 @@ fn draw<E: Send>(
                 }
             }
         }
-        // A room that cannot be divided or solved gives off no light: `Stage::room` and `Room::solve` say why.
+        // A room that cannot be divided or solved gives off no light: `PreparedScene::enclosure` and `Enclosure::solve` say why.
         Method::Radiosity => {
-            let light = match stage.room() {
-                Ok(room) => light::light(room, &painter.crew, &painter.progress)?
+            let light = match prepared.enclosure() {
+                Ok(enclosure) => light::light(enclosure, &painter.thread_pool, &painter.progress)?
                     .ok()
-                    .map(|light| (room, light)),
+                    .map(|light| (enclosure, light)),
                 Err(_) => None,
             };
             match &light {
-                Some((room, light)) => {
-                    let view = PatchView::new(stage, room, &light.radiosity);
+                Some((enclosure, light)) => {
+                    let view = PatchView::new(prepared, enclosure, &light.radiosity);
                     painter.pixels(|x, y| view.pixel(x, y))
                 }
                 None => painter.pixels(|_, _| Rgb::BLACK),

@@ -1,9 +1,9 @@
 //! How a picture is divided into work, whatever the method is.
 
-use super::crew::Crew;
 use super::pixels::{AT_ONCE, COARSE_FIRST};
+use super::thread_pool::ThreadPool;
 use crate::algorithms::frame::Frame;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
 use std::num::NonZeroUsize;
 
@@ -14,7 +14,7 @@ use std::num::NonZeroUsize;
 pub struct Painter<'a, P> {
     pub(super) size: [u32; 2],
     pub(super) background: Rgb,
-    pub(super) crew: Crew,
+    pub(super) thread_pool: ThreadPool,
     pub(super) progress: P,
     /// Sides of the blocks of each pass, in pixels: each a multiple of the next, the last one 1.
     pub(super) passes: &'static [u32],
@@ -24,11 +24,11 @@ pub struct Painter<'a, P> {
 
 impl<'a, P> Painter<'a, P> {
     /// Paints the picture of the stage's view, all at once.
-    pub fn new(stage: &Stage, threads: NonZeroUsize, progress: P) -> Self {
+    pub fn new(prepared: &PreparedScene, threads: NonZeroUsize, progress: P) -> Self {
         Painter {
-            size: [stage.view.width, stage.view.height],
-            background: stage.scene.background,
-            crew: Crew::new(threads),
+            size: [prepared.view.width, prepared.view.height],
+            background: prepared.scene.background,
+            thread_pool: ThreadPool::new(threads),
             progress,
             passes: &AT_ONCE,
             show: None,

@@ -47,7 +47,7 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Painter<'_, P> {
             };
             let blocks = frame.color.chunks_mut((width * side).max(1) as usize);
             let rows = (0..height).step_by(side as usize).zip(blocks).collect();
-            self.crew.map(rows, fill)?;
+            self.thread_pool.map(rows, fill)?;
             before = Some(side);
             if let Some(show) = self.show.as_mut().filter(|_| side > 1) {
                 show(&frame);
@@ -59,7 +59,7 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Painter<'_, P> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::crew::Crew;
+    use super::super::thread_pool::ThreadPool;
     use super::*;
     use std::convert::Infallible;
     use std::num::NonZeroUsize;
@@ -80,7 +80,7 @@ mod tests {
         Painter {
             size,
             background: Rgb::default(),
-            crew: Crew::new(NonZeroUsize::new(threads).unwrap()),
+            thread_pool: ThreadPool::new(NonZeroUsize::new(threads).unwrap()),
             progress,
             passes: &AT_ONCE,
             show: None,

@@ -1,6 +1,6 @@
 //! Standing at one step of a run, and walking from there.
 
-use super::{Fold, Timeline, Told};
+use super::{Fold, RecordedField, Timeline};
 use crate::record::{Event, Fields, Line, Outline};
 use std::ops::Range;
 
@@ -85,8 +85,8 @@ pub trait Walk {
     fn tell(&self, step: usize, fields: &mut Fields);
     /// See [`Timeline::heading`].
     fn heading(&self, scope: usize, step: usize) -> Range<usize>;
-    /// All values known at `step`, each with where it came from; see [`Timeline::told`].
-    fn told(&self, step: usize) -> Vec<Told>;
+    /// All values known at `step`, each with where it came from; see [`Timeline::recorded`].
+    fn recorded(&self, step: usize) -> Vec<RecordedField>;
 
     fn is_empty(&self) -> bool {
         self.len() == 0
@@ -101,7 +101,12 @@ pub trait Walk {
 
     /// All values known at `step`.
     fn fields(&self, step: usize) -> Fields {
-        Fields(self.told(step).into_iter().map(|told| told.field).collect())
+        Fields(
+            self.recorded(step)
+                .into_iter()
+                .map(|recorded| recorded.field)
+                .collect(),
+        )
     }
 
     /// Where a move ([`over`](super::moves::over), …) leads from here; `None` where it cannot act.
@@ -149,16 +154,16 @@ impl<E: Event, S: Fold<E>> Walk for Replay<E, S> {
     fn heading(&self, scope: usize, step: usize) -> Range<usize> {
         self.timeline.heading(scope, step)
     }
-    fn told(&self, step: usize) -> Vec<Told> {
-        self.timeline.told(step)
+    fn recorded(&self, step: usize) -> Vec<RecordedField> {
+        self.timeline.recorded(step)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::replay::generators::{Heard, Note, Trace, trace};
     use crate::replay::moves;
-    use crate::replay::traces::{Heard, Note, Trace, trace};
     use proptest::prelude::*;
     use proptest::sample::Index;
 
@@ -193,7 +198,7 @@ mod tests {
                 let event = replay.timeline().event(step);
                 prop_assert_eq!((walk.kind(step), walk.line(step)), (event.kind(), event.line()));
                 prop_assert_eq!(walk.fields(step), replay.timeline().fields(step));
-                prop_assert!(walk.told(step).iter().filter(|told| told.step == step).map(|told| &told.field)
+                prop_assert!(walk.recorded(step).iter().filter(|recorded| recorded.step == step).map(|recorded| &recorded.field)
                     .eq(walk.own_fields(step).iter()));
             }
         }

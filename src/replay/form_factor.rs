@@ -1,7 +1,7 @@
 //! The state of a form factor at one step: the pair of patches, what was sampled so far, and the value as it runs.
 
 use super::Fold;
-use super::grown::Grown;
+use super::cow_vec::CowVec;
 use crate::algorithms::form_factor::Event;
 use glam::DVec3;
 
@@ -14,18 +14,18 @@ pub struct State {
     /// The method that an automatic choice fell on, and the step.
     pub chosen: Option<(&'static str, usize)>,
     /// Segments between the patches so far: pairs of points, rays, lines of sight.
-    pub segments: Grown<Segment>,
+    pub segments: CowVec<Segment>,
     /// The points of hemicubes and elements so far.
-    pub points: Grown<(DVec3, usize)>,
+    pub points: CowVec<(DVec3, usize)>,
     /// The corner of the polygon at which the edge in hand begins, seen from the last point.
     pub edge: Option<(DVec3, usize)>,
     /// The pixels of the hemicube in hand that show j: face, column, row, ΔF, step.
-    pub pixels: Grown<(u32, u32, u32, f64, usize)>,
+    pub pixels: CowVec<(u32, u32, u32, f64, usize)>,
     pub resolution: Option<u32>,
     /// The two points of a pair that has no term yet.
     open: Option<[DVec3; 2]>,
     /// A_i F_ij, or F_ij itself, as it runs: value and step.
-    pub running: Grown<(Running, usize)>,
+    pub running: CowVec<(Running, usize)>,
     /// The share that nothing blocks, and of how many rays.
     pub visible: Option<(f64, usize)>,
     /// F_ij at last, and the step.
@@ -98,7 +98,7 @@ impl Fold<Event> for State {
             }
             Event::Hemicube { x, resolution } => {
                 self.points.push((x, step));
-                self.pixels = Grown::default();
+                self.pixels = CowVec::default();
                 self.resolution = Some(resolution);
             }
             Event::Pixel {

@@ -4,11 +4,13 @@
 //! A state is a fold: what it is at a step follows from the events up to that step alone. Going back is seeking.
 
 mod canvas;
+mod cow_vec;
+mod current;
 mod cursor;
 mod fast_phong;
 pub mod form_factor;
-mod grown;
-mod in_hand;
+#[cfg(test)]
+mod generators;
 pub mod moves;
 pub mod query;
 pub mod radiosity;
@@ -16,12 +18,10 @@ pub mod rays;
 mod run;
 pub mod shading;
 mod timeline;
-#[cfg(test)]
-mod traces;
 pub mod wireframe;
 
 pub use canvas::{Canvas, MAX_SIDE};
 pub use cursor::{Replay, Walk};
 pub use query::{Comparison, Condition, Operand, Query, QueryError};
 pub use run::Run;
-pub use timeline::{Fold, Timeline, Told};
+pub use timeline::{Fold, RecordedField, Timeline};

@@ -77,7 +77,7 @@ fn forward(outline: &Outline, step: usize, target: usize) -> Option<usize> {
 mod tests {
     use super::*;
     use crate::record::Mark;
-    use crate::replay::traces::{Trace, trace};
+    use crate::replay::generators::{Trace, trace};
     use proptest::prelude::*;
 
     /// Step by step, with no outline: the step that closes the scope opened by `step`, or `step`.

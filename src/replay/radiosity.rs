@@ -1,8 +1,8 @@
 //! The state of a radiosity solver at one step: what each patch has, what is in hand, and how the residual went.
 
 use super::Fold;
-use super::grown::Grown;
-use crate::algorithms::radiosity::{Event, Solver, Told};
+use super::cow_vec::CowVec;
+use crate::algorithms::radiosity::{Event, Solver, SolverEvent};
 
 /// A patch so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -29,10 +29,10 @@ pub struct ChannelNow {
     /// None where a channel was solved by itself, outside of a colour.
     pub channel: Option<&'static str>,
     pub solver: Solver,
-    pub patches: Grown<PatchNow>,
+    pub patches: CowVec<PatchNow>,
     /// Relative residual and bound, by iteration told.
-    pub history: Grown<IterationNow>,
-    pub left_out: Option<(&'static str, Option<&'static str>)>,
+    pub history: CowVec<IterationNow>,
+    pub skipped: Option<(&'static str, Option<&'static str>)>,
     /// Whether it converged, once it ended.
     pub converged: Option<bool>,
     pub step: usize,
@@ -44,9 +44,9 @@ pub struct Focused {
     /// The patch that gathers or shoots.
     pub i: u32,
     /// `Gathering`, or `Shooting`.
-    pub told: Told,
+    pub recorded: SolverEvent,
     /// The exchange in hand: `Exchanged` or `Received`.
-    pub exchange: Option<(u32, Told)>,
+    pub exchange: Option<(u32, SolverEvent)>,
     pub step: usize,
 }
 
@@ -57,7 +57,7 @@ pub struct State {
     pub iteration: Option<u32>,
     pub focused: Option<Focused>,
     /// The scalars of the iteration in hand: `Weighted`, `StepLengths` or `Ambient`.
-    pub scalars: Option<Told>,
+    pub scalars: Option<SolverEvent>,
     /// The name of a channel that was opened, whose system is not yet.
     opened: Option<&'static str>,
 }
@@ -72,9 +72,9 @@ impl State {
         self.channels.push(ChannelNow {
             channel,
             solver,
-            patches: Grown::default(),
-            history: Grown::default(),
-            left_out: None,
+            patches: CowVec::default(),
+            history: CowVec::default(),
+            skipped: None,
             converged: None,
             step,
         });
@@ -91,18 +91,18 @@ impl State {
         }
     }
 
-    fn focus(&mut self, i: u32, told: Told, step: usize) {
+    fn focus(&mut self, i: u32, recorded: SolverEvent, step: usize) {
         self.focused = Some(Focused {
             i,
-            told,
+            recorded,
             exchange: None,
             step,
         });
     }
 
-    fn exchange(&mut self, j: u32, told: Told) {
+    fn exchange(&mut self, j: u32, recorded: SolverEvent) {
         if let Some(focused) = &mut self.focused {
-            focused.exchange = Some((j, told));
+            focused.exchange = Some((j, recorded));
         }
     }
 
@@ -116,58 +116,60 @@ impl State {
 
 impl Fold<Event> for State {
     fn apply(&mut self, step: usize, event: &Event) {
-        let told = event.told;
-        match told {
-            Told::Room { .. } | Told::RoomDone => {}
-            Told::Channel { channel } => self.opened = Some(channel),
-            Told::ChannelLeftOut { channel, why, like } => {
+        let recorded = event.recorded;
+        match recorded {
+            SolverEvent::Enclosure { .. } | SolverEvent::RoomDone => {}
+            SolverEvent::Channel { channel } => self.opened = Some(channel),
+            SolverEvent::ChannelLeftOut { channel, why, like } => {
                 self.begin(Some(channel), event.solver, step);
                 if let Some(channel) = self.channels.last_mut() {
-                    channel.left_out = Some((why, like));
+                    channel.skipped = Some((why, like));
                 }
             }
-            Told::ChannelDone { .. } => self.opened = None,
-            Told::System { patches, .. } => {
+            SolverEvent::ChannelDone { .. } => self.opened = None,
+            SolverEvent::System { patches, .. } => {
                 self.begin(self.opened, event.solver, step);
                 if let Some(channel) = self.channels.last_mut() {
                     (0..patches).for_each(|_| channel.patches.push(PatchNow::default()));
                 }
             }
-            Told::Started { i, b, unshot } => {
+            SolverEvent::Started { i, b, unshot } => {
                 self.change(i, step, |patch| (patch.b, patch.unshot) = (b, unshot));
             }
-            Told::Iteration { k } => {
+            SolverEvent::Iteration { k } => {
                 self.iteration = Some(k);
                 (self.focused, self.scalars) = (None, None);
             }
-            Told::Weighted { .. } | Told::StepLengths { .. } | Told::Ambient { .. } => {
-                self.scalars = Some(told);
+            SolverEvent::Weighted { .. }
+            | SolverEvent::StepLengths { .. }
+            | SolverEvent::Ambient { .. } => {
+                self.scalars = Some(recorded);
             }
-            Told::Gathering { i, .. } => self.focus(i, told, step),
-            Told::Exchanged { j, .. } => self.exchange(j, told),
-            Told::Gathered { i, b_new, .. } | Told::Updated { i, b_new, .. } => {
+            SolverEvent::Gathering { i, .. } => self.focus(i, recorded, step),
+            SolverEvent::Exchanged { j, .. } => self.exchange(j, recorded),
+            SolverEvent::Gathered { i, b_new, .. } | SolverEvent::Updated { i, b_new, .. } => {
                 self.change(i, step, |patch| patch.b = b_new);
             }
-            Told::Shooting {
+            SolverEvent::Shooting {
                 i, unshot, shot, ..
             } => {
-                self.focus(i, told, step);
+                self.focus(i, recorded, step);
                 // The shot leaves the patch at once, and what it shoots beyond its unshot light it owes.
                 self.change(i, step, |patch| {
                     patch.b += shot;
                     patch.unshot = unshot - shot;
                 });
             }
-            Told::Received {
+            SolverEvent::Received {
                 j, b_j, unshot_j, ..
             } => {
-                self.exchange(j, told);
+                self.exchange(j, recorded);
                 self.change(j, step, |patch| (patch.b, patch.unshot) = (b_j, unshot_j));
             }
-            Told::ShotDone { i, b_i, unshot } => {
+            SolverEvent::ShotDone { i, b_i, unshot } => {
                 self.change(i, step, |patch| (patch.b, patch.unshot) = (b_i, unshot));
             }
-            Told::IterationDone {
+            SolverEvent::IterationDone {
                 residual,
                 error_bound,
             } => {
@@ -181,13 +183,13 @@ impl Fold<Event> for State {
                 }
                 self.focused = None;
             }
-            Told::Converged { .. } => self.end(true),
-            Told::NotConverged { .. } => self.end(false),
+            SolverEvent::Converged { .. } => self.end(true),
+            SolverEvent::NotConverged { .. } => self.end(false),
         }
     }
 
     fn bytes_beyond(&self, before: &Self) -> usize {
-        let empty = (Grown::default(), Grown::default());
+        let empty = (CowVec::default(), CowVec::default());
         let channels = self.channels.iter().enumerate().map(|(c, channel)| {
             let (patches, history) = match before.channels.get(c) {
                 Some(before) => (&before.patches, &before.history),
@@ -205,7 +207,7 @@ impl Fold<Event> for State {
 mod tests {
     use super::*;
     use crate::algorithms::radiosity::cube::{cube, lamp};
-    use crate::algorithms::radiosity::{Matrix, Patches, Stop, System, Watch, solve};
+    use crate::algorithms::radiosity::{Matrix, Patches, RecordFilter, Stop, System, solve};
     use crate::record::{Recording, RecordingLimit};
     use crate::replay::Timeline;
 
@@ -220,13 +222,13 @@ mod tests {
         for solver in Solver::ALL {
             for from in [0, 3] {
                 let iterations = Some(from..u32::MAX);
-                let watch = Watch {
+                let filter = RecordFilter {
                     iterations,
                     patch: None,
                 };
                 let mut recording = Recording::new(RecordingLimit::default());
                 let stop = Stop::default();
-                let found = solve(&system, solver, stop, &watch, &mut recording).unwrap();
+                let found = solve(&system, solver, stop, &filter, &mut recording).unwrap();
                 if found.iterations < from {
                     continue;
                 }

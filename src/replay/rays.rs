@@ -3,41 +3,41 @@
 
 use super::Canvas;
 use super::Fold;
-use super::grown::Grown;
-use super::in_hand::PointInHand;
+use super::cow_vec::CowVec;
+use super::current::CurrentPoint;
 use super::shading::Dot;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::ray_tree::{self, Branch, End, RayKind};
-use crate::algorithms::stage::Stage;
-use crate::algorithms::visible::{self, Met};
+use crate::algorithms::visible::{self, Intersection};
 use crate::algorithms::{primary, ray_casting, ray_tracing, surface};
 use crate::color::Rgb;
-use crate::scene::solids::{Hit, Ray};
+use crate::scene::primitives::{Hit, Ray};
 use glam::{DVec2, DVec3};
 use std::sync::Arc;
 
 #[derive(Clone, Debug)]
 pub struct State {
     /// What does not change from step to step.
-    pub stage: Arc<Stage>,
+    pub prepared: Arc<PreparedScene>,
     pub canvas: Canvas<Dot>,
     /// The pixel in hand, and the point of the screen that its primary ray goes through.
     pub pixel: Option<(u32, u32)>,
     pub through: Option<DVec2>,
     /// The rays of the pixel, each behind its parent; the first is primary. They stay until the next primary ray.
-    pub rays: Grown<RayInHand>,
+    pub rays: CowVec<RayState>,
     /// The ray in hand: the innermost that has not returned yet; the primary one, once all have.
     pub current: Option<usize>,
     /// What the search has found so far, while it goes on.
-    pub search: Option<SearchInHand>,
+    pub search: Option<CurrentSearch>,
     /// The shadow ray in hand.
-    pub shadow: Option<ShadowInHand>,
+    pub shadow: Option<CurrentShadow>,
     /// The point that is being lit, or was lit last.
-    pub point: Option<PointInHand>,
+    pub point: Option<CurrentPoint>,
 }
 
 /// A ray of the tree, with what it met and what came of it.
 #[derive(Clone, Debug)]
-pub struct RayInHand {
+pub struct RayState {
     pub kind: RayKind,
     pub level: u16,
     pub parent: Option<usize>,
@@ -45,17 +45,17 @@ pub struct RayInHand {
     /// The step that opened it.
     pub step: usize,
     /// What it met first, once the search is done.
-    pub met: Option<Met>,
-    pub surface: Option<SurfaceInHand>,
+    pub met: Option<Intersection>,
+    pub surface: Option<CurrentSurface>,
     /// How its surface was lit, once that is done.
-    pub lit: Option<Arc<PointInHand>>,
+    pub lit: Option<Arc<CurrentPoint>>,
     /// Verdicts of the lights, in order, without those that the surface turns away from.
     pub shadows: Vec<Verdict>,
     /// Light that arrives from the lights, ambient light and emission.
     pub local: Option<Rgb>,
-    pub refraction: Option<RefractionInHand>,
+    pub refraction: Option<CurrentRefraction>,
     /// The reflected one, and the transmitted one (or the one that total internal reflection made of it).
-    pub branches: [Option<BranchInHand>; 2],
+    pub branches: [Option<CurrentBranch>; 2],
     /// The sum so far: local light and what branches brought back.
     pub sum: Option<Rgb>,
     /// What came back along it, and the step that said so.
@@ -63,7 +63,7 @@ pub struct RayInHand {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct SurfaceInHand {
+pub struct CurrentSurface {
     pub object: u32,
     pub position: DVec3,
     /// N_geometric.
@@ -87,7 +87,7 @@ pub struct Verdict {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct RefractionInHand {
+pub struct CurrentRefraction {
     pub eta_i: f64,
     pub eta_r: f64,
     pub cos_theta_i: f64,
@@ -97,7 +97,7 @@ pub struct RefractionInHand {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct BranchInHand {
+pub struct CurrentBranch {
     /// None where the surface has no coefficient.
     pub branch: Option<Branch>,
     pub kind: RayKind,
@@ -121,7 +121,7 @@ pub enum Outcome {
 
 /// How the search for the nearest object stands.
 #[derive(Clone, Copy, Debug)]
-pub struct SearchInHand {
+pub struct CurrentSearch {
     pub objects: u32,
     /// What was tested last: object (or light) and t, and whether it is nearer.
     pub tested: Option<Tested>,
@@ -145,7 +145,7 @@ pub enum Target {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct ShadowInHand {
+pub struct CurrentShadow {
     pub light: u32,
     pub direction: DVec3,
     pub distance: f64,
@@ -156,13 +156,13 @@ pub struct ShadowInHand {
 
 impl State {
     /// Before the first step: an empty picture.
-    pub fn new(stage: Arc<Stage>) -> Self {
+    pub fn new(prepared: Arc<PreparedScene>) -> Self {
         State {
-            canvas: Canvas::blank(&stage),
-            stage,
+            canvas: Canvas::blank(&prepared),
+            prepared,
             pixel: None,
             through: None,
-            rays: Grown::default(),
+            rays: CowVec::default(),
             current: None,
             search: None,
             shadow: None,
@@ -171,7 +171,7 @@ impl State {
     }
 
     /// The ray in hand.
-    pub fn ray(&self) -> Option<&RayInHand> {
+    pub fn ray(&self) -> Option<&RayState> {
         self.rays.get(self.current?)
     }
 
@@ -180,20 +180,20 @@ impl State {
         std::iter::successors(self.current, |&index| self.rays.get(index)?.parent)
     }
 
-    fn ray_mut(&mut self) -> Option<&mut RayInHand> {
+    fn ray_mut(&mut self) -> Option<&mut RayState> {
         self.rays.get_mut(self.current?)
     }
 
     fn open_ray(&mut self, kind: RayKind, level: u16, ray: Ray, step: usize) {
         if kind == RayKind::Primary {
-            self.rays = Grown::default();
+            self.rays = CowVec::default();
             self.current = None;
         }
         let index = self.rays.len();
         if let Some(branch) = self.ray_mut().and_then(|ray| branch_mut(ray, kind)) {
             branch.outcome = Outcome::Ray(index);
         }
-        self.rays.push(RayInHand {
+        self.rays.push(RayState {
             kind,
             level,
             parent: self.current,
@@ -225,7 +225,7 @@ impl State {
         match *event {
             primary::Event::Pixel { x, y, .. } => {
                 self.pixel = Some((x, y));
-                self.rays = Grown::default();
+                self.rays = CowVec::default();
                 self.current = None;
             }
             primary::Event::Through { place } => self.through = Some(place),
@@ -242,7 +242,7 @@ impl State {
         use visible::Event;
         match *event {
             Event::Search { objects } => {
-                self.search = Some(SearchInHand {
+                self.search = Some(CurrentSearch {
                     objects,
                     tested: None,
                     nearest: None,
@@ -294,7 +294,7 @@ impl State {
                 },
                 surface,
             ) => {
-                *surface = Some(SurfaceInHand {
+                *surface = Some(CurrentSurface {
                     object,
                     position,
                     geometric: normal,
@@ -335,7 +335,7 @@ impl State {
                 direction,
                 distance,
             } => {
-                self.shadow = Some(ShadowInHand {
+                self.shadow = Some(CurrentShadow {
                     light,
                     direction,
                     distance,
@@ -364,7 +364,7 @@ impl State {
                 radicand,
             } => {
                 if let Some(ray) = self.ray_mut() {
-                    ray.refraction = Some(RefractionInHand {
+                    ray.refraction = Some(CurrentRefraction {
                         eta_i,
                         eta_r,
                         cos_theta_i,
@@ -375,7 +375,7 @@ impl State {
             }
             Event::Branched { branch } => {
                 if let Some(ray) = self.ray_mut() {
-                    ray.branches[side(branch.kind)] = Some(BranchInHand {
+                    ray.branches[side(branch.kind)] = Some(CurrentBranch {
                         branch: Some(branch),
                         kind: branch.kind,
                         outcome: Outcome::Open,
@@ -387,7 +387,7 @@ impl State {
             }
             Event::Ended { kind, end } => {
                 let Some(ray) = self.ray_mut() else { return };
-                let ended = ray.branches[side(kind)].get_or_insert(BranchInHand {
+                let ended = ray.branches[side(kind)].get_or_insert(CurrentBranch {
                     branch: None,
                     kind,
                     outcome: Outcome::Open,
@@ -438,7 +438,7 @@ fn side(kind: RayKind) -> usize {
     }
 }
 
-fn branch_mut(ray: &mut RayInHand, kind: RayKind) -> Option<&mut BranchInHand> {
+fn branch_mut(ray: &mut RayState, kind: RayKind) -> Option<&mut CurrentBranch> {
     ray.branches[side(kind)].as_mut()
 }
 
@@ -446,11 +446,11 @@ impl Fold<ray_tracing::Event> for State {
     fn apply(&mut self, step: usize, event: &ray_tracing::Event) {
         use ray_tracing::Event;
         match event {
-            Event::Stage(_) => {}
+            Event::PreparedScene(_) => {}
             Event::Primary(event) => self.color_pixel(step, event),
             Event::Visible(event) => self.look(step, event),
             Event::Surface(event) => self.meet_surface(step, event),
-            Event::Illumination(event) => PointInHand::light(&mut self.point, step, event),
+            Event::Illumination(event) => CurrentPoint::light(&mut self.point, step, event),
             Event::Tree(event) => self.grow_tree(step, event),
         }
     }
@@ -464,12 +464,12 @@ impl Fold<ray_casting::Event> for State {
     fn apply(&mut self, step: usize, event: &ray_casting::Event) {
         use ray_casting::Event;
         match event {
-            Event::Stage(_) => {}
+            Event::PreparedScene(_) => {}
             Event::Primary(event) => self.color_pixel(step, event),
             Event::Ray { ray } => self.open_ray(RayKind::Primary, 1, *ray, step),
             Event::Visible(event) => self.look(step, event),
             Event::Surface(event) => self.meet_surface(step, event),
-            Event::Illumination(event) => PointInHand::light(&mut self.point, step, event),
+            Event::Illumination(event) => CurrentPoint::light(&mut self.point, step, event),
             Event::Local { local, .. } => self.set_local(*local),
             Event::Returned { color } => self.close_ray(*color, step),
         }

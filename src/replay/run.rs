@@ -1,6 +1,6 @@
 //! One recorded run of one of the algorithms.
 
-use super::in_hand::PointInHand;
+use super::current::CurrentPoint;
 use super::{Fold, Replay, Timeline, Walk, form_factor, radiosity, rays, shading, wireframe};
 use crate::algorithms::exact;
 use crate::algorithms::fast_phong;
@@ -10,11 +10,11 @@ use crate::algorithms::form_factor::{FormFactors, Method as Integration};
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud;
 use crate::algorithms::phong;
-use crate::algorithms::radiosity::Watch;
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::radiosity::RecordFilter;
 use crate::algorithms::ray_casting::{self, RayCaster};
 use crate::algorithms::ray_tracing::{self, RayTracer};
-use crate::algorithms::stage::Stage;
-use crate::algorithms::visible::InTurn;
+use crate::algorithms::visible::BruteForce;
 use crate::color::Rgb;
 use crate::record::{Recorder, Recording, RecordingLimit, Unrecorded};
 use crate::render::{Method, matrix};
@@ -35,11 +35,11 @@ pub enum Run {
     RayCasting(Box<Replay<ray_casting::Event, rays::State>>),
     RayTracing(Box<Replay<ray_tracing::Event, rays::State>>),
     Radiosity(
-        Arc<Stage>,
+        Arc<PreparedScene>,
         Box<Replay<crate::algorithms::radiosity::Event, radiosity::State>>,
     ),
     FormFactor(
-        Arc<Stage>,
+        Arc<PreparedScene>,
         Box<Replay<crate::algorithms::form_factor::Event, form_factor::State>>,
     ),
 }
@@ -49,82 +49,87 @@ const REFERENCE: Integration = Integration::Contour { tolerance: 1e-10 };
 
 impl Run {
     /// Runs `method` on the part of the stage that `focus` takes, and keeps its steps within `limit`.
-    pub fn record(stage: Arc<Stage>, method: Method, focus: Focus, limit: RecordingLimit) -> Run {
+    pub fn record(
+        prepared: Arc<PreparedScene>,
+        method: Method,
+        focus: Focus,
+        limit: RecordingLimit,
+    ) -> Run {
         match method {
             Method::Wireframe => Run::Wireframe(replay(
                 Recording::new(limit),
-                &stage,
+                &prepared,
                 wireframe::State::new,
                 |frame, recording| {
-                    crate::algorithms::wireframe::wireframe(&stage, focus, frame, recording);
+                    crate::algorithms::wireframe::wireframe(&prepared, focus, frame, recording);
                 },
             )),
             Method::Flat => Run::Flat(replay(
                 Recording::new(limit),
-                &stage,
+                &prepared,
                 shading::State::new,
                 |frame, recording| {
-                    flat::flat(&stage, focus, frame, recording);
+                    flat::flat(&prepared, focus, frame, recording);
                 },
             )),
             Method::Gouraud => Run::Gouraud(replay(
                 Recording::new(limit),
-                &stage,
+                &prepared,
                 shading::State::new,
                 |frame, recording| {
-                    gouraud::gouraud(&stage, focus, frame, recording);
+                    gouraud::gouraud(&prepared, focus, frame, recording);
                 },
             )),
             Method::Exact => Run::Exact(replay(
                 Recording::new(limit),
-                &stage,
+                &prepared,
                 shading::State::new,
                 |frame, recording| {
-                    exact::exact(&stage, focus, frame, recording);
+                    exact::exact(&prepared, focus, frame, recording);
                 },
             )),
             Method::Phong => Run::Phong(replay(
                 Recording::new(limit),
-                &stage,
+                &prepared,
                 shading::State::new,
                 |frame, recording| {
-                    phong::phong(&stage, focus, frame, recording);
+                    phong::phong(&prepared, focus, frame, recording);
                 },
             )),
             Method::FastPhong => Run::FastPhong(replay(
                 Recording::new(limit),
-                &stage,
+                &prepared,
                 shading::State::new,
                 |frame, recording| {
-                    fast_phong::fast_phong(&stage, focus, frame, recording);
+                    fast_phong::fast_phong(&prepared, focus, frame, recording);
                 },
             )),
             Method::RayCasting => Run::RayCasting(replay(
                 Recording::new(limit),
-                &stage,
+                &prepared,
                 rays::State::new,
                 |frame, recording| {
-                    let caster = RayCaster::new(&stage, stage.needs(), InTurn);
+                    let caster = RayCaster::new(&prepared, prepared.needs(), BruteForce);
                     ray_casting::ray_casting(&caster, focus, frame, recording);
                 },
             )),
             Method::RayTracing => Run::RayTracing(replay(
                 Recording::new(limit),
-                &stage,
+                &prepared,
                 rays::State::new,
                 |frame, recording| {
-                    let tracer = RayTracer::new(&stage, stage.needs(), InTurn);
+                    let tracer = RayTracer::new(&prepared, prepared.needs(), BruteForce);
                     ray_tracing::ray_tracing(&tracer, focus, frame, recording);
                 },
             )),
             Method::Radiosity => match focus {
                 Focus::FormFactor { i, j } => {
-                    let run = form_factor_run(&stage, i as usize, j as usize, limit);
-                    Run::FormFactor(stage, run)
+                    let run = form_factor_run(&prepared, i as usize, j as usize, limit);
+                    Run::FormFactor(prepared, run)
                 }
                 _ => {
-                    let run = radiosity_run(&stage, focus, limit);
-                    Run::Radiosity(stage, run)
+                    let run = radiosity_run(&prepared, focus, limit);
+                    Run::Radiosity(prepared, run)
                 }
             },
         }
@@ -140,9 +145,9 @@ impl Run {
     }
 
     /// The point that is being lit, or was lit last, where the run lights points; with the lights of its scene.
-    pub fn lit(&self) -> (Option<&Stage>, Option<&PointInHand>) {
-        fn of<A>(state: &shading::State<A>) -> (Option<&Stage>, Option<&PointInHand>) {
-            (Some(&state.stage), state.point.as_ref())
+    pub fn lit(&self) -> (Option<&PreparedScene>, Option<&CurrentPoint>) {
+        fn of<A>(state: &shading::State<A>) -> (Option<&PreparedScene>, Option<&CurrentPoint>) {
+            (Some(&state.prepared), state.point.as_ref())
         }
         match self {
             Run::Flat(replay) => of(replay.state()),
@@ -154,7 +159,7 @@ impl Run {
                 let state = self.rays();
                 let ray = state.and_then(|state| state.ray()?.lit.as_deref());
                 let lit = state.and_then(|state| state.point.as_ref()).or(ray);
-                (state.map(|state| &*state.stage), lit)
+                (state.map(|state| &*state.prepared), lit)
             }
             Run::Wireframe(_) | Run::Radiosity(..) | Run::FormFactor(..) => (None, None),
         }
@@ -208,40 +213,40 @@ impl Run {
 
 fn replay<E, S: Fold<E>>(
     mut recording: Recording<E>,
-    stage: &Arc<Stage>,
-    initial: impl FnOnce(Arc<Stage>) -> S,
+    prepared: &Arc<PreparedScene>,
+    initial: impl FnOnce(Arc<PreparedScene>) -> S,
     run: impl FnOnce(&mut Frame, &mut Recording<E>),
 ) -> Box<Replay<E, S>> {
     let mut frame = Frame::new(
-        stage.view.width,
-        0..stage.view.height,
-        stage.scene.background,
+        prepared.view.width,
+        0..prepared.view.height,
+        prepared.scene.background,
     );
     run(&mut frame, &mut recording);
     Box::new(Replay::new(Timeline::new(
         recording,
-        initial(stage.clone()),
+        initial(prepared.clone()),
     )))
 }
 
-/// The solution of a room. A room that cannot be divided tells nothing: `Stage::room` says why.
+/// The solution of a room. A room that cannot be divided tells nothing: `PreparedScene::enclosure` says why.
 fn radiosity_run(
-    stage: &Arc<Stage>,
+    prepared: &Arc<PreparedScene>,
     focus: Focus,
     limit: RecordingLimit,
 ) -> Box<Replay<crate::algorithms::radiosity::Event, radiosity::State>> {
     let mut recording = Recording::new(limit);
-    if let Ok(room) = stage.room() {
+    if let Ok(enclosure) = prepared.enclosure() {
         let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
-        let Ok(matrix) = matrix(room, threads, &|_, _| Ok::<(), Infallible>(()));
-        let mut watch = Watch::default();
+        let Ok(matrix) = matrix(enclosure, threads, &|_, _| Ok::<(), Infallible>(()));
+        let mut filter = RecordFilter::default();
         match focus {
-            Focus::Iterations { start, end } => watch.iterations = Some(start..end),
-            Focus::Patch(patch) => watch.patch = Some(patch),
+            Focus::Iterations { start, end } => filter.iterations = Some(start..end),
+            Focus::Patch(patch) => filter.patch = Some(patch),
             _ => {}
         }
         // What kept it from a solution is the last that the run tells.
-        let _ = room.solve(matrix, &watch, &mut recording);
+        let _ = enclosure.solve(matrix, &filter, &mut recording);
     }
     Box::new(Replay::new(Timeline::new(
         recording,
@@ -251,18 +256,18 @@ fn radiosity_run(
 
 /// One form factor, and what it is compared with.
 fn form_factor_run(
-    stage: &Arc<Stage>,
+    prepared: &Arc<PreparedScene>,
     i: usize,
     j: usize,
     limit: RecordingLimit,
 ) -> Box<Replay<crate::algorithms::form_factor::Event, form_factor::State>> {
     let mut recording = Recording::new(limit);
-    if let Ok(room) = stage.room() {
-        let blockers = room.settings.visibility.then_some(&room.blockers);
-        let reference = FormFactors::new(&room.patches, REFERENCE, blockers);
+    if let Ok(enclosure) = prepared.enclosure() {
+        let blockers = enclosure.settings.visibility.then_some(&enclosure.blockers);
+        let reference = FormFactors::new(&enclosure.patches, REFERENCE, blockers);
         let f = reference.pair(i, j, &mut Unrecorded);
         recording.step(|| crate::algorithms::form_factor::Event::Reference { f });
-        room.form_factors().pair(i, j, &mut recording);
+        enclosure.form_factors().pair(i, j, &mut recording);
     }
     Box::new(Replay::new(Timeline::new(
         recording,

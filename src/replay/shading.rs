@@ -3,13 +3,13 @@
 
 use super::Canvas;
 use super::Fold;
-pub use super::in_hand::{
-    CornerInHand, CutInHand, EdgeInHand, LightInHand, PixelInHand, PointInHand, PolygonInHand,
-    RowInHand, SpanInHand, VertexInHand,
+pub use super::current::{
+    ActiveEdge, CurrentCorner, CurrentCut, CurrentLight, CurrentPixel, CurrentPoint,
+    CurrentPolygon, CurrentRow, CurrentSpan, CurrentVertex,
 };
+use crate::algorithms::prepared_scene::{self, PreparedScene};
 use crate::algorithms::scan_line::Carried;
 use crate::algorithms::shading::{Event, Shading};
-use crate::algorithms::stage::{self, Stage};
 use crate::algorithms::{scan_line, vertex_normal};
 use crate::color::Rgb;
 use glam::DVec3;
@@ -25,12 +25,12 @@ pub struct Dot {
 
 impl Canvas<Dot> {
     /// The picture before the first step: background, coloured by no step.
-    pub(super) fn blank(stage: &Stage) -> Self {
+    pub(super) fn blank(prepared: &PreparedScene) -> Self {
         let background = Dot {
-            color: stage.scene.background,
+            color: prepared.scene.background,
             step: None,
         };
-        let view = &stage.view;
+        let view = &prepared.view;
         Canvas::new(view.width as usize, view.height as usize, background)
     }
 }
@@ -38,32 +38,32 @@ impl Canvas<Dot> {
 #[derive(Clone, Debug)]
 pub struct State<A> {
     /// What does not change from step to step.
-    pub stage: Arc<Stage>,
+    pub prepared: Arc<PreparedScene>,
     pub canvas: Canvas<Dot>,
-    pub polygon: Option<PolygonInHand>,
+    pub polygon: Option<CurrentPolygon>,
     /// The vertex whose normal and intensity are being found.
-    pub vertex: Option<VertexInHand>,
+    pub vertex: Option<CurrentVertex>,
     /// The vertices that were lit for the polygon in hand, with their intensities; others were lit for one before it.
     pub lit: Vec<(u32, Rgb)>,
     /// The point that is being lit.
-    pub point: Option<PointInHand>,
-    pub corners: Vec<CornerInHand<A>>,
-    pub edges: Vec<EdgeInHand<A>>,
-    pub scan_line: Option<RowInHand>,
+    pub point: Option<CurrentPoint>,
+    pub corners: Vec<CurrentCorner<A>>,
+    pub edges: Vec<ActiveEdge<A>>,
+    pub scan_line: Option<CurrentRow>,
     /// The edge that is being cut, an index into `edges`.
     pub edge: Option<usize>,
     /// The edges that the scan line in hand has cut so far.
     cut: Vec<usize>,
-    pub span: Option<SpanInHand<A>>,
-    pub pixel: Option<PixelInHand<A>>,
+    pub span: Option<CurrentSpan<A>>,
+    pub pixel: Option<CurrentPixel<A>>,
 }
 
 impl<A> State<A> {
     /// Before the first step: an empty picture.
-    pub fn new(stage: Arc<Stage>) -> Self {
+    pub fn new(prepared: Arc<PreparedScene>) -> Self {
         State {
-            canvas: Canvas::blank(&stage),
-            stage,
+            canvas: Canvas::blank(&prepared),
+            prepared,
             polygon: None,
             vertex: None,
             lit: Vec::new(),
@@ -117,21 +117,21 @@ impl<A> State<A> {
         }
     }
 
-    fn walk_stage(&mut self, step: usize, event: &stage::Event) {
+    fn walk_stage(&mut self, step: usize, event: &prepared_scene::Event) {
         match *event {
-            stage::Event::Polygon { object, polygon } => {
+            prepared_scene::Event::Polygon { object, polygon } => {
                 self.clear_polygon();
-                self.polygon = Some(PolygonInHand {
+                self.polygon = Some(CurrentPolygon {
                     object,
                     polygon,
                     step,
                 });
             }
-            stage::Event::PolygonDone => {
+            prepared_scene::Event::PolygonDone => {
                 self.clear_polygon();
                 self.polygon = None;
             }
-            stage::Event::Frame { .. } | stage::Event::FrameDone => {}
+            prepared_scene::Event::Frame { .. } | prepared_scene::Event::FrameDone => {}
         }
     }
 
@@ -160,7 +160,7 @@ impl<A: Carried> State<A> {
                 self.corners.clear();
                 self.edges.clear();
             }
-            Event::CornerPlaced { x, y, z, value, .. } => self.corners.push(CornerInHand {
+            Event::CornerPlaced { x, y, z, value, .. } => self.corners.push(CurrentCorner {
                 x,
                 y,
                 z,
@@ -176,7 +176,7 @@ impl<A: Carried> State<A> {
                 slope,
                 step: value_step,
             } => {
-                self.edges.push(EdgeInHand {
+                self.edges.push(ActiveEdge {
                     edge,
                     upper,
                     lower,
@@ -191,7 +191,7 @@ impl<A: Carried> State<A> {
             Event::EdgeSkipped { .. } | Event::EdgeTableBuilt { .. } => {}
             Event::ScanLine { y, y_4 } => {
                 self.clear_scan_line();
-                self.scan_line = Some(RowInHand { y, y_4, step });
+                self.scan_line = Some(CurrentRow { y, y_4, step });
             }
             Event::ScanLineDone => self.clear_scan_line(),
             Event::Edge { edge, x_4, .. } => {
@@ -201,8 +201,8 @@ impl<A: Carried> State<A> {
                     .binary_search_by_key(&edge, |known| known.edge)
                     .ok();
                 self.cut.extend(self.edge);
-                self.cut_in_hand(|edge| {
-                    edge.cut = Some(CutInHand {
+                self.current_cut(|edge| {
+                    edge.cut = Some(CurrentCut {
                         x_4,
                         values: None,
                         step,
@@ -213,7 +213,7 @@ impl<A: Carried> State<A> {
             Event::EdgeInterpolated {
                 direct,
                 incremental,
-            } => self.cut_in_hand(|edge| {
+            } => self.current_cut(|edge| {
                 if let Some(cut) = &mut edge.cut {
                     cut.values = Some((direct, incremental));
                     cut.step = step;
@@ -228,7 +228,7 @@ impl<A: Carried> State<A> {
             } => {
                 self.edge = None;
                 self.pixel = None;
-                self.span = Some(SpanInHand {
+                self.span = Some(CurrentSpan {
                     x_4,
                     x_5,
                     first,
@@ -247,7 +247,7 @@ impl<A: Carried> State<A> {
                 self.pixel = None;
             }
             Event::Pixel { x, y, x_p } => {
-                self.pixel = Some(PixelInHand {
+                self.pixel = Some(CurrentPixel {
                     x,
                     y,
                     x_p,
@@ -285,17 +285,17 @@ impl<A: Carried> State<A> {
         }
     }
 
-    fn cut_in_hand(&mut self, change: impl FnOnce(&mut EdgeInHand<A>)) {
+    fn current_cut(&mut self, change: impl FnOnce(&mut ActiveEdge<A>)) {
         if let Some(edge) = self.edge.and_then(|edge| self.edges.get_mut(edge)) {
             change(edge);
         }
     }
 }
 
-impl<M: Shading> Fold<Event<M>> for State<M::Told> {
+impl<M: Shading> Fold<Event<M>> for State<M::Recorded> {
     fn apply(&mut self, step: usize, event: &Event<M>) {
         match *event {
-            Event::Stage(ref event) => self.walk_stage(step, event),
+            Event::PreparedScene(ref event) => self.walk_stage(step, event),
             Event::Middle { .. }
             | Event::VertexReady { .. }
             | Event::PixelPoint { .. }
@@ -305,7 +305,7 @@ impl<M: Shading> Fold<Event<M>> for State<M::Told> {
             | Event::TruePoint { .. } => {}
             Event::Vertex { vertex, position } => {
                 self.point = None;
-                self.vertex = Some(VertexInHand {
+                self.vertex = Some(CurrentVertex {
                     vertex,
                     position,
                     faces: Vec::new(),
@@ -316,7 +316,7 @@ impl<M: Shading> Fold<Event<M>> for State<M::Told> {
                 });
             }
             Event::Normal(ref event) => self.find_normal(step, event),
-            Event::Illumination(ref event) => PointInHand::light(&mut self.point, step, event),
+            Event::Illumination(ref event) => CurrentPoint::light(&mut self.point, step, event),
             Event::VertexLit { vertex, intensity } => {
                 self.lit.push((vertex, intensity));
                 if let Some(vertex) = &mut self.vertex {

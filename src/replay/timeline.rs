@@ -29,7 +29,7 @@ const HEADING: usize = 64;
 
 /// A value, and the step that told it.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Told {
+pub struct RecordedField {
     pub step: usize,
     pub field: Field,
 }
@@ -164,28 +164,33 @@ impl<E: Event, S> Timeline<E, S> {
     /// All values known at `step`, each with the step that told it: the headings of the scopes around it, from the
     /// outermost to the innermost, then its own. So a later entry of the same name goes before an earlier one.
     /// Nothing comes from a later step.
-    pub fn told(&self, step: usize) -> Vec<Told> {
+    pub fn recorded(&self, step: usize) -> Vec<RecordedField> {
         let mut scopes: Vec<usize> = self.outline.scopes(step).collect();
         scopes.reverse();
         let headings = scopes
             .into_iter()
             .flat_map(|scope| self.heading(scope, step));
-        let mut told = Vec::new();
+        let mut recorded = Vec::new();
         let mut fields = Fields::default();
         for teller in headings.chain([step]) {
             fields.0.clear();
             self.event(teller).fields(&mut fields);
-            told.extend(fields.iter().map(|&field| Told {
+            recorded.extend(fields.iter().map(|&field| RecordedField {
                 step: teller,
                 field,
             }));
         }
-        told
+        recorded
     }
 
-    /// The values of [`Timeline::told`], without where they came from.
+    /// The values of [`Timeline::recorded`], without where they came from.
     pub fn fields(&self, step: usize) -> Fields {
-        Fields(self.told(step).into_iter().map(|told| told.field).collect())
+        Fields(
+            self.recorded(step)
+                .into_iter()
+                .map(|recorded| recorded.field)
+                .collect(),
+        )
     }
 }
 
@@ -193,7 +198,7 @@ impl<E: Event, S> Timeline<E, S> {
 mod tests {
     use super::*;
     use crate::record::{Recorder, RecordingLimit};
-    use crate::replay::traces::{Heard, Note, Trace, trace};
+    use crate::replay::generators::{Heard, Note, Trace, trace};
     use proptest::prelude::*;
 
     fn plain_fold(recording: &Recording<Note>, step: usize) -> Heard {
@@ -231,9 +236,9 @@ mod tests {
             let timeline = Timeline::new(trace.recording(), Heard::default());
             let mark = |step| timeline.recording.mark(step);
             for step in 0..timeline.len() {
-                let told = timeline.told(step);
-                prop_assert!(told.iter().all(|told| told.step <= step));
-                prop_assert!(told.is_sorted_by_key(|told| told.step));
+                let recorded = timeline.recorded(step);
+                prop_assert!(recorded.iter().all(|recorded| recorded.step <= step));
+                prop_assert!(recorded.is_sorted_by_key(|recorded| recorded.step));
                 // A step tells `step` of its values when it is that step, or heads a scope that is still open there.
                 let mut tellers = Vec::new();
                 let mut open: Vec<Vec<usize>> = Vec::new();
@@ -255,9 +260,9 @@ mod tests {
                 for i in tellers {
                     let mut fields = Fields::default();
                     timeline.event(i).fields(&mut fields);
-                    expected.extend(fields.0.into_iter().map(|field| Told { step: i, field }));
+                    expected.extend(fields.0.into_iter().map(|field| RecordedField { step: i, field }));
                 }
-                prop_assert_eq!(told, expected);
+                prop_assert_eq!(recorded, expected);
             }
         }
     }
@@ -267,7 +272,11 @@ mod tests {
         //                                   0123456789
         let timeline = Timeline::new(Trace::parse("(.(..).)").recording(), Heard::default());
         let tellers = |step| {
-            let mut steps: Vec<usize> = timeline.told(step).iter().map(|told| told.step).collect();
+            let mut steps: Vec<usize> = timeline
+                .recorded(step)
+                .iter()
+                .map(|recorded| recorded.step)
+                .collect();
             steps.dedup();
             steps
         };

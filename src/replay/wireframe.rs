@@ -3,7 +3,7 @@
 use super::Canvas;
 use super::Fold;
 use super::shading::Dot;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::wireframe::Event;
 use crate::color::Rgb;
 use glam::DVec2;
@@ -12,7 +12,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub struct State {
     /// What does not change from step to step.
-    pub stage: Arc<Stage>,
+    pub prepared: Arc<PreparedScene>,
     pub canvas: Canvas<Dot>,
     /// Vertices of the edge in hand.
     pub edge: Option<(u32, u32)>,
@@ -25,11 +25,11 @@ pub struct State {
 
 impl State {
     /// Before the first step: an empty picture.
-    pub fn new(stage: Arc<Stage>) -> Self {
+    pub fn new(prepared: Arc<PreparedScene>) -> Self {
         State {
-            canvas: Canvas::blank(&stage),
-            ink: crate::algorithms::wireframe::ink(stage.scene.background),
-            stage,
+            canvas: Canvas::blank(&prepared),
+            ink: crate::algorithms::wireframe::ink(prepared.scene.background),
+            prepared,
             edge: None,
             line: None,
             pixel: None,
@@ -54,7 +54,7 @@ impl Fold<Event> for State {
                 );
             }
             Event::EdgeDone => (self.edge, self.line, self.pixel) = (None, None, None),
-            Event::Stage(_) | Event::EdgeUnseen | Event::StepChosen { .. } => {}
+            Event::PreparedScene(_) | Event::EdgeUnseen | Event::StepChosen { .. } => {}
         }
     }
 

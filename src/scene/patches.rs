@@ -3,7 +3,7 @@
 //! Quadrilaterals are divided bilinearly, triangles and the triangles of everything else with n steps an edge, spheres along
 //! longitudes and latitudes into inscribed facets. Planes, which have no end, are refused.
 
-use super::solids::polygon::Polygon;
+use super::primitives::polygon::Polygon;
 use super::{Mesh, Object, Scene, Shape, tessellation};
 use glam::DVec3;
 use std::ops::Range;

@@ -12,7 +12,7 @@ pub struct Tessellation {
     /// One an object; that of a plane is empty.
     pub meshes: Vec<Mesh>,
     /// The indices of the planes, which have no end and are left out.
-    pub left_out: Vec<usize>,
+    pub skipped: Vec<usize>,
     /// The polygons of object `i` are `starts[i]..starts[i + 1]`.
     starts: Vec<usize>,
 }
@@ -39,7 +39,7 @@ impl Tessellation {
             .iter()
             .map(|object| mesh_of(&object.shape, object.divisions))
             .collect();
-        let left_out = (0..meshes.len())
+        let skipped = (0..meshes.len())
             .filter(|&i| matches!(scene.objects[i].shape, Shape::Plane { .. }))
             .collect();
         let mut starts = vec![0];
@@ -50,7 +50,7 @@ impl Tessellation {
         }));
         Tessellation {
             meshes,
-            left_out,
+            skipped,
             starts,
         }
     }
@@ -414,7 +414,7 @@ mod tests {
             lights: Vec::new(),
         };
         let tessellation = Tessellation::of(&scene);
-        assert_eq!(tessellation.left_out, [1]);
+        assert_eq!(tessellation.skipped, [1]);
         assert_eq!(tessellation.polygon_count(), 513);
         assert_eq!(tessellation.first_polygon(2), 1);
         assert_eq!(tessellation.locate(0), Some((0, 0)));

@@ -5,9 +5,9 @@ use crate::record::Counter;
 
 /// The counts of some kinds of events, under their names; what never happened is left out.
 pub fn operations(counter: &Counter, kinds: &[(&str, &'static str)]) -> Vec<Operations> {
-    let told = kinds.iter().map(|&(kind, of)| Operations {
+    let recorded = kinds.iter().map(|&(kind, of)| Operations {
         of,
         count: counter.of(kind),
     });
-    told.filter(|operations| operations.count > 0).collect()
+    recorded.filter(|operations| operations.count > 0).collect()
 }

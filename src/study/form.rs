@@ -2,8 +2,8 @@
 
 use super::fit::Law;
 use crate::algorithms::frame::Frame;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
-use crate::algorithms::stage::Stage;
 use crate::render::Method;
 use crate::scene::Scene;
 use std::rc::Rc;
@@ -17,7 +17,7 @@ pub struct Study {
     /// What it asks, in a sentence.
     pub about: &'static str,
     /// Its ladders. Errors: why it says nothing about the scene that was given.
-    pub ladders: fn(&Request) -> Result<Vec<Ladder>, String>,
+    pub sweeps: fn(&Request) -> Result<Vec<Sweep>, String>,
 }
 
 /// What is asked of a study.
@@ -48,7 +48,7 @@ pub enum Axes {
 }
 
 /// Settings that are compared with each other, curve by curve.
-pub struct Ladder {
+pub struct Sweep {
     pub title: String,
     pub axes: Axes,
     /// What the size of a setting counts: `longitudes`.
@@ -86,25 +86,29 @@ impl Reference {
 /// The settings of one method, from coarse to fine.
 pub struct Curve {
     pub name: String,
-    pub rungs: Vec<Rung>,
+    pub sweep_settings: Vec<Setting>,
 }
 
 impl Curve {
     /// Settings that are all meant to find the same.
-    pub fn against(truth: &Rc<[f64]>, name: impl Into<String>, rungs: Vec<Rung>) -> Self {
+    pub fn against(
+        truth: &Rc<[f64]>,
+        name: impl Into<String>,
+        sweep_settings: Vec<Setting>,
+    ) -> Self {
         let mut curve = Curve {
             name: name.into(),
-            rungs,
+            sweep_settings,
         };
-        for rung in &mut curve.rungs {
-            rung.truth = Some(truth.clone());
+        for sweep_setting in &mut curve.sweep_settings {
+            sweep_setting.truth = Some(truth.clone());
         }
         curve
     }
 }
 
 /// One setting.
-pub struct Rung {
+pub struct Setting {
     pub setting: String,
     /// As far as orders of convergence and growth refer to it.
     pub size: f64,
@@ -121,7 +125,7 @@ pub struct Rung {
 /// A picture that a setting draws, so that it can be walked through.
 #[derive(Clone, Debug)]
 pub struct Drawn {
-    pub stage: Shared,
+    pub prepared: Shared,
     pub method: Method,
     /// Those of the setting; the stage's own are those of whoever used it last.
     pub settings: Settings,
@@ -129,15 +133,15 @@ pub struct Drawn {
 
 /// A stage that many settings share, each with ray settings of its own.
 #[derive(Clone, Debug)]
-pub struct Shared(Arc<Mutex<Stage>>);
+pub struct Shared(Arc<Mutex<PreparedScene>>);
 
 impl Shared {
-    pub fn new(stage: Stage) -> Self {
-        Shared(Arc::new(Mutex::new(stage)))
+    pub fn new(prepared: PreparedScene) -> Self {
+        Shared(Arc::new(Mutex::new(prepared)))
     }
 
     /// The stage, for one at a time.
-    pub fn lock(&self) -> MutexGuard<'_, Stage> {
+    pub fn lock(&self) -> MutexGuard<'_, PreparedScene> {
         // Whoever panicked had changed its settings at most, and everybody sets those first.
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }

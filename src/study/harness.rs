@@ -2,7 +2,7 @@
 
 use super::errors::Errors;
 use super::fit::{Fit, Law};
-use super::form::{Axes, Drawn, Ladder, Operations, Reference, Request, Rung, Study};
+use super::form::{Axes, Drawn, Operations, Reference, Request, Setting, Study, Sweep};
 use super::pareto::front;
 use super::timing::{Patience, Progress, Timing, time};
 use crate::render::Cancelled;
@@ -94,13 +94,13 @@ impl Study {
                 "the scene divides into {polygons} polygons; at most {MOST_POLYGONS} are measured, since a study holds it several times"
             )));
         }
-        let ladders = (self.ladders)(request).map_err(Unmeasured::Because)?;
+        let sweeps = (self.sweeps)(request).map_err(Unmeasured::Because)?;
         let patience = request.either(Patience::QUICK, Patience::THOROUGH);
-        let count = ladders.len();
+        let count = sweeps.len();
         let mut parts = Vec::with_capacity(count);
-        for (index, ladder) in ladders.into_iter().enumerate() {
+        for (index, sweep) in sweeps.into_iter().enumerate() {
             let progress = |done, all| progress(index * all + done, count * all);
-            let part = ladder.measure(patience, &progress)?;
+            let part = sweep.measure(patience, &progress)?;
             done(&part);
             parts.push(part);
         }
@@ -108,27 +108,31 @@ impl Study {
     }
 }
 
-impl Ladder {
+impl Sweep {
     pub fn measure(self, patience: Patience, progress: &Progress) -> Result<Part, Cancelled> {
-        let curves: Vec<&[Rung]> = self.curves.iter().map(|curve| &*curve.rungs).collect();
+        let curves: Vec<&[Setting]> = self
+            .curves
+            .iter()
+            .map(|curve| &*curve.sweep_settings)
+            .collect();
         let mut timed = time(&curves, patience, progress)?.into_iter();
         let (mut lines, mut failed) = (Vec::new(), Vec::new());
         for curve in self.curves {
             let mut points = Vec::new();
-            for (rung, timed) in curve.rungs.into_iter().zip(&mut timed) {
+            for (sweep_setting, timed) in curve.sweep_settings.into_iter().zip(&mut timed) {
                 match timed {
-                    Err(why) => failed.push([curve.name.clone(), rung.setting, why]),
+                    Err(why) => failed.push([curve.name.clone(), sweep_setting.setting, why]),
                     Ok((values, seconds)) => {
-                        let truth = rung.truth.as_deref();
+                        let truth = sweep_setting.truth.as_deref();
                         let errors = truth.and_then(|truth| Errors::of(&values.numbers(), truth));
                         points.push(Point {
-                            setting: rung.setting,
-                            size: rung.size,
+                            setting: sweep_setting.setting,
+                            size: sweep_setting.size,
                             errors,
                             seconds,
-                            bytes: rung.bytes,
-                            operations: rung.operations,
-                            drawn: rung.drawn,
+                            bytes: sweep_setting.bytes,
+                            operations: sweep_setting.operations,
+                            drawn: sweep_setting.drawn,
                             on_front: false,
                         });
                     }
@@ -229,9 +233,9 @@ mod tests {
     use web_time::Duration;
 
     /// Of order 2, in a time that is that of busy work.
-    fn ladder(own_error: f64) -> Ladder {
+    fn sweep(own_error: f64) -> Sweep {
         let truth: Rc<[f64]> = Rc::new([1.0, 2.0]);
-        let rungs = [1.0, 2.0, 4.0, 8.0, 16.0].map(|n: f64| Rung {
+        let sweep_settings = [1.0, 2.0, 4.0, 8.0, 16.0].map(|n: f64| Setting {
             setting: format!("n = {n}"),
             size: n,
             bytes: 8 * n as u64,
@@ -244,7 +248,7 @@ mod tests {
                 Ok(Values::Numbers(vec![1.0 + 0.1 / (n * n), 2.0]))
             }),
         });
-        Ladder {
+        Sweep {
             title: "made up".into(),
             axes: Axes::ErrorOverTime,
             size: "n",
@@ -256,7 +260,7 @@ mod tests {
                 known_by: "it is made up".into(),
             },
             memory: "made up",
-            curves: vec![Curve::against(&truth, "curve", rungs.into())],
+            curves: vec![Curve::against(&truth, "curve", sweep_settings.into())],
         }
     }
 
@@ -269,7 +273,7 @@ mod tests {
 
     #[test]
     fn a_ladder_of_order_2_is_found_to_be_one() {
-        let part = ladder(1e-12).measure(PATIENCE, &|_, _| Ok(())).unwrap();
+        let part = sweep(1e-12).measure(PATIENCE, &|_, _| Ok(())).unwrap();
         let line = &part.lines[0];
         let rms: Vec<f64> = line.points.iter().map(|p| p.errors.unwrap().rms).collect();
         for (n, rms) in [1.0, 2.0, 4.0, 8.0, 16.0].into_iter().zip(rms) {
@@ -288,7 +292,7 @@ mod tests {
     #[test]
     fn errors_below_that_of_the_reference_are_no_better_than_it_and_follow_no_law() {
         // Only the first two settings stand clearly above it.
-        let part = ladder(0.01).measure(PATIENCE, &|_, _| Ok(())).unwrap();
+        let part = sweep(0.01).measure(PATIENCE, &|_, _| Ok(())).unwrap();
         let line = &part.lines[0];
         assert_eq!(line.convergence, None);
         let below = line.points.iter().filter(|point| point.size >= 4.0);

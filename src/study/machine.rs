@@ -41,7 +41,7 @@ impl Machine {
     }
 
     /// In words.
-    pub fn words(&self) -> String {
+    pub fn strings(&self) -> String {
         let cpu = self.cpu.as_deref().unwrap_or("an unnamed processor");
         let build = if self.optimised {
             "a release"

@@ -7,6 +7,7 @@
 //!
 //! All times are of one thread. Nothing here touches a file.
 
+pub mod ablation;
 pub mod count;
 pub mod errors;
 pub mod families;
@@ -17,7 +18,6 @@ pub mod machine;
 pub mod pareto;
 pub mod plot;
 pub mod report;
-pub mod saving;
 pub mod stress;
 #[cfg(test)]
 pub mod tests;

@@ -2,7 +2,7 @@
 
 use super::errors::Errors;
 use super::fit::Law;
-use super::form::{Axes, Ladder, Reference, Study};
+use super::form::{Axes, Reference, Study, Sweep};
 use super::harness::{Findings, Line, Part, Point};
 use super::timing::Timing;
 
@@ -10,7 +10,7 @@ static STUDY: Study = Study {
     name: "made-up",
     title: "A made-up study",
     about: "What is written of it is known.",
-    ladders: |_| Ok(Vec::<Ladder>::new()),
+    sweeps: |_| Ok(Vec::<Sweep>::new()),
 };
 
 fn point(size: f64, rms: f64, median: f64) -> Point {

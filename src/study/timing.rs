@@ -1,7 +1,7 @@
 //! Run times that can be believed: every setting is run once before, then all in turn, in an order that changes from round to
 //! round, so that a machine that slows down slows down all; median and quartiles.
 
-use super::form::{Rung, Values};
+use super::form::{Setting, Values};
 use crate::render::Cancelled;
 use std::hint::black_box;
 use web_time::{Duration, Instant};
@@ -72,7 +72,7 @@ pub type Progress<'a> = dyn Fn(usize, usize) -> Result<(), Cancelled> + 'a;
 
 /// Runs the rungs of all curves in turn, round by round. Where a rung takes too long, the rest of its curve is not run.
 pub fn time(
-    curves: &[&[Rung]],
+    curves: &[&[Setting]],
     patience: Patience,
     progress: &Progress,
 ) -> Result<Vec<Timed>, Cancelled> {
@@ -80,7 +80,7 @@ pub fn time(
     for curve in curves {
         first.extend(warm_up(curve, patience.longest, &|| progress(0, 1))?);
     }
-    let rungs: Vec<&Rung> = curves.iter().copied().flatten().collect();
+    let sweep_settings: Vec<&Setting> = curves.iter().copied().flatten().collect();
     let repeats: Vec<u32> = first
         .iter()
         .map(|first| match first {
@@ -99,16 +99,16 @@ pub fn time(
     let affordable = patience.whole.as_secs_f64() / round.as_secs_f64().max(1e-9);
     let rounds = (affordable as usize).clamp(Patience::FEWEST_ROUNDS, patience.most_rounds);
 
-    let mut seconds = vec![Vec::with_capacity(rounds); rungs.len()];
+    let mut seconds = vec![Vec::with_capacity(rounds); sweep_settings.len()];
     for round in 0..rounds {
-        for turn in order(round, rungs.len()) {
+        for turn in order(round, sweep_settings.len()) {
             if repeats[turn] == 0 {
                 continue;
             }
             let start = Instant::now();
             for _ in 0..repeats[turn] {
                 // What succeeded before does so again: runs are deterministic.
-                let _ = black_box((rungs[turn].run)());
+                let _ = black_box((sweep_settings[turn].run)());
             }
             seconds[turn].push(start.elapsed().as_secs_f64() / f64::from(repeats[turn]));
         }
@@ -125,17 +125,17 @@ type WarmedUp = Result<(Values, Duration), String>;
 
 /// Every rung once, from coarse to fine, until one takes too long.
 fn warm_up(
-    curve: &[Rung],
+    curve: &[Setting],
     longest: Duration,
     go_on: &dyn Fn() -> Result<(), Cancelled>,
 ) -> Result<Vec<WarmedUp>, Cancelled> {
     let mut too_long: Option<String> = None;
-    let mut run = |rung: &Rung| {
+    let mut run = |sweep_setting: &Setting| {
         if let Some(why) = &too_long {
             return Err(why.clone());
         }
         let start = Instant::now();
-        let values = (rung.run)()?;
+        let values = (sweep_setting.run)()?;
         let once = start.elapsed();
         if once > longest {
             let limit = longest.as_secs_f64();
@@ -145,9 +145,9 @@ fn warm_up(
         }
         Ok((values, once))
     };
-    let run = |rung| {
+    let run = |sweep_setting| {
         go_on()?;
-        Ok(run(rung))
+        Ok(run(sweep_setting))
     };
     curve.iter().map(run).collect()
 }
@@ -200,9 +200,9 @@ mod tests {
     #[test]
     fn a_rung_that_fails_says_why_and_is_not_run_again() {
         let runs = Rc::new(RefCell::new([0, 0]));
-        let rung = |which: usize, fails: bool| {
+        let sweep_setting = |which: usize, fails: bool| {
             let runs = runs.clone();
-            Rung {
+            Setting {
                 setting: String::new(),
                 size: 1.0,
                 bytes: 0,
@@ -224,8 +224,8 @@ mod tests {
             whole: Duration::ZERO,
             most_rounds: 9,
         };
-        let rungs = [rung(0, false), rung(1, true)];
-        let timed = time(&[&rungs], patience, &|_, _| Ok(())).unwrap();
+        let sweep_settings = [sweep_setting(0, false), sweep_setting(1, true)];
+        let timed = time(&[&sweep_settings], patience, &|_, _| Ok(())).unwrap();
         assert!(matches!(&timed[0], Ok((_, timing)) if timing.runs == 5));
         assert!(matches!(&timed[1], Err(why) if why == "diverges"));
         assert_eq!(*runs.borrow(), [6, 1]);
@@ -235,9 +235,9 @@ mod tests {
             longest: Duration::ZERO,
             ..patience
         };
-        let timed = time(&[&rungs], hasty, &|_, _| Ok(())).unwrap();
-        let left_out = |timed: &Timed| matches!(timed, Err(why) if why.contains("longer than"));
-        assert!(timed.iter().all(left_out));
+        let timed = time(&[&sweep_settings], hasty, &|_, _| Ok(())).unwrap();
+        let skipped = |timed: &Timed| matches!(timed, Err(why) if why.contains("longer than"));
+        assert!(timed.iter().all(skipped));
         assert_eq!(*runs.borrow(), [7, 1]);
     }
 }

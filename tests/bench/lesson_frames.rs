@@ -1,7 +1,7 @@
 //! How soon a lesson's scene is seen at 640×480: the first coarse picture, and the whole one, on all cores; medians with quartiles,
 //! coarse and whole from the same runs.
 
-use lightwalk::algorithms::stage::Stage;
+use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::lesson::builtins;
 use lightwalk::render::preview;
 use lightwalk::scene::View;
@@ -25,13 +25,13 @@ fn main() {
         let settings = lesson.settings;
         let camera = lesson.scene.camera.expect("a camera");
         let view = View::new(&camera, 640, 480);
-        let stage = Stage::new(lesson.scene, view).with_settings(settings);
+        let prepared = PreparedScene::new(lesson.scene, view).with_settings(settings);
         let (mut coarse, mut whole) = (Vec::new(), Vec::new());
         for round in 0..=ROUNDS {
             let start = Instant::now();
             let mut first = None;
             let mut show = |_: &_| first = first.or(Some(start.elapsed()));
-            preview(&stage, lesson.method, threads, |_, _| Ok(()), &mut show)
+            preview(&prepared, lesson.method, threads, |_, _| Ok(()), &mut show)
                 .expect("nobody calls it off");
             let all = start.elapsed();
             // The first run makes the hierarchies.

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3, Vec3};
 use lightwalk::algorithms::fast_phong::{ExpandedNormal, middle_of};
 use lightwalk::algorithms::gouraud::Event;
 use lightwalk::algorithms::illumination::{SurfacePoint, illuminate};
-use lightwalk::algorithms::stage::Stage;
+use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::algorithms::vertex_normal::vertex_normal;
 use lightwalk::numeric::{Quadratic, Setup};
 use lightwalk::record::Unrecorded;
@@ -50,7 +50,7 @@ impl PlainFrame {
 
 /// A scene of one material and one directional light, made ready.
 pub struct Plain<'a> {
-    stage: &'a Stage,
+    prepared: &'a PreparedScene,
     method: Method,
     vertices: Vec<Vertex>,
     triangles: Vec<[u32; 3]>,
@@ -64,25 +64,25 @@ pub struct Plain<'a> {
 }
 
 impl<'a> Plain<'a> {
-    pub fn new(stage: &'a Stage, method: Method) -> Self {
-        let (scene, mesh) = (&stage.scene, &stage.tessellation.meshes[0]);
+    pub fn new(prepared: &'a PreparedScene, method: Method) -> Self {
+        let (scene, mesh) = (&prepared.scene, &prepared.tessellation.meshes[0]);
         let material = &scene.materials[0];
         let lit = |position: DVec3, normal: DVec3| {
             let point = SurfacePoint {
                 position,
                 normal,
-                to_eye: (stage.view.eye - position).normalize(),
+                to_eye: (prepared.view.eye - position).normalize(),
                 material,
                 diffuse: material.diffuse,
             };
             let color =
-                illuminate::<Event, _>(&point, &stage.lighting(), &mut Unrecorded, |_, _| true);
+                illuminate::<Event, _>(&point, &prepared.lighting(), &mut Unrecorded, |_, _| true);
             DVec3::from(color.whole.channels()).as_vec3()
         };
         let vertex = |vertex: u32| {
             let position = mesh.position(vertex);
-            let camera = stage.view.to_camera(position);
-            let screen = stage.view.to_screen(camera).as_vec2();
+            let camera = prepared.view.to_camera(position);
+            let screen = prepared.view.to_screen(camera).as_vec2();
             let normal = vertex_normal::<Event>(mesh, vertex, &mut Unrecorded);
             Vertex {
                 x: screen.x,
@@ -104,7 +104,7 @@ impl<'a> Plain<'a> {
         };
         let vector = |color: lightwalk::color::Rgb| DVec3::from(color.channels()).as_vec3();
         Plain {
-            stage,
+            prepared,
             method,
             vertices: (0..mesh.vertex_count() as u32).map(vertex).collect(),
             triangles: (faces.clone())
@@ -114,7 +114,7 @@ impl<'a> Plain<'a> {
                 .map(|face| lit(middle(face), mesh.normal(face)))
                 .collect(),
             to_eye: (faces.clone())
-                .map(|face| (stage.view.eye - middle(face)).normalize().as_vec3())
+                .map(|face| (prepared.view.eye - middle(face)).normalize().as_vec3())
                 .collect(),
             to_light: -toward.as_vec3(),
             diffuse: vector(material.diffuse * color),
@@ -184,7 +184,7 @@ impl<'a> Plain<'a> {
         let expanded = ExpandedNormal::over(
             &Setup::new(screen),
             corners.map(|corner| corner.value.as_dvec3()),
-            self.stage.tessellation.meshes[0].normal(number),
+            self.prepared.tessellation.meshes[0].normal(number),
             self.to_eye[number].as_dvec3(),
         );
         let series = Quadratic::of_cosine(&expanded.normal, self.to_light.as_dvec3());

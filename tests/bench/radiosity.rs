@@ -2,7 +2,9 @@
 //! taken in one run; and how quickly any of a million recorded exchanges is reached.
 
 use lightwalk::algorithms::radiosity::cube::{cube, lamp};
-use lightwalk::algorithms::radiosity::{Matrix, Patches, Solver, Stop, System, Watch, solve};
+use lightwalk::algorithms::radiosity::{
+    Matrix, Patches, RecordFilter, Solver, Stop, System, solve,
+};
 use lightwalk::record::{Recording, RecordingLimit, Unrecorded};
 use lightwalk::replay::{Timeline, radiosity::State};
 use std::hint::black_box;
@@ -37,7 +39,7 @@ fn report(f: &[f64], area: &[f64], emission: &[f64], rho: f64, solver: Solver) {
         max_iterations: 100_000_000,
         ..Stop::default()
     };
-    let watch = Watch::default();
+    let watch = RecordFilter::default();
     let found = solve(&system, solver, stop, &watch, &mut Unrecorded);
     let seconds = start.elapsed().as_secs_f64();
     match found {
@@ -61,7 +63,7 @@ fn seek() {
     let matrix = Matrix::new(&f, area.len()).expect("a matrix");
     let patches = Patches::new(&area, &rho, &emission).expect("patches");
     let system = System::new(&matrix, patches).expect("a system");
-    let watch = Watch {
+    let watch = RecordFilter {
         iterations: Some(0..7),
         patch: None,
     };

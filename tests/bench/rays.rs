@@ -3,7 +3,7 @@
 
 use glam::{DVec3, Vec3A};
 use lightwalk::color::Rgb;
-use lightwalk::scene::solids::{Ray, Solids};
+use lightwalk::scene::primitives::{Primitives, Ray};
 use lightwalk::scene::{Highlight, Material, Mesh, Object, Scene, Shape, Tessellation};
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
@@ -191,13 +191,13 @@ fn obvhs_contenders(mesh: &Mesh, presets: &[(&str, BvhBuildParams)]) -> Vec<Cont
 fn ours(scene: &Scene) -> Contender {
     let tessellation = Tessellation::of(scene);
     let start = Instant::now();
-    let solids = Solids::of(scene, &tessellation);
+    let primitives = Primitives::of(scene, &tessellation);
     Contender {
         name: "ours, exact".into(),
         build: start.elapsed(),
         hits: Box::new(move |rays| {
             rays.iter()
-                .filter(|ray| solids.nearest(ray).is_some())
+                .filter(|ray| primitives.nearest(ray).is_some())
                 .count()
         }),
     }
@@ -234,7 +234,7 @@ fn compare(triangles: usize, presets: &[(&str, BvhBuildParams)]) {
     for contender in &contenders {
         println!("  {:22} built in {:.0?}", contender.name, contender.build);
     }
-    let solids = Solids::of(&scene, &Tessellation::of(&scene));
+    let primitives = Primitives::of(&scene, &Tessellation::of(&scene));
     for (kind, rays) in [
         ("primary", primary_rays()),
         ("incoherent", incoherent_rays()),
@@ -242,7 +242,7 @@ fn compare(triangles: usize, presets: &[(&str, BvhBuildParams)]) {
         let few: Vec<Ray> = rays.iter().step_by(rays.len() / 16).copied().collect();
         let start = Instant::now();
         for ray in &few {
-            assert_eq!(solids.nearest_in_turn(ray), solids.nearest(ray));
+            assert_eq!(primitives.nearest_in_turn(ray), primitives.nearest(ray));
         }
         let in_turn = few.len() as f64 / start.elapsed().as_secs_f64() / 1e6;
         let rates = race(&contenders, &rays);

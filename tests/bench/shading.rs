@@ -7,7 +7,7 @@
 
 mod plain;
 
-use lightwalk::algorithms::stage::Stage;
+use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::render::lanes::{LaneFrame, LanePainter};
 use lightwalk::render::{Method, render};
 use lightwalk::scene::{self, Limits, View};
@@ -51,7 +51,7 @@ fn bumpy_torus(along: u32, across: u32) -> String {
 const QUAD: &str = "v -2 -2 0\nv 2 -2 0\nv 2 2 0\nv -2 2 0\nv -9 -9 -9\nv 9 9 -9\n\
                     f 1 2 3\nf 1 3 4\nf 1 4 5\nf 2 1 5\nf 3 2 6\nf 4 3 6\n";
 
-fn stage(mesh: &str, eye: [f64; 3]) -> Stage {
+fn prepared(mesh: &str, eye: [f64; 3]) -> PreparedScene {
     let json = format!(
         r#"{{ "schema": 1,
         "camera": {{ "eye": {eye:?}, "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 45 }},
@@ -63,7 +63,7 @@ fn stage(mesh: &str, eye: [f64; 3]) -> Stage {
     let scene = scene::read(json.as_bytes(), &Limits::default(), &mut files)
         .expect("the scene of a benchmark is right");
     let camera = scene.camera.expect("the scene of a benchmark has a camera");
-    Stage::new(scene, View::new(&camera, WIDTH, HEIGHT))
+    PreparedScene::new(scene, View::new(&camera, WIDTH, HEIGHT))
 }
 
 /// Lower quartile, median, upper quartile.
@@ -92,16 +92,16 @@ fn race(contenders: &mut [Box<dyn FnMut() + '_>], rounds: usize) -> Vec<Vec<f64>
     seconds
 }
 
-fn compare(name: &str, stage: &Stage) {
+fn compare(name: &str, prepared: &PreparedScene) {
     println!(
         "\n{name}: {} triangles, {WIDTH}×{HEIGHT}",
-        stage.tessellation.polygon_count()
+        prepared.tessellation.polygon_count()
     );
     for method in METHODS {
         let start = Instant::now();
-        let painter = LanePainter::new(stage, method).expect("lanes draw the scene");
+        let painter = LanePainter::new(prepared, method).expect("lanes draw the scene");
         let prepared = start.elapsed();
-        let plain = Plain::new(stage, method);
+        let plain = Plain::new(prepared, method);
         let (mut lanes, mut pixels) = (
             LaneFrame::new(WIDTH, HEIGHT),
             PlainFrame::new(WIDTH, HEIGHT),
@@ -118,7 +118,7 @@ fn compare(name: &str, stage: &Stage) {
                 Box::new(|| painter.draw(black_box(&mut lanes))),
                 Box::new(|| plain.draw(black_box(&mut pixels))),
                 Box::new(|| {
-                    black_box(render(stage, method, NonZeroUsize::MIN, &|_, _| {}));
+                    black_box(render(prepared, method, NonZeroUsize::MIN, &|_, _| {}));
                 }),
             ],
             ROUNDS,
@@ -152,6 +152,6 @@ fn difference(lanes: &LaneFrame, plain: &PlainFrame) -> (usize, usize) {
 }
 
 fn main() {
-    compare("full-screen quad", &stage(QUAD, [0.0, 0.0, 3.0]));
-    compare("torus", &stage(&bumpy_torus(220, 110), [0.6, -1.8, 2.0]));
+    compare("full-screen quad", &prepared(QUAD, [0.0, 0.0, 3.0]));
+    compare("torus", &prepared(&bumpy_torus(220, 110), [0.6, -1.8, 2.0]));
 }

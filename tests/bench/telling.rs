@@ -2,17 +2,17 @@
 //! the body with `Unrecorded` against the same body without recorder calls (goal 1.00), a recorded frame against an
 //! unrecorded one (goal 1.3), and a new focus (goal 50 ms).
 //!
-//! `cargo bench --bench telling`; with `-- --count told` or `-- --count untold` it draws 20 frames and ends, for a counter of instructions.
+//! `cargo bench --bench telling`; with `-- --count recorded` or `-- --count untold` it draws 20 frames and ends, for a counter of instructions.
 
 #[path = "../common/mod.rs"]
 mod common;
 mod untold;
 
-use common::{TEAPOT, stage};
+use common::{TEAPOT, prepared};
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::gouraud::gouraud;
-use lightwalk::algorithms::stage::Stage;
+use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::record::{Recording, RecordingLimit, Unrecorded};
 use lightwalk::render::Method;
 use lightwalk::replay::Run;
@@ -23,19 +23,19 @@ use std::time::Instant;
 const WIDTH: u32 = 640;
 const HEIGHT: u32 = 480;
 
-fn frame(stage: &Stage) -> Frame {
-    Frame::new(WIDTH, 0..HEIGHT, stage.scene.background)
+fn frame(prepared: &PreparedScene) -> Frame {
+    Frame::new(WIDTH, 0..HEIGHT, prepared.scene.background)
 }
 
-fn told(stage: &Stage) -> Frame {
-    let mut frame = frame(stage);
-    gouraud(stage, Focus::Frame, &mut frame, &mut Unrecorded);
+fn recorded(prepared: &PreparedScene) -> Frame {
+    let mut frame = frame(prepared);
+    gouraud(prepared, Focus::Frame, &mut frame, &mut Unrecorded);
     frame
 }
 
-fn untold(stage: &Stage) -> Frame {
-    let mut frame = frame(stage);
-    untold::gouraud(stage, Focus::Frame, &mut frame);
+fn untold(prepared: &PreparedScene) -> Frame {
+    let mut frame = frame(prepared);
+    untold::gouraud(prepared, Focus::Frame, &mut frame);
     frame
 }
 
@@ -72,26 +72,26 @@ fn report(what: &str, [a, b, ratio]: [[f64; 3]; 3]) {
 }
 
 fn main() {
-    let stage = Arc::new(stage(TEAPOT, WIDTH, HEIGHT));
+    let prepared = Arc::new(prepared(TEAPOT, WIDTH, HEIGHT));
     let arguments: Vec<String> = std::env::args().collect();
     if let Some(at) = arguments.iter().position(|argument| argument == "--count") {
         let draw = if arguments.get(at + 1).is_some_and(|which| which == "untold") {
             untold
         } else {
-            told
+            recorded
         };
-        (0..20).for_each(|_| drop(black_box(draw(&stage))));
+        (0..20).for_each(|_| drop(black_box(draw(&prepared))));
         return;
     }
     assert!(
-        told(&stage) == untold(&stage),
+        recorded(&prepared) == untold(&prepared),
         "both bodies draw the same picture"
     );
 
     let unrecorded = compare(
         200,
-        || drop(black_box(told(&stage))),
-        || drop(black_box(untold(&stage))),
+        || drop(black_box(recorded(&prepared))),
+        || drop(black_box(untold(&prepared))),
     );
     report(
         "unrecorded body against the body without recorder calls",
@@ -101,8 +101,8 @@ fn main() {
     let mut recording = Recording::new(RecordingLimit::default());
     let mut record = || {
         recording.restart(RecordingLimit::default());
-        let mut frame = frame(&stage);
-        gouraud(&stage, Focus::Frame, &mut frame, &mut recording);
+        let mut frame = frame(&prepared);
+        gouraud(&prepared, Focus::Frame, &mut frame, &mut recording);
         black_box(frame);
         recording.len()
     };
@@ -114,7 +114,7 @@ fn main() {
             || {
                 black_box(record());
             },
-            || drop(black_box(told(&stage))),
+            || drop(black_box(recorded(&prepared))),
         ),
     );
     println!(
@@ -132,14 +132,14 @@ fn main() {
             40,
             || {
                 let run = Run::record(
-                    stage.clone(),
+                    prepared.clone(),
                     Method::Gouraud,
                     focus,
                     RecordingLimit::default(),
                 );
                 steps = run.walk().len();
             },
-            || drop(black_box(told(&stage))),
+            || drop(black_box(recorded(&prepared))),
         );
         report(
             &format!("{focus:?} recorded, {steps} steps, against an unrecorded frame"),

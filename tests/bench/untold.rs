@@ -4,18 +4,18 @@
 use glam::DVec3;
 use lightwalk::algorithms::focus::{Focus, Region};
 use lightwalk::algorithms::frame::Frame;
-use lightwalk::algorithms::stage::Stage;
+use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::color::Rgb;
 use lightwalk::numeric::Ramp;
 use lightwalk::scene::{Highlight, Light, Material, Mesh, View};
 
-pub fn gouraud(stage: &Stage, focus: Focus, frame: &mut Frame) {
+pub fn gouraud(prepared: &PreparedScene, focus: Focus, frame: &mut Frame) {
     let region = focus.region(frame);
     let mut scan_line = ScanLine::default();
     let mut corners = Vec::new();
     let mut lit: Vec<Option<Rgb>> = Vec::new();
     let mut object = None;
-    for polygon in stage.polygons(focus, &region) {
+    for polygon in prepared.polygons(focus, &region) {
         if object != Some(polygon.object) {
             object = Some(polygon.object);
             lit.clear();
@@ -26,14 +26,16 @@ pub fn gouraud(stage: &Stage, focus: Focus, frame: &mut Frame) {
             let value = *lit[vertex as usize].get_or_insert_with(|| {
                 let position = polygon.mesh.position(vertex);
                 let normal = vertex_normal(polygon.mesh, vertex);
-                illuminate(position, normal, polygon.material, stage)
+                illuminate(position, normal, polygon.material, prepared)
             });
             corners.push(Corner {
                 position: place.camera,
                 value,
             });
         }
-        scan_line.fill(&corners, &stage.view, &region, frame, |_, _, value| value);
+        scan_line.fill(&corners, &prepared.view, &region, frame, |_, _, value| {
+            value
+        });
     }
 }
 
@@ -56,15 +58,20 @@ fn vertex_normal(mesh: &Mesh, vertex: u32) -> DVec3 {
     }
 }
 
-fn illuminate(position: DVec3, normal: DVec3, material: &Material, stage: &Stage) -> Rgb {
-    let to_eye = (stage.view.eye - position).normalize_or_zero();
+fn illuminate(
+    position: DVec3,
+    normal: DVec3,
+    material: &Material,
+    prepared: &PreparedScene,
+) -> Rgb {
+    let to_eye = (prepared.view.eye - position).normalize_or_zero();
     let normal = if normal.dot(to_eye) < 0.0 {
         -normal
     } else {
         normal
     };
-    let mut intensity = material.ambient * stage.scene.ambient;
-    for light in &stage.scene.lights {
+    let mut intensity = material.ambient * prepared.scene.ambient;
+    for light in &prepared.scene.lights {
         intensity += illuminate_by(light, position, normal, to_eye, material);
     }
     intensity

@@ -1,10 +1,10 @@
 //! Stages that several tests look at.
 
-use lightwalk::algorithms::stage::Stage;
+use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::scene::{self, Limits, View};
 
 /// The scene of a JSON text, whose meshes are files of the repository's lessons, in front of its camera.
-pub fn stage(json: &str, width: u32, height: u32) -> Stage {
+pub fn prepared(json: &str, width: u32, height: u32) -> PreparedScene {
     let lessons = concat!(env!("CARGO_MANIFEST_DIR"), "/lessons/");
     let mut read_file =
         |name: &str| std::fs::read(format!("{lessons}{name}")).map_err(|error| error.to_string());
@@ -15,7 +15,7 @@ pub fn stage(json: &str, width: u32, height: u32) -> Stage {
         width,
         height,
     );
-    Stage::new(scene, view)
+    PreparedScene::new(scene, view)
 }
 
 /// The teapot, with a quadrilateral that cuts through it, two lights and a sphere behind the eye.

@@ -1,11 +1,11 @@
 //! The words of the contract where rounding could speak against them.
 
-use crate::common::stage;
+use crate::common::prepared_scene;
 use crate::{blank, settings};
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::ray_tracing::{RayTracer, ray_tracing};
-use lightwalk::algorithms::visible::{Hierarchy, InTurn, Search};
+use lightwalk::algorithms::visible::{BruteForce, Bvh, Search};
 use lightwalk::color::Rgb;
 use lightwalk::record::Unrecorded;
 
@@ -20,9 +20,9 @@ fn traced(objects: &str, light: &str, search: impl Search) -> Frame {
              "materials": {{ "lower": {{ "emission": [1, 0, 0] }}, "upper": {{ "emission": [0, 1, 0] }}, "chalk": {{ "diffuse": [1, 1, 1] }} }},
              "objects": [ {objects} ], "lights": [ {light} ] }}"#
     );
-    let stage = stage(&json, SIZE, SIZE).with_settings(settings(5, 1));
-    let mut frame = blank(&stage);
-    let tracer = RayTracer::new(&stage, stage.needs(), search);
+    let prepared = prepared(&json, SIZE, SIZE).with_settings(settings(5, 1));
+    let mut frame = blank(&prepared);
+    let tracer = RayTracer::new(&prepared, prepared.needs(), search);
     ray_tracing(&tracer, Focus::Frame, &mut frame, &mut Unrecorded);
     frame
 }
@@ -47,10 +47,7 @@ fn of_objects_in_one_plane_across_an_axis_the_lower_is_seen() {
             r#"{{ "name": "lower", "material": "lower", {lower} }}, {{ "name": "upper", "material": "upper", {upper} }},
                {{ "name": "far", "material": "chalk", {far} }}"#
         );
-        for frame in [
-            traced(&objects, "", Hierarchy),
-            traced(&objects, "", InTurn),
-        ] {
+        for frame in [traced(&objects, "", Bvh), traced(&objects, "", BruteForce)] {
             assert!(
                 pixels(&frame).all(|color| color == Rgb::new(1.0, 0.0, 0.0)),
                 "{lower} {upper}"
@@ -72,10 +69,10 @@ fn an_object_at_the_light_does_not_stand_before_it() {
             r#"{ball}, {{ "name": "shade", "material": "lower", "casts_shadow": false, {shade} }}"#
         );
         let shaded = format!(r#"{ball}, {{ "name": "shade", "material": "lower", {shade} }}"#);
-        let expected = traced(&open, light, Hierarchy);
+        let expected = traced(&open, light, Bvh);
         for frame in [
-            traced(&shaded, light, Hierarchy),
-            traced(&shaded, light, InTurn),
+            traced(&shaded, light, Bvh),
+            traced(&shaded, light, BruteForce),
         ] {
             assert!(pixels(&frame).eq(pixels(&expected)), "{shade}");
         }

@@ -6,15 +6,15 @@ mod common;
 mod contract;
 mod reference;
 
-use common::{TEAPOT, stage};
+use common::{TEAPOT, prepared};
 use glam::DVec3;
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
+use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::algorithms::primary::Settings;
 use lightwalk::algorithms::ray_casting::{RayCaster, ray_casting};
 use lightwalk::algorithms::ray_tracing::{RayTracer, ray_tracing};
-use lightwalk::algorithms::stage::Stage;
-use lightwalk::algorithms::visible::{Hierarchy, InTurn, Search};
+use lightwalk::algorithms::visible::{BruteForce, Bvh, Search};
 use lightwalk::color::Rgb;
 use lightwalk::record::{Recording, RecordingLimit, Unrecorded};
 use lightwalk::scene::{
@@ -23,30 +23,30 @@ use lightwalk::scene::{
 use proptest::prelude::*;
 use std::num::NonZeroU32;
 
-fn blank(stage: &Stage) -> Frame {
+fn blank(prepared: &PreparedScene) -> Frame {
     Frame::new(
-        stage.view.width,
-        0..stage.view.height,
-        stage.scene.background,
+        prepared.view.width,
+        0..prepared.view.height,
+        prepared.scene.background,
     )
 }
 
-fn traced(stage: &Stage, needs: &Needs, search: impl Search) -> Frame {
-    let mut frame = blank(stage);
-    let tracer = RayTracer::new(stage, needs, search);
+fn traced(prepared: &PreparedScene, needs: &Needs, search: impl Search) -> Frame {
+    let mut frame = blank(prepared);
+    let tracer = RayTracer::new(prepared, needs, search);
     ray_tracing(&tracer, Focus::Frame, &mut frame, &mut Unrecorded);
     frame
 }
 
-fn cast(stage: &Stage, needs: &Needs, search: impl Search) -> Frame {
-    let mut frame = blank(stage);
-    let caster = RayCaster::new(stage, needs, search);
+fn cast(prepared: &PreparedScene, needs: &Needs, search: impl Search) -> Frame {
+    let mut frame = blank(prepared);
+    let caster = RayCaster::new(prepared, needs, search);
     ray_casting(&caster, Focus::Frame, &mut frame, &mut Unrecorded);
     frame
 }
 
-fn picture(stage: &Stage) -> Frame {
-    traced(stage, stage.needs(), Hierarchy)
+fn picture(prepared: &PreparedScene) -> Frame {
+    traced(prepared, prepared.needs(), Bvh)
 }
 
 fn settings(depth: u32, samples: u32) -> Settings {
@@ -62,8 +62,8 @@ fn look(objects: &str, materials: &str, more: &str, depth: u32) -> Rgb {
         r#"{{ "schema": 1, {more} "camera": {{ "eye": [0, 0, 0], "target": [0, 0, 1], "up": [0, 1, 0], "fov_x_degrees": 1 }},
              "materials": {{ {materials} }}, "objects": [ {objects} ] }}"#
     );
-    let stage = stage(&json, 1, 1).with_settings(settings(depth, 1));
-    picture(&stage).pixel(0, 0)
+    let prepared = prepared(&json, 1, 1).with_settings(settings(depth, 1));
+    picture(&prepared).pixel(0, 0)
 }
 
 #[test]
@@ -132,8 +132,8 @@ fn glass_of_index_1_is_not_there() {
                  "lights": [ {{ "point": {{ "position": [1, 2, 0] }} }} ] }}"#
         )
     };
-    let without = picture(&stage(&json(wall), 64, 48));
-    let with = picture(&stage(&json(&format!("{wall}{ball}")), 64, 48));
+    let without = picture(&prepared(&json(wall), 64, 48));
+    let with = picture(&prepared(&json(&format!("{wall}{ball}")), 64, 48));
     let differing = std::iter::zip(&without.color, &with.color)
         .filter(|(a, b)| (**a - **b).channels().iter().any(|d| d.abs() > 1e-12))
         .count();
@@ -161,7 +161,7 @@ fn a_slab_of_glass_shifts_a_ray_sideways() {
         let scene = lightwalk::scene::read(scene(edge).as_bytes(), &Default::default(), &mut read)
             .expect("a scene");
         let view = View::new(&scene.camera.expect("a camera"), 1, 1);
-        picture(&Stage::new(scene, view)).pixel(0, 0)
+        picture(&PreparedScene::new(scene, view)).pixel(0, 0)
     };
     // Without the slab the ray meets y = z = 4. A shift of s across the ray is s·√2 along y.
     let met = 4.0 - shift * std::f64::consts::SQRT_2;
@@ -183,7 +183,7 @@ fn the_critical_angle_is_kept_to_1e_12() {
                               {{ "name": "near", "material": "lit", "plane": {{ "point": [0, 0, -1], "normal": [0, 0, 1] }} }} ] }}"#,
             1.0 / 1.5
         );
-        let color = picture(&stage(&json, 1, 1)).pixel(0, 0);
+        let color = picture(&prepared(&json, 1, 1)).pixel(0, 0);
         let expected = if passes {
             [0.0, 1.0, 0.0]
         } else {
@@ -217,7 +217,7 @@ fn an_air_bubble_in_glass_turns_light_back_beyond_the_critical_angle() {
                               {{ "name": "bubble", "material": "air", "sphere": {{ "center": [0, 0, 0], "radius": 1 }} }} ] }}"#
         )
     };
-    let sum = |h: f64| picture(&stage(&json(h), 1, 1)).pixel(0, 0).r;
+    let sum = |h: f64| picture(&prepared(&json(h), 1, 1)).pixel(0, 0).r;
     // Twice the bubble's light where the ray goes in and out of it, once where it is turned back, none beside it (h > 1.5).
     assert_eq!(sum(0.999_999), 2.0);
     assert_eq!(sum(1.000_001), 1.0);
@@ -231,11 +231,11 @@ fn an_eye_inside_glass_looks_out_of_it() {
       "materials": { "glass": { "transmission": 1, "ior": 1.5, "reflection": 0, "emission": [0.125, 0, 0] } },
       "objects": [ { "name": "glass", "material": "glass", "sphere": { "center": [0, 0, 0], "radius": 1 } } ] }"#;
     // sin θ = 0.9 lies beyond 1/1.5: the light goes around inside for ever, and meets the surface at every level.
-    let color = picture(&stage(json, 1, 1).with_settings(settings(8, 1))).pixel(0, 0);
+    let color = picture(&prepared(json, 1, 1).with_settings(settings(8, 1))).pixel(0, 0);
     assert_eq!(color, Rgb::new(1.0, 0.0, 0.0));
     // Lower, it leaves at once.
     let lower = json.replace("0.9]", "0.6]");
-    let color = picture(&stage(&lower, 1, 1)).pixel(0, 0);
+    let color = picture(&prepared(&lower, 1, 1)).pixel(0, 0);
     assert_eq!(color, Rgb::new(0.125, 1.0, 0.0));
 }
 
@@ -269,9 +269,9 @@ fn scaled(scene: &Scene, factor: f64) -> Scene {
     scene
 }
 
-fn staged(scene: Scene, width: u32, height: u32) -> Stage {
+fn staged(scene: Scene, width: u32, height: u32) -> PreparedScene {
     let view = View::new(&scene.camera.expect("a camera"), width, height);
-    Stage::new(scene, view)
+    PreparedScene::new(scene, view)
 }
 
 fn rgb(largest: f64) -> impl Strategy<Value = Rgb> {
@@ -407,9 +407,9 @@ proptest! {
 
     #[test]
     fn the_hierarchy_and_every_object_in_turn_give_the_same_bits(scene in scene()) {
-        let stage = staged(scene, 40, 30);
-        prop_assert!(traced(&stage, stage.needs(), InTurn) == traced(&stage, stage.needs(), Hierarchy));
-        prop_assert!(cast(&stage, stage.needs(), InTurn) == cast(&stage, stage.needs(), Hierarchy));
+        let prepared = staged(scene, 40, 30);
+        prop_assert!(traced(&prepared, prepared.needs(), BruteForce) == traced(&prepared, prepared.needs(), Bvh));
+        prop_assert!(cast(&prepared, prepared.needs(), BruteForce) == cast(&prepared, prepared.needs(), Bvh));
     }
 
     #[test]
@@ -422,10 +422,10 @@ proptest! {
             if plain & 4 != 0 { material.specular = Rgb::BLACK }
             if plain & 8 != 0 { material.texture = None }
         }
-        let stage = staged(scene, 40, 30);
-        let everything = Needs::everything(&stage.scene);
-        prop_assert!(traced(&stage, stage.needs(), Hierarchy) == traced(&stage, &everything, Hierarchy));
-        prop_assert!(cast(&stage, stage.needs(), Hierarchy) == cast(&stage, &everything, Hierarchy));
+        let prepared = staged(scene, 40, 30);
+        let everything = Needs::everything(&prepared.scene);
+        prop_assert!(traced(&prepared, prepared.needs(), Bvh) == traced(&prepared, &everything, Bvh));
+        prop_assert!(cast(&prepared, prepared.needs(), Bvh) == cast(&prepared, &everything, Bvh));
     }
 
     #[test]
@@ -433,16 +433,16 @@ proptest! {
         let mut scene = scene;
         scene.materials.iter_mut().for_each(|material| material.texture = None);
         let size = [40, 30];
-        let stage = staged(scene, size[0], size[1]).with_settings(settings(depth, 1));
-        let frame = picture(&stage);
+        let prepared = staged(scene, size[0], size[1]).with_settings(settings(depth, 1));
+        let frame = picture(&prepared);
         let off = (0..size[1])
             .flat_map(|y| (0..size[0]).map(move |x| (x, y)))
             .filter(|&(x, y)| {
-                let expected = reference::pixel(&stage.scene, size, depth, (x, y));
+                let expected = reference::pixel(&prepared.scene, size, depth, (x, y));
                 let difference = frame.pixel(x, y) - expected;
-                let room = 1e-6 * (1.0 + expected.max_channel());
+                let enclosure = 1e-6 * (1.0 + expected.max_channel());
                 // A difference that is not a number is one too.
-                let within = |d: &f64| d.abs() <= room;
+                let within = |d: &f64| d.abs() <= enclosure;
                 !difference.channels().iter().all(within)
             })
             .count();
@@ -504,10 +504,12 @@ fn a_mesh_of_glass_is_the_same_by_hierarchy() {
         "\"specular\": 0.5,",
         "\"specular\": 0.5, \"transmission\": 0.8, \"reflection\": 0.1, \"ior\": 1.4,",
     );
-    let stage = stage(&glass, 60, 45);
-    assert!(stage.needs().transmission);
-    assert!(traced(&stage, stage.needs(), InTurn) == picture(&stage));
-    assert!(cast(&stage, stage.needs(), InTurn) == cast(&stage, stage.needs(), Hierarchy));
+    let prepared = prepared(&glass, 60, 45);
+    assert!(prepared.needs().transmission);
+    assert!(traced(&prepared, prepared.needs(), BruteForce) == picture(&prepared));
+    assert!(
+        cast(&prepared, prepared.needs(), BruteForce) == cast(&prepared, prepared.needs(), Bvh)
+    );
 }
 
 #[test]
@@ -517,9 +519,9 @@ fn samples_are_averaged() {
       "materials": { "lit": { "emission": [1, 1, 1] } },
       "objects": [ { "name": "edge", "material": "lit", "polygon": { "vertices": [[0.4, -9, 1], [0.4, 9, 1], [9, 9, 1], [9, -9, 1]] } } ] }"#;
     for (samples, expected) in [(1, 0.0), (2, 0.5), (4, 0.25), (8, 0.25)] {
-        let stage = stage(json, 1, 1).with_settings(settings(5, samples));
+        let prepared = prepared(json, 1, 1).with_settings(settings(5, samples));
         assert_eq!(
-            picture(&stage).pixel(0, 0),
+            picture(&prepared).pixel(0, 0),
             Rgb::splat(expected),
             "{samples}"
         );
@@ -541,11 +543,11 @@ fn depth_64_stays_far_from_the_end_of_the_stack() {
       "materials": { "mirror": { "emission": [0.01, 0.01, 0.01], "reflection": 0.98 } },
       "objects": [ { "name": "room", "material": "mirror", "sphere": { "center": [0.1, 0, 0], "radius": 3 } } ] }"#;
     let run = || {
-        let stage = stage(json, 4, 4).with_settings(settings(64, 1));
-        let frame = picture(&stage);
-        let mut recorded = blank(&stage);
+        let prepared = prepared(json, 4, 4).with_settings(settings(64, 1));
+        let frame = picture(&prepared);
+        let mut recorded = blank(&prepared);
         let mut recording = Recording::new(RecordingLimit::default());
-        let tracer = RayTracer::new(&stage, stage.needs(), InTurn);
+        let tracer = RayTracer::new(&prepared, prepared.needs(), BruteForce);
         ray_tracing(&tracer, Focus::Frame, &mut recorded, &mut recording);
         assert!(frame == recorded && !recording.truncated());
         let series: f64 = (0..64).map(|i| 0.01 * 0.98_f64.powi(i)).sum();
@@ -559,17 +561,17 @@ fn depth_64_stays_far_from_the_end_of_the_stack() {
 
 #[test]
 fn a_tree_of_a_million_rays_is_recorded_within_its_limit() {
-    let stage = stage(TREE, 9, 9).with_settings(settings(28, 1));
+    let prepared = prepared(TREE, 9, 9).with_settings(settings(28, 1));
     let focus = Focus::Pixel { x: 4, y: 4 };
-    let tracer = RayTracer::new(&stage, stage.needs(), InTurn);
-    let mut expected = blank(&stage);
+    let tracer = RayTracer::new(&prepared, prepared.needs(), BruteForce);
+    let mut expected = blank(&prepared);
     let mut rays = Rays(0);
     ray_tracing(&tracer, focus, &mut expected, &mut rays);
     assert!(rays.0 > 1_000_000, "{} rays", rays.0);
 
     let limit = RecordingLimit(64 << 20);
     let mut recording = Recording::new(limit);
-    let mut frame = blank(&stage);
+    let mut frame = blank(&prepared);
     ray_tracing(&tracer, focus, &mut frame, &mut recording);
     assert!(frame == expected);
     assert!(recording.truncated() && recording.len() * 64 <= 64 << 20);
@@ -588,7 +590,7 @@ impl lightwalk::record::Recorder<lightwalk::algorithms::ray_tracing::Event> for 
 
 #[test]
 fn light_without_bounds_stays_a_number() {
-    let stage = stage(
+    let prepared = prepared(
         &TREE
             .replace("\"reflection\": 0.4", "\"reflection\": [1e300, 0, 1e-300]")
             .replace("[0.2, 0.3, 0.5]", "[1e300, 1e300, 1e300]"),
@@ -596,7 +598,7 @@ fn light_without_bounds_stays_a_number() {
         8,
     )
     .with_settings(settings(8, 1));
-    for color in picture(&stage).color {
+    for color in picture(&prepared).color {
         assert!(color.channels().iter().all(|c| c.is_finite()), "{color:?}");
     }
 }

@@ -1,13 +1,13 @@
 //! Where things get extreme: slivers, edges that hit centres of pixels, polygons edge-on or far larger than the screen, normals
 //! that cancel out, lights in the surface, and a million triangles.
 
-use super::common::stage;
+use super::common::prepared_scene;
 use super::{
     CHALK, CLAY, FAMILY, LAMP, SIZE, SUN, apart, assert_as_rays, difference, picture, polygon,
     scene,
 };
 use lightwalk::algorithms::focus::Focus;
-use lightwalk::algorithms::stage::Stage;
+use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::color::Rgb;
 use lightwalk::record::{RecordingLimit, Value};
 use lightwalk::render::Method;
@@ -54,10 +54,10 @@ fn a_sliver_a_thousandth_of_a_pixel_wide_is_lit_where_it_is() {
             [left, 5.3, depth],
         ];
         let json = scene(CLAY, &[polygon(&sliver)], LAMP);
-        let stage = stage(&json, SIZE, SIZE);
-        let rays = picture(&stage, Method::RayCasting);
-        let phong = picture(&stage, Method::Phong);
-        let (largest, drawn) = difference(&stage, &phong, &rays);
+        let prepared = prepared(&json, SIZE, SIZE);
+        let rays = picture(&prepared, Method::RayCasting);
+        let phong = picture(&prepared, Method::Phong);
+        let (largest, drawn) = difference(&prepared, &phong, &rays);
         assert!(drawn > 0 && largest < 1e-11, "{drawn} pixels, {largest:e}");
     }
 }
@@ -73,9 +73,9 @@ fn edge_on_a_polygon_shows_nothing() {
     let plane = edge_on.map(|[_, y, z]| [0.5 * (12.0 - z) / 12.0, y, z]);
     for vertices in [edge_on, plane] {
         let json = scene(CLAY, &[polygon(&vertices)], LAMP);
-        let stage = stage(&json, SIZE, SIZE);
+        let prepared = prepared(&json, SIZE, SIZE);
         for method in FAMILY {
-            let picture = picture(&stage, method);
+            let picture = picture(&prepared, method);
             assert!(
                 picture
                     .color
@@ -117,10 +117,10 @@ fn a_light_in_the_surface_lights_nothing_of_it_and_breaks_nothing() {
     ];
     // At the very point that pixel (12, 11) shows, where L is a rounding error and may point anywhere
     let inside = r#"{ "point": { "position": [0.5, 0.5, 0], "attenuation": [0, 0, 1] } }"#;
-    let stage = stage(&scene(CHALK, &[polygon(&upright)], inside), SIZE, SIZE);
+    let prepared = prepared(&scene(CHALK, &[polygon(&upright)], inside), SIZE, SIZE);
     let ambient = Rgb::new(0.05, 0.06, 0.07);
     for method in FAMILY {
-        let picture = picture(&stage, method);
+        let picture = picture(&prepared, method);
         for (x, y) in (4..19).flat_map(|y| (4..19).map(move |x| (x, y))) {
             let color = picture.pixel(x, y);
             assert!(color.channels().iter().all(|v| v.is_finite()));
@@ -144,14 +144,14 @@ fn a_shininess_of_a_million_makes_a_highlight_of_the_size_of_a_pixel() {
     let json = scene(&glossy, &[polygon(&upright)], above);
     // Errors of 1e-16 in N·H are a million times as large in its power.
     assert_as_rays("shininess", &json, 1e-9);
-    let phong = picture(&stage(&json, SIZE, SIZE), Method::Phong);
+    let phong = picture(&prepared(&json, SIZE, SIZE), Method::Phong);
     let at = |x, y| phong.pixel(x, y);
     assert!(apart(at(12, 11), at(13, 11)) > 0.29, "no highlight");
     assert!(apart(at(13, 11), at(14, 11)) < 0.01, "too wide");
 }
 
 /// A mesh file beside a scene that shows it as object 0.
-fn mesh_stage(obj: &str, material: &str, light: &str, width: u32, height: u32) -> Stage {
+fn mesh_stage(obj: &str, material: &str, light: &str, width: u32, height: u32) -> PreparedScene {
     let json = scene(
         material,
         &[r#""mesh": { "file": "m.obj" }"#.to_string()],
@@ -160,7 +160,7 @@ fn mesh_stage(obj: &str, material: &str, light: &str, width: u32, height: u32) -
     let mut read = |_: &str| Ok(obj.as_bytes().to_vec());
     let scene = scene::read(json.as_bytes(), &Limits::default(), &mut read).expect("a scene");
     let view = View::new(&scene.camera.expect("a camera"), width, height);
-    Stage::new(scene, view)
+    PreparedScene::new(scene, view)
 }
 
 #[test]
@@ -168,9 +168,9 @@ fn where_opposite_normals_cancel_out_the_face_stands_in() {
     // Two faces that look back turn the normal of each lower corner round: half-way up the interpolated normal is zero.
     let obj = "v -6 6.5 0\nv -6 -5.5 0\nv 6 -5.5 0\nv 6 6.5 0\nv 0 -7 0\nv 0 -8 0\nv 0 -9 0\n\
                f 1 2 3 4\nf 2 3 5\nf 2 3 6\nf 2 3 7\n";
-    let stage = Arc::new(mesh_stage(obj, CLAY, SUN, SIZE, SIZE));
+    let prepared = Arc::new(mesh_stage(obj, CLAY, SUN, SIZE, SIZE));
     let run = Run::record(
-        stage.clone(),
+        prepared.clone(),
         Method::Phong,
         Focus::Polygon(0),
         RecordingLimit::default(),
@@ -183,8 +183,8 @@ fn where_opposite_normals_cancel_out_the_face_stands_in() {
     assert!(rows.iter().all(|&y| y == Some(Value::Integer(11))));
     // Under the sun N and −N, turned toward the eye, are lit alike: as flat shading, which sees the face.
     let (flat, phong) = (
-        picture(&stage, Method::Flat),
-        picture(&stage, Method::Phong),
+        picture(&prepared, Method::Flat),
+        picture(&prepared, Method::Phong),
     );
     for y in [6, 10, 11, 12, 16] {
         let (flat, phong) = (flat.pixel(11, y), phong.pixel(11, y));
@@ -211,10 +211,10 @@ fn a_mesh_of_a_million_triangles_is_drawn_in_reasonable_time() {
             writeln!(obj, "f {a} {b} {c}\nf {a} {c} {d}").expect("a string");
         }
     }
-    let stage = mesh_stage(&obj, CHALK, SUN, 240, 240);
-    assert!(stage.tessellation.polygon_count() > 1_000_000);
+    let prepared = mesh_stage(&obj, CHALK, SUN, 240, 240);
+    assert!(prepared.tessellation.polygon_count() > 1_000_000);
     let start = Instant::now();
-    let phong = picture(&stage, Method::Phong);
+    let phong = picture(&prepared, Method::Phong);
     let seconds = start.elapsed().as_secs_f64();
     assert!(seconds < 20.0, "{seconds} s");
     let toward = glam::DVec3::new(1.0, 2.0, 3.0).normalize();

@@ -4,10 +4,10 @@
 mod common;
 mod extremes;
 
-use common::{TEAPOT, stage};
+use common::{TEAPOT, prepared};
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
-use lightwalk::algorithms::stage::Stage;
+use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::algorithms::texture::Mapping;
 use lightwalk::color::Rgb;
 use lightwalk::record::{RecordingLimit, Value};
@@ -47,8 +47,8 @@ fn polygon(vertices: &[[f64; 3]]) -> String {
     format!(r#""polygon": {{ "vertices": {vertices:?} }}"#)
 }
 
-fn picture(stage: &Stage, method: Method) -> Frame {
-    render(stage, method, NonZeroUsize::MIN, &|_, _| {})
+fn picture(prepared: &PreparedScene, method: Method) -> Frame {
+    render(prepared, method, NonZeroUsize::MIN, &|_, _| {})
 }
 
 fn apart(a: Rgb, b: Rgb) -> f64 {
@@ -60,9 +60,9 @@ fn apart(a: Rgb, b: Rgb) -> f64 {
 }
 
 /// The largest difference of two pictures, and how many pixels of the first are drawn.
-fn difference(stage: &Stage, a: &Frame, b: &Frame) -> (f64, usize) {
+fn difference(prepared: &PreparedScene, a: &Frame, b: &Frame) -> (f64, usize) {
     let largest = a.color.iter().zip(&b.color).map(|(&a, &b)| apart(a, b));
-    let drawn = |color: &&Rgb| **color != stage.scene.background;
+    let drawn = |color: &&Rgb| **color != prepared.scene.background;
     assert!(
         a.color
             .iter()
@@ -76,11 +76,11 @@ fn difference(stage: &Stage, a: &Frame, b: &Frame) -> (f64, usize) {
 
 /// On a polygon, which is its own true surface, Phong shading lights what a ray finds. Returns the number of pixels drawn.
 fn assert_as_rays(what: &str, json: &str, within: f64) -> usize {
-    let stage = stage(json, SIZE, SIZE);
-    let rays = picture(&stage, Method::RayCasting);
+    let prepared = prepared(json, SIZE, SIZE);
+    let rays = picture(&prepared, Method::RayCasting);
     let mut count = 0;
     for method in [Method::Phong, Method::Exact] {
-        let (largest, drawn) = difference(&stage, &picture(&stage, method), &rays);
+        let (largest, drawn) = difference(&prepared, &picture(&prepared, method), &rays);
         assert!(largest <= within, "{what}, {}: {largest:e}", method.name());
         count = drawn;
     }
@@ -98,17 +98,17 @@ const TILTED: [[f64; 3]; 4] = [
 #[test]
 fn on_a_polygon_that_is_lit_evenly_all_of_the_family_agree() {
     // Without a highlight and under the sun the intensity is the same everywhere.
-    let stage = stage(&scene(CHALK, &[polygon(&TILTED)], SUN), SIZE, SIZE);
-    let flat = picture(&stage, Method::Flat);
+    let prepared = prepared(&scene(CHALK, &[polygon(&TILTED)], SUN), SIZE, SIZE);
+    let flat = picture(&prepared, Method::Flat);
     let colors: Vec<Rgb> = flat
         .color
         .iter()
         .copied()
-        .filter(|&color| color != stage.scene.background)
+        .filter(|&color| color != prepared.scene.background)
         .collect();
     assert!(colors.len() > 100 && colors.iter().all(|&color| color == colors[0]));
     for method in FAMILY {
-        let (largest, _) = difference(&stage, &picture(&stage, method), &flat);
+        let (largest, _) = difference(&prepared, &picture(&prepared, method), &flat);
         assert!(largest < 1e-14, "{}: {largest:e}", method.name());
     }
 }
@@ -123,7 +123,7 @@ fn phong_lights_a_tilted_polygon_as_a_ray_finds_it() {
 fn a_texture_is_where_rays_find_it() {
     let textured = format!("{CHALK}{CHECKER}");
     // Under the sun without a highlight the intensity is even: flat and Gouraud shading show the same.
-    let even = stage(&scene(&textured, &[polygon(&TILTED)], SUN), SIZE, SIZE);
+    let even = prepared(&scene(&textured, &[polygon(&TILTED)], SUN), SIZE, SIZE);
     let rays = picture(&even, Method::RayCasting);
     for method in FAMILY {
         let (largest, drawn) = difference(&even, &picture(&even, method), &rays);
@@ -142,10 +142,10 @@ fn the_plain_texture_is_right_only_where_the_depth_does_not_change() {
     let textured = format!("{CHALK}{CHECKER}");
     let pictures = |vertices: &[[f64; 3]]| {
         let json = scene(&textured, &[polygon(vertices)], SUN);
-        let right = stage(&json, SIZE, SIZE);
-        let plain = stage(&json, SIZE, SIZE).with_mapping(Mapping::Linear);
+        let right = prepared(&json, SIZE, SIZE);
+        let plain = prepared(&json, SIZE, SIZE).with_mapping(Mapping::Linear);
         FAMILY.map(|method| {
-            let [right, plain] = [&right, &plain].map(|stage| picture(stage, method));
+            let [right, plain] = [&right, &plain].map(|prepared| picture(prepared, method));
             let both = right.color.iter().zip(&plain.color);
             both.filter(|&(&a, &b)| apart(a, b) > 1e-12).count()
         })
@@ -163,26 +163,29 @@ fn the_plain_texture_is_right_only_where_the_depth_does_not_change() {
 #[test]
 fn both_textures_are_told_at_the_pixel() {
     let json = scene(&format!("{CLAY}{CHECKER}"), &[polygon(&TILTED)], LAMP);
-    let stage = Arc::new(stage(&json, SIZE, SIZE));
+    let prepared = Arc::new(prepared(&json, SIZE, SIZE));
     for method in FAMILY {
         let focus = Focus::Pixel { x: 12, y: 9 };
-        let run = Run::record(stage.clone(), method, focus, RecordingLimit::default());
+        let run = Run::record(prepared.clone(), method, focus, RecordingLimit::default());
         let walk = run.walk();
-        let told = |kind: &str, name: &str| {
+        let recorded = |kind: &str, name: &str| {
             let step = (0..walk.len()).find(|&step| walk.kind(step) == kind)?;
             walk.own_fields(step).get(name)
         };
-        assert_eq!(told("TextureTaken", "T"), told("Textured", "texture"));
-        let Some(Value::Number(v)) = told("Textured", "v_texture") else {
+        assert_eq!(
+            recorded("TextureTaken", "T"),
+            recorded("Textured", "texture")
+        );
+        let Some(Value::Number(v)) = recorded("Textured", "v_texture") else {
             panic!("{}", method.name())
         };
-        let Some(Value::Number(plain)) = told("TexturedLinearly", "v_linear") else {
+        let Some(Value::Number(plain)) = recorded("TexturedLinearly", "v_linear") else {
             panic!("{}", method.name())
         };
         // The lower half is nearer, and so takes more of the screen: half-way up is not yet the middle of the polygon.
         assert!(v < plain - 0.03, "{v} {plain}");
     }
-    let plain = Arc::new(self::stage(TEAPOT, 32, 24));
+    let plain = Arc::new(self::prepared(TEAPOT, 32, 24));
     for method in FAMILY {
         let run = Run::record(
             plain.clone(),
@@ -202,16 +205,16 @@ fn both_textures_are_told_at_the_pixel() {
 #[test]
 fn the_exact_picture_of_a_sphere_is_what_rays_show_inside_its_polygons() {
     let ball = r#""sphere": { "center": [0.4, -0.3, 0], "radius": 6 }"#.to_string();
-    let stage = stage(
+    let prepared = prepared(
         &scene(&format!("{CLAY}{CHECKER}"), &[ball], LAMP),
         SIZE,
         SIZE,
     );
-    let rays = picture(&stage, Method::RayCasting);
-    let exact = picture(&stage, Method::Exact);
+    let rays = picture(&prepared, Method::RayCasting);
+    let exact = picture(&prepared, Method::Exact);
     let mut seen = 0;
     for (&exact, &rays) in exact.color.iter().zip(&rays.color) {
-        if exact != stage.scene.background {
+        if exact != prepared.scene.background {
             assert!(apart(exact, rays) < 1e-12, "{exact:?} for {rays:?}");
             seen += 1;
         }
@@ -219,7 +222,7 @@ fn the_exact_picture_of_a_sphere_is_what_rays_show_inside_its_polygons() {
     assert!(seen > 100);
     // Phong's picture is near, Gouraud's less so, flat shading's least.
     let mean = |method| {
-        let picture = picture(&stage, method);
+        let picture = picture(&prepared, method);
         let both = picture.color.iter().zip(&exact.color);
         both.map(|(&a, &b)| apart(a, b)).sum::<f64>() / f64::from(seen)
     };

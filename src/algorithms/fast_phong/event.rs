@@ -3,7 +3,7 @@
 use super::PSEUDOCODE;
 use crate::algorithms::flat::Nothing;
 use crate::algorithms::shading::{self, Lines, Shading};
-use crate::algorithms::{illumination, scan_line, stage, texture, vertex_normal};
+use crate::algorithms::{illumination, prepared_scene, scan_line, texture, vertex_normal};
 use crate::color::Rgb;
 use crate::numeric::{Differences, Quadratic};
 use crate::record::{self, Fields, Line};
@@ -34,7 +34,7 @@ impl Cosine {
 pub enum FastPhong {}
 
 impl Shading for FastPhong {
-    type Told = Nothing;
+    type Recorded = Nothing;
     const LINES: Lines = Lines {
         listing: &PSEUDOCODE,
         vertex_normal: 2,
@@ -99,8 +99,8 @@ pub enum Event {
 
 const _: () = assert!(size_of::<Event>() <= 64);
 
-impl From<stage::Event> for Event {
-    fn from(event: stage::Event) -> Self {
+impl From<prepared_scene::Event> for Event {
+    fn from(event: prepared_scene::Event) -> Self {
         Event::Shading(event.into())
     }
 }

@@ -4,8 +4,8 @@ use super::event::{Cosine, Event};
 use crate::algorithms::flat::Nothing;
 use crate::algorithms::illumination::{self, incidence};
 use crate::algorithms::intensity::Intensity;
+use crate::algorithms::prepared_scene::{Polygon, PreparedScene};
 use crate::algorithms::scan_line::{Corner, Fragment};
-use crate::algorithms::stage::{Polygon, Stage};
 use crate::algorithms::texture::WithUv;
 use crate::color::Rgb;
 use crate::numeric::{Differences, LinearNormal, PowerTable, Quadratic, Setup};
@@ -54,15 +54,15 @@ impl Expansion {
         &mut self,
         triangle: &[Corner<WithUv<DVec3>>; 3],
         polygon: &Polygon,
-        stage: &Stage,
+        prepared: &PreparedScene,
         recorder: &mut R,
     ) {
         // The point that is seen at the triangle's middle on the screen, where 1/z is the mean
-        let screen = triangle.map(|corner| stage.view.to_screen(corner.position));
+        let screen = triangle.map(|corner| prepared.view.to_screen(corner.position));
         self.middle = middle_of(screen);
         let sum: f64 = triangle.iter().map(|c| 1.0 / c.position.z).sum();
-        let position = stage.view.from_screen(self.middle, 3.0 / sum);
-        let to_eye = (stage.view.eye - position).normalize_or_zero();
+        let position = prepared.view.from_screen(self.middle, 3.0 / sum);
+        let to_eye = (prepared.view.eye - position).normalize_or_zero();
         let ExpandedNormal {
             normal,
             vanished,
@@ -89,11 +89,11 @@ impl Expansion {
         });
         recorder.step(|| illumination::Event::Viewer { to_eye, turned }.into());
         let k_a = polygon.material.ambient;
-        self.ambient = k_a * stage.scene.ambient;
+        self.ambient = k_a * prepared.scene.ambient;
         let term = self.ambient;
         recorder.step(|| illumination::Event::Ambient { k_a, term }.into());
 
-        for (light, source) in stage.scene.lights.iter().enumerate() {
+        for (light, source) in prepared.scene.lights.iter().enumerate() {
             let incidence = incidence(source, position);
             let n_dot_l = unit.dot(incidence.to_light);
             recorder.enter(|| incidence.entered(light, n_dot_l).into());

@@ -102,26 +102,26 @@ fn from_86_degrees_fast_phong_is_worse_than_linear_cosines_and_from_97_than_gour
     assert_eq!(first(|errors| errors.gouraud[0]), Some(97));
 }
 
-fn stage(json: &str, width: u32, height: u32) -> Stage {
+fn prepared(json: &str, width: u32, height: u32) -> PreparedScene {
     let mut no_files = |_: &str| Err("no files".to_owned());
     let scene = scene::read(json.as_bytes(), &Limits::default(), &mut no_files).unwrap();
     let view = View::new(&scene.camera.unwrap(), width, height);
-    Stage::new(scene, view)
+    PreparedScene::new(scene, view)
 }
 
-fn draw<R: Recorder<Event>>(stage: &Stage, focus: Focus, recorder: &mut R) -> Frame {
+fn draw<R: Recorder<Event>>(prepared: &PreparedScene, focus: Focus, recorder: &mut R) -> Frame {
     let mut frame = Frame::new(
-        stage.view.width,
-        0..stage.view.height,
-        stage.scene.background,
+        prepared.view.width,
+        0..prepared.view.height,
+        prepared.scene.background,
     );
-    fast_phong(stage, focus, &mut frame, recorder);
+    fast_phong(prepared, focus, &mut frame, recorder);
     frame
 }
 
-fn recorded(stage: &Stage, focus: Focus) -> (Frame, Recording<Event>) {
+fn recorded(prepared: &PreparedScene, focus: Focus) -> (Frame, Recording<Event>) {
     let mut recording = Recording::new(RecordingLimit::default());
-    let frame = draw(stage, focus, &mut recording);
+    let frame = draw(prepared, focus, &mut recording);
     (frame, recording)
 }
 
@@ -150,16 +150,16 @@ const SCENE: &str = r#"{ "schema": 1, "background": [0.1, 0.2, 0.3],
 
 #[test]
 fn what_is_recorded_is_what_is_drawn_whatever_is_looked_at() {
-    let stage = stage(SCENE, 80, 60);
-    let whole = draw(&stage, Focus::Frame, &mut Unrecorded);
-    assert!(recorded(&stage, Focus::Frame).0 == whole);
+    let prepared = prepared(SCENE, 80, 60);
+    let whole = draw(&prepared, Focus::Frame, &mut Unrecorded);
+    assert!(recorded(&prepared, Focus::Frame).0 == whole);
     for (x, y) in [(50, 25), (45, 20), (20, 30), (40, 50)] {
-        let (pixel, recording) = recorded(&stage, Focus::Pixel { x, y });
-        assert_ne!(pixel.pixel(x, y), stage.scene.background);
+        let (pixel, recording) = recorded(&prepared, Focus::Pixel { x, y });
+        assert_ne!(pixel.pixel(x, y), prepared.scene.background);
         assert_eq!(pixel.pixel(x, y), whole.pixel(x, y), "({x}, {y})");
         assert!(recording.len() > 10);
     }
-    let (row, _) = recorded(&stage, Focus::ScanLine(25));
+    let (row, _) = recorded(&prepared, Focus::ScanLine(25));
     for x in 0..80 {
         assert_eq!(row.pixel(x, 25), whole.pixel(x, 25));
     }
@@ -167,8 +167,8 @@ fn what_is_recorded_is_what_is_drawn_whatever_is_looked_at() {
 
 #[test]
 fn differences_stay_with_their_polynomial_and_it_with_the_cosine_where_facets_are_small() {
-    let stage = stage(SCENE, 320, 240);
-    let (_, recording) = recorded(&stage, Focus::Frame);
+    let prepared = prepared(SCENE, 320, 240);
+    let (_, recording) = recorded(&prepared, Focus::Frame);
     let (mut drift, mut error, mut count) = (0_f64, 0_f64, 0);
     for event in recording
         .events()
@@ -191,10 +191,10 @@ fn far_from_light_and_eye_it_is_near_phongs_picture() {
       "materials": { "white": { "diffuse": [0.7, 0.7, 0.7], "specular": 0.3, "shininess": 20 } },
       "objects": [ { "name": "ball", "material": "white", "sphere": { "center": [0, 0, 0], "radius": 1 } } ],
       "lights": [ { "directional": { "toward": [1, -1, -1] } } ] }"#;
-    let stage = stage(json, 160, 160);
-    let fast = draw(&stage, Focus::Frame, &mut Unrecorded);
+    let prepared = prepared(json, 160, 160);
+    let fast = draw(&prepared, Focus::Frame, &mut Unrecorded);
     let mut exact = Frame::new(160, 0..160, Rgb::BLACK);
-    phong(&stage, Focus::Frame, &mut exact, &mut Unrecorded);
+    phong(&prepared, Focus::Frame, &mut exact, &mut Unrecorded);
     // On the outline Phong turns N pixel by pixel, where it points away from the eye by a little; a triangle is turned once.
     let seen = |x: u32, y: u32| exact.inverse_depth[exact.index(x, y)] > 0.0;
     let (mut turned, mut largest) = (0, 0_f64);
@@ -213,15 +213,15 @@ fn far_from_light_and_eye_it_is_near_phongs_picture() {
 
 #[test]
 fn a_polygon_whose_corners_have_one_normal_takes_the_light_of_its_middle() {
-    let stage = stage(SCENE, 80, 60);
-    let arrow = stage.tessellation.first_polygon(1);
-    let (frame, recording) = recorded(&stage, Focus::Polygon(arrow));
+    let prepared = prepared(SCENE, 80, 60);
+    let arrow = prepared.tessellation.first_polygon(1);
+    let (frame, recording) = recorded(&prepared, Focus::Polygon(arrow));
     let triangles = recording
         .events()
         .filter(|event| event.kind() == "Triangle");
     assert_eq!(triangles.count(), 3, "five corners, ears cut");
     let mut colors: Vec<Rgb> = frame.color.clone();
-    colors.retain(|&color| color != stage.scene.background);
+    colors.retain(|&color| color != prepared.scene.background);
     colors.sort_by(|a, b| a.r.total_cmp(&b.r));
     colors.dedup_by(|a, b| (a.r - b.r).abs() < 1e-14);
     assert!(colors.len() <= 3, "{colors:?}");
@@ -234,10 +234,10 @@ fn a_texture_multiplies_the_diffuse_part_alone() {
         r#""shininess": 20"#,
         &format!(r#""shininess": 20, {checker}"#),
     );
-    let (plain, textured) = (stage(SCENE, 80, 60), stage(&json, 80, 60));
+    let (plain, textured) = (prepared(SCENE, 80, 60), prepared(&json, 80, 60));
     let without_red = SCENE.replace("[0.2, 0.3, 0.7]", "[0, 0.3, 0.7]");
-    let [plain, textured, expected] = [plain, textured, stage(&without_red, 80, 60)]
-        .map(|stage| draw(&stage, Focus::Frame, &mut Unrecorded));
+    let [plain, textured, expected] = [plain, textured, prepared(&without_red, 80, 60)]
+        .map(|prepared| draw(&prepared, Focus::Frame, &mut Unrecorded));
     assert!(plain != textured);
     for (found, expected) in textured.color.iter().zip(&expected.color) {
         assert!(
@@ -250,9 +250,9 @@ fn a_texture_multiplies_the_diffuse_part_alone() {
 
 #[test]
 fn a_triangle_cut_by_the_near_plane_is_drawn_in_pieces_without_a_gap() {
-    let stage = stage(SCENE, 80, 60);
-    let floor = stage.tessellation.first_polygon(2);
-    let (frame, _) = recorded(&stage, Focus::Polygon(floor));
+    let prepared = prepared(SCENE, 80, 60);
+    let floor = prepared.tessellation.first_polygon(2);
+    let (frame, _) = recorded(&prepared, Focus::Polygon(floor));
     for x in 0..80 {
         assert!(frame.inverse_depth[frame.index(x, 59)] > 0.0, "column {x}");
         assert!(frame.pixel(x, 59).g.is_finite());
@@ -261,8 +261,10 @@ fn a_triangle_cut_by_the_near_plane_is_drawn_in_pieces_without_a_gap() {
 
 #[test]
 fn vertex_normals_that_cancel_out_give_way_to_the_normal_of_the_face() {
-    let stage = stage(SCENE, 80, 60);
-    let polygon = stage.polygon(stage.tessellation.first_polygon(1)).unwrap();
+    let prepared = prepared(SCENE, 80, 60);
+    let polygon = prepared
+        .polygon(prepared.tessellation.first_polygon(1))
+        .unwrap();
     let face: Vec<Corner<DVec3>> = polygon
         .corners()
         .map(|(_, place)| Corner {
@@ -288,7 +290,7 @@ fn vertex_normals_that_cancel_out_give_way_to_the_normal_of_the_face() {
             })
         });
         let mut expansion = Expansion::default();
-        expansion.expand(&triangle, &polygon, &stage, &mut Unrecorded);
+        expansion.expand(&triangle, &polygon, &prepared, &mut Unrecorded);
         let fragment = crate::algorithms::scan_line::Fragment {
             x: 20,
             y: 20,

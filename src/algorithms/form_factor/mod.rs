@@ -17,7 +17,7 @@ pub mod auto;
 pub mod contour;
 pub mod element_to_polygon;
 mod event;
-pub mod far;
+pub mod far_field;
 pub mod gauss;
 mod groups;
 pub mod hemicube;
@@ -35,7 +35,7 @@ pub use visibility::Blockers;
 use crate::record::{Recorder, Unrecorded};
 use crate::scene::patches::Patches;
 use crate::scene::{Part, Parts};
-use far::Far;
+use far_field::Far;
 use hemicube::Hemicubes;
 use polygon::Polygon;
 use std::ops::Range;
@@ -125,7 +125,7 @@ pub struct FormFactors<'a> {
     blockers: Option<&'a Blockers>,
     far: Far,
     /// What is done although the patches do not need it.
-    anyway: Parts,
+    forced: Parts,
 }
 
 impl<'a> FormFactors<'a> {
@@ -135,13 +135,13 @@ impl<'a> FormFactors<'a> {
             method,
             blockers,
             far: Far::of(patches),
-            anyway: Parts::NONE,
+            forced: Parts::NONE,
         }
     }
 
     /// The same, with some parts done although the patches do not need them.
-    pub fn doing(self, anyway: Parts) -> Self {
-        FormFactors { anyway, ..self }
+    pub fn with_forced(self, forced: Parts) -> Self {
+        FormFactors { forced, ..self }
     }
 
     /// Whether no light passes between two patches because one lies behind the other or in its plane, or is the same.
@@ -255,8 +255,8 @@ impl<'a> FormFactors<'a> {
             _ => row.fill(f64::NAN),
         }
         for (j, exchange) in (first..end).zip(row) {
-            let anyway = *exchange == 0.0 && self.anyway.has(Part::FacingAway);
-            if exchange.is_nan() || anyway {
+            let forced = *exchange == 0.0 && self.forced.has(Part::FacingAway);
+            if exchange.is_nan() || forced {
                 *exchange = self.unblocked(i, j, &mut Unrecorded);
             }
             if let Some(blockers) = self.blockers
@@ -275,7 +275,7 @@ impl<'a> FormFactors<'a> {
         exchange: f64,
         recorder: &mut R,
     ) -> f64 {
-        if !self.anyway.has(Part::SightTests) && !blockers.can_stand_between(i, j) {
+        if !self.forced.has(Part::SightTests) && !blockers.can_stand_between(i, j) {
             return 1.0;
         }
         // The larger of F_ij and F_ji.
@@ -295,7 +295,7 @@ impl<'a> FormFactors<'a> {
             for piece_j in self.polygons(j) {
                 let Some([a, b]) = facing(piece_i.clone(), piece_j.clone()) else {
                     recorder.step(|| Event::FacesAway);
-                    if self.anyway.has(Part::FacingAway) {
+                    if self.forced.has(Part::FacingAway) {
                         // At every pair of points one of the cosines is 0.
                         let points = [POINTS_ANYWAY; 2];
                         sum += area_to_area::exchange(&piece_i, &piece_j, points, recorder);

@@ -11,7 +11,7 @@ use super::sample::{self, Sample};
 use super::sobol::Sobol;
 use crate::record::{Listing, Recorder};
 use crate::scene::patches::Patches;
-use crate::scene::solids::{Ray, Solids};
+use crate::scene::primitives::{Primitives, Ray};
 use crate::scene::{Mesh, Scene, Shape, Tessellation};
 use glam::DVec3;
 
@@ -44,7 +44,7 @@ const SLACK: f64 = 1e-9;
 /// The patches of a scene as they stand in each other's way. Objects that cast no shadow do not.
 #[derive(Clone, Debug)]
 pub struct Blockers {
-    solids: Solids,
+    primitives: Primitives,
     casts_shadow: Vec<bool>,
     /// Patch `p` has the corners `starts[p]..starts[p + 1]`.
     starts: Vec<usize>,
@@ -53,7 +53,7 @@ pub struct Blockers {
     /// By patch, a bit a group: no corner behind its plane, and none in front.
     not_behind: Vec<u64>,
     not_in_front: Vec<u64>,
-    words: usize,
+    strings: usize,
     has_too_many: bool,
     slack: f64,
 }
@@ -83,22 +83,22 @@ impl Blockers {
             })
             .collect();
         let facets = facets(scene, patches, &groups);
-        let solids = Solids::of(&facets, &Tessellation::of(&facets));
+        let primitives = Primitives::of(&facets, &Tessellation::of(&facets));
         let groups = if has_too_many { Vec::new() } else { groups };
-        let words = groups.len().div_ceil(64);
+        let strings = groups.len().div_ceil(64);
         let mut blockers = Blockers {
-            solids,
+            primitives,
             casts_shadow: scene
                 .objects
                 .iter()
                 .map(|object| object.casts_shadow)
                 .collect(),
-            not_behind: vec![0; words * patches.len()],
-            not_in_front: vec![0; words * patches.len()],
+            not_behind: vec![0; strings * patches.len()],
+            not_in_front: vec![0; strings * patches.len()],
             starts,
             corners,
             groups,
-            words,
+            strings,
             has_too_many,
             slack,
         };
@@ -115,7 +115,7 @@ impl Blockers {
                     let height = group.height(corner);
                     (lowest, highest) = (lowest.min(height), highest.max(height));
                 }
-                let (word, bit) = (patch * self.words + number / 64, number % 64);
+                let (word, bit) = (patch * self.strings + number / 64, number % 64);
                 let [bottom, top] = group.heights;
                 self.not_behind[word] |= u64::from(lowest >= top - self.slack) << bit;
                 self.not_in_front[word] |= u64::from(highest <= bottom + self.slack) << bit;
@@ -137,8 +137,8 @@ impl Blockers {
         if self.has_too_many {
             return true;
         }
-        (0..self.words).any(|word| {
-            let of = |bits: &[u64], patch: usize| bits[patch * self.words + word];
+        (0..self.strings).any(|word| {
+            let of = |bits: &[u64], patch: usize| bits[patch * self.strings + word];
             let (front_i, back_i) = (of(&self.not_behind, i), of(&self.not_in_front, i));
             let (front_j, back_j) = (of(&self.not_behind, j), of(&self.not_in_front, j));
             // On one side of the plane, or one of them in it: no ray between them crosses.
@@ -225,7 +225,7 @@ impl Blockers {
         let [from, to] = [x, y].map(|sample| sample.point + 4.0 * self.slack * sample.normal);
         let distance = from.distance(to);
         distance > 0.0
-            && self.solids.blocked(
+            && self.primitives.blocked(
                 &Ray {
                     origin: from,
                     direction: (to - from) / distance,

@@ -1,8 +1,8 @@
 //! All channels of a colour: each by itself, but none that is dark, and equal ones once.
 
 use super::Solver;
-use super::event::{Event, Told};
-use super::iterate::By;
+use super::event::{Event, SolverEvent};
+use super::iterate::TaggingRecorder;
 use super::outcome::{Solution, Unsolved};
 use super::system::Patches;
 use crate::record::Recorder;
@@ -33,12 +33,12 @@ pub fn equal_before(channels: &[Channel], c: usize) -> Option<usize> {
     before.position(|other| (other.rho, other.emission) == (rho, emission))
 }
 
-/// Solves each channel by itself, in their order, with `solve`, and leaves out what is dark or equal but for `anyway`. Errors: those of the first channel that has no result.
+/// Solves each channel by itself, in their order, with `solve`, and leaves out what is dark or equal but for `forced`. Errors: those of the first channel that has no result.
 pub fn solve_channels<const N: usize, R: Recorder<Event>>(
     area: &[f64],
     channels: [Channel; N],
     solver: Solver,
-    anyway: Parts,
+    forced: Parts,
     recorder: &mut R,
     mut solve: impl FnMut(&Patches, &mut R) -> Result<Solution, Unsolved>,
 ) -> Result<[Solution; N], ChannelUnsolved> {
@@ -48,27 +48,27 @@ pub fn solve_channels<const N: usize, R: Recorder<Event>>(
         let because = |why| ChannelUnsolved { channel: name, why };
         let patches = Patches::new(area, channel.rho, channel.emission)
             .map_err(because)?
-            .with_black_rows(anyway.has(Part::BlackRows));
-        let mut by = By { solver, recorder };
-        let equal = equal_before(&channels, c).filter(|_| !anyway.has(Part::EqualChannels));
-        if patches.are_dark() && !anyway.has(Part::DarkChannels) {
-            by.step(|| Told::ChannelLeftOut {
+            .with_black_rows(forced.has(Part::BlackRows));
+        let mut by = TaggingRecorder { solver, recorder };
+        let equal = equal_before(&channels, c).filter(|_| !forced.has(Part::EqualChannels));
+        if patches.are_dark() && !forced.has(Part::DarkChannels) {
+            by.step(|| SolverEvent::ChannelLeftOut {
                 channel: name,
                 why: "nothing emits",
                 like: None,
             });
         } else if let Some(equal) = equal {
-            by.step(|| Told::ChannelLeftOut {
+            by.step(|| SolverEvent::ChannelLeftOut {
                 channel: name,
                 why: "equal channel",
                 like: Some(channels[equal].name),
             });
             solutions[c] = solutions[equal].clone();
         } else {
-            by.enter(|| Told::Channel { channel: name });
+            by.enter(|| SolverEvent::Channel { channel: name });
             let solution = solve(&patches, by.recorder);
-            let mut by = By { solver, recorder };
-            by.leave(|| Told::ChannelDone { channel: name });
+            let mut by = TaggingRecorder { solver, recorder };
+            by.leave(|| SolverEvent::ChannelDone { channel: name });
             solutions[c] = solution.map_err(because)?;
         }
     }

@@ -4,11 +4,11 @@
 //! By default the interval is [−μ, μ], μ = max_i ρ_i Σ_j F_ij, which bounds the spectral radius. An interval that leaves part of
 //! the spectrum out makes the residual grow, and that is what is said then.
 
-use super::event::Told;
+use super::event::SolverEvent;
 use super::iterate::Method;
 use super::outcome::Unsolved;
+use super::record_filter::Followed;
 use super::system::System;
-use super::watch::Followed;
 use crate::record::{Listing, Recorder};
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -22,12 +22,12 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-pub(super) fn line(told: &Told) -> usize {
-    match told {
-        Told::Iteration { .. } | Told::IterationDone { .. } => 1,
-        Told::Converged { .. } | Told::NotConverged { .. } => 1,
-        Told::Weighted { .. } => 2,
-        Told::Updated { .. } => 3,
+pub(super) fn line(recorded: &SolverEvent) -> usize {
+    match recorded {
+        SolverEvent::Iteration { .. } | SolverEvent::IterationDone { .. } => 1,
+        SolverEvent::Converged { .. } | SolverEvent::NotConverged { .. } => 1,
+        SolverEvent::Weighted { .. } => 2,
+        SolverEvent::Updated { .. } => 3,
         _ => 0,
     }
 }
@@ -66,7 +66,7 @@ impl<'a> Chebyshev<'a> {
 }
 
 impl Method for Chebyshev<'_> {
-    fn iterate<R: Recorder<Told>>(
+    fn iterate<R: Recorder<SolverEvent>>(
         &mut self,
         _: Followed,
         recorder: &mut R,
@@ -79,12 +79,12 @@ impl Method for Chebyshev<'_> {
         };
         self.k += 1;
         let omega = self.omega;
-        recorder.step(|| Told::Weighted { omega });
+        recorder.step(|| SolverEvent::Weighted { omega });
         for i in 0..self.b.len() {
             let (b_old, before) = (self.b[i], self.b_before[i]);
             let b_new = before + omega * (self.gamma * self.r[i] + b_old - before);
             (self.b_before[i], self.b[i]) = (b_old, b_new);
-            recorder.step(|| Told::Updated {
+            recorder.step(|| SolverEvent::Updated {
                 i: i as u32,
                 b_old,
                 b_new,

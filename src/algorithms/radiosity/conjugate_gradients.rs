@@ -4,11 +4,11 @@
 //!
 //! A patch that reflects nothing has B_i = E_i from the start, and its row is left out: w_i = 0.
 
-use super::event::Told;
+use super::event::SolverEvent;
 use super::iterate::Method;
 use super::outcome::Unsolved;
+use super::record_filter::Followed;
 use super::system::{System, gather};
-use super::watch::Followed;
 use crate::record::{Listing, Recorder, Unrecorded};
 use std::iter::zip;
 
@@ -25,13 +25,13 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-pub(super) fn line(told: &Told) -> usize {
-    match told {
-        Told::Started { .. } => 1,
-        Told::Iteration { .. } | Told::IterationDone { .. } => 2,
-        Told::Converged { .. } | Told::NotConverged { .. } => 2,
-        Told::StepLengths { .. } => 5,
-        Told::Updated { .. } => 4,
+pub(super) fn line(recorded: &SolverEvent) -> usize {
+    match recorded {
+        SolverEvent::Started { .. } => 1,
+        SolverEvent::Iteration { .. } | SolverEvent::IterationDone { .. } => 2,
+        SolverEvent::Converged { .. } | SolverEvent::NotConverged { .. } => 2,
+        SolverEvent::StepLengths { .. } => 5,
+        SolverEvent::Updated { .. } => 4,
         _ => 0,
     }
 }
@@ -85,7 +85,7 @@ fn weighted(w: &[f64], x: &[f64], y: &[f64]) -> f64 {
 }
 
 impl Method for ConjugateGradients<'_> {
-    fn iterate<R: Recorder<Told>>(
+    fn iterate<R: Recorder<SolverEvent>>(
         &mut self,
         _: Followed,
         recorder: &mut R,
@@ -107,7 +107,7 @@ impl Method for ConjugateGradients<'_> {
             let b_old = self.b[i];
             self.b[i] += alpha * self.p[i];
             self.r[i] -= alpha * self.ap[i];
-            recorder.step(|| Told::Updated {
+            recorder.step(|| SolverEvent::Updated {
                 i: i as u32,
                 b_old,
                 b_new: self.b[i],
@@ -116,7 +116,7 @@ impl Method for ConjugateGradients<'_> {
         let delta = weighted(&self.weight, &self.r, &self.r);
         let beta = delta / self.delta;
         self.delta = delta;
-        recorder.step(|| Told::StepLengths { alpha, beta });
+        recorder.step(|| SolverEvent::StepLengths { alpha, beta });
         for (p, r) in zip(&mut self.p, &self.r) {
             *p = r + beta * *p;
         }

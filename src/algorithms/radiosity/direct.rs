@@ -1,11 +1,11 @@
 //! Elimination: (I − ρF) is factorised once, P(I − ρF) = LU with partial pivoting, and solved for the residual; a second
 //! iteration, should one be needed, refines the result (Golub & Van Loan, "Matrix Computations", §3.4 and §3.5.3).
 
-use super::event::Told;
+use super::event::SolverEvent;
 use super::iterate::Method;
 use super::outcome::Unsolved;
+use super::record_filter::Followed;
 use super::system::System;
-use super::watch::Followed;
 use crate::record::{Listing, Recorder};
 use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{Col, Mat};
@@ -20,11 +20,11 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-pub(super) fn line(told: &Told) -> usize {
-    match told {
-        Told::Iteration { .. } | Told::IterationDone { .. } => 1,
-        Told::Converged { .. } | Told::NotConverged { .. } => 1,
-        Told::Updated { .. } => 3,
+pub(super) fn line(recorded: &SolverEvent) -> usize {
+    match recorded {
+        SolverEvent::Iteration { .. } | SolverEvent::IterationDone { .. } => 1,
+        SolverEvent::Converged { .. } | SolverEvent::NotConverged { .. } => 1,
+        SolverEvent::Updated { .. } => 3,
         _ => 0,
     }
 }
@@ -67,7 +67,7 @@ fn factorise(system: &System, unknown: &[usize]) -> PartialPivLu<f64> {
 }
 
 impl Method for Direct<'_> {
-    fn iterate<R: Recorder<Told>>(
+    fn iterate<R: Recorder<SolverEvent>>(
         &mut self,
         _: Followed,
         recorder: &mut R,
@@ -81,7 +81,7 @@ impl Method for Direct<'_> {
         for (k, &i) in self.unknown.iter().enumerate() {
             let b_old = self.b[i];
             self.b[i] += d[k];
-            recorder.step(|| Told::Updated {
+            recorder.step(|| SolverEvent::Updated {
                 i: i as u32,
                 b_old,
                 b_new: self.b[i],

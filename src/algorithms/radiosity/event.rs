@@ -10,13 +10,13 @@ use crate::record::{self, Fields, Line, Listing};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
     pub solver: Solver,
-    pub told: Told,
+    pub recorded: SolverEvent,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Told {
+pub enum SolverEvent {
     /// Opens the light of a room in all its channels, closed by `RoomDone`.
-    Room {
+    Enclosure {
         patches: u32,
     },
     RoomDone,
@@ -130,28 +130,28 @@ const _: () = assert!(size_of::<Event>() <= 64);
 
 impl record::Event for Event {
     fn kind(&self) -> &'static str {
-        match self.told {
-            Told::Room { .. } => "Room",
-            Told::RoomDone => "RoomDone",
-            Told::Channel { .. } => "Channel",
-            Told::ChannelLeftOut { .. } => "ChannelLeftOut",
-            Told::ChannelDone { .. } => "ChannelDone",
-            Told::System { .. } => "System",
-            Told::Started { .. } => "Started",
-            Told::Iteration { .. } => "Iteration",
-            Told::Weighted { .. } => "Weighted",
-            Told::StepLengths { .. } => "StepLengths",
-            Told::Gathering { .. } => "Gathering",
-            Told::Exchanged { .. } => "Exchanged",
-            Told::Gathered { .. } => "Gathered",
-            Told::Ambient { .. } => "Ambient",
-            Told::Shooting { .. } => "Shooting",
-            Told::Received { .. } => "Received",
-            Told::ShotDone { .. } => "ShotDone",
-            Told::Updated { .. } => "Updated",
-            Told::IterationDone { .. } => "IterationDone",
-            Told::Converged { .. } => "Converged",
-            Told::NotConverged { .. } => "NotConverged",
+        match self.recorded {
+            SolverEvent::Enclosure { .. } => "Room",
+            SolverEvent::RoomDone => "RoomDone",
+            SolverEvent::Channel { .. } => "Channel",
+            SolverEvent::ChannelLeftOut { .. } => "ChannelLeftOut",
+            SolverEvent::ChannelDone { .. } => "ChannelDone",
+            SolverEvent::System { .. } => "System",
+            SolverEvent::Started { .. } => "Started",
+            SolverEvent::Iteration { .. } => "Iteration",
+            SolverEvent::Weighted { .. } => "Weighted",
+            SolverEvent::StepLengths { .. } => "StepLengths",
+            SolverEvent::Gathering { .. } => "Gathering",
+            SolverEvent::Exchanged { .. } => "Exchanged",
+            SolverEvent::Gathered { .. } => "Gathered",
+            SolverEvent::Ambient { .. } => "Ambient",
+            SolverEvent::Shooting { .. } => "Shooting",
+            SolverEvent::Received { .. } => "Received",
+            SolverEvent::ShotDone { .. } => "ShotDone",
+            SolverEvent::Updated { .. } => "Updated",
+            SolverEvent::IterationDone { .. } => "IterationDone",
+            SolverEvent::Converged { .. } => "Converged",
+            SolverEvent::NotConverged { .. } => "NotConverged",
         }
     }
 
@@ -170,55 +170,55 @@ impl record::Event for Event {
         };
         Line {
             listing,
-            number: lines(&self.told),
+            number: lines(&self.recorded),
         }
     }
 
     fn holds_on(&self) -> bool {
         !matches!(
-            self.told,
-            Told::Started { .. }
-                | Told::Exchanged { .. }
-                | Told::Received { .. }
-                | Told::Updated { .. }
-                | Told::ChannelLeftOut { .. }
+            self.recorded,
+            SolverEvent::Started { .. }
+                | SolverEvent::Exchanged { .. }
+                | SolverEvent::Received { .. }
+                | SolverEvent::Updated { .. }
+                | SolverEvent::ChannelLeftOut { .. }
         )
     }
 
     fn fields(&self, fields: &mut Fields) {
-        match self.told {
-            Told::Room { patches } => {
+        match self.recorded {
+            SolverEvent::Enclosure { patches } => {
                 fields.push("n", patches);
             }
-            Told::RoomDone => {}
-            Told::Channel { channel } | Told::ChannelDone { channel } => {
+            SolverEvent::RoomDone => {}
+            SolverEvent::Channel { channel } | SolverEvent::ChannelDone { channel } => {
                 fields.push("channel", channel);
             }
-            Told::ChannelLeftOut { channel, why, like } => {
+            SolverEvent::ChannelLeftOut { channel, why, like } => {
                 fields.push("channel", channel).push("why", why);
                 if let Some(like) = like {
                     fields.push("like", like);
                 }
             }
-            Told::System { patches, gain } => {
+            SolverEvent::System { patches, gain } => {
                 fields.push("solver", self.solver.name()).push("n", patches);
                 if let Some(gain) = gain {
                     fields.push("gain", gain);
                 }
             }
-            Told::Started { i, b, unshot } => {
+            SolverEvent::Started { i, b, unshot } => {
                 fields.push("i", i).push("B_i", b).push("unshot_i", unshot);
             }
-            Told::Iteration { k } => {
+            SolverEvent::Iteration { k } => {
                 fields.push("k", k);
             }
-            Told::Weighted { omega } => {
+            SolverEvent::Weighted { omega } => {
                 fields.push("omega", omega);
             }
-            Told::StepLengths { alpha, beta } => {
+            SolverEvent::StepLengths { alpha, beta } => {
                 fields.push("alpha", alpha).push("beta", beta);
             }
-            Told::Gathering {
+            SolverEvent::Gathering {
                 i,
                 e_i,
                 rho_i,
@@ -227,7 +227,7 @@ impl record::Event for Event {
                 fields.push("i", i).push("E_i", e_i);
                 fields.push("rho_i", rho_i).push("B_old", b_old);
             }
-            Told::Exchanged {
+            SolverEvent::Exchanged {
                 j,
                 f_ij,
                 b_j,
@@ -237,16 +237,16 @@ impl record::Event for Event {
                 fields.push("j", j).push("F_ij", f_ij).push("B_j", b_j);
                 fields.push("product", product).push("sum", sum);
             }
-            Told::Gathered { i, b_new, change } => {
+            SolverEvent::Gathered { i, b_new, change } => {
                 fields
                     .push("i", i)
                     .push("B_i", b_new)
                     .push("DeltaB", change);
             }
-            Told::Ambient { ambient } => {
+            SolverEvent::Ambient { ambient } => {
                 fields.push("ambient", ambient);
             }
-            Told::Shooting {
+            SolverEvent::Shooting {
                 i,
                 unshot,
                 shot,
@@ -255,7 +255,7 @@ impl record::Event for Event {
                 fields.push("i", i).push("unshot_i", unshot);
                 fields.push("shot", shot).push("A_i", a_i);
             }
-            Told::Received {
+            SolverEvent::Received {
                 j,
                 f_ji,
                 rho_j,
@@ -269,23 +269,23 @@ impl record::Event for Event {
                     .push("B_j", b_j)
                     .push("unshot_j", unshot_j);
             }
-            Told::ShotDone { i, b_i, unshot } => {
+            SolverEvent::ShotDone { i, b_i, unshot } => {
                 fields
                     .push("i", i)
                     .push("B_i", b_i)
                     .push("unshot_i", unshot);
             }
-            Told::Updated { i, b_old, b_new } => {
+            SolverEvent::Updated { i, b_old, b_new } => {
                 fields.push("i", i).push("B_old", b_old).push("B_i", b_new);
             }
-            Told::IterationDone {
+            SolverEvent::IterationDone {
                 residual,
                 error_bound,
             } => {
                 fields.push("residual", residual);
                 push_bound(fields, error_bound);
             }
-            Told::Converged {
+            SolverEvent::Converged {
                 iterations,
                 residual,
                 error_bound,
@@ -295,7 +295,7 @@ impl record::Event for Event {
                     .push("residual", residual);
                 push_bound(fields, error_bound);
             }
-            Told::NotConverged {
+            SolverEvent::NotConverged {
                 iterations,
                 residual,
             } => {
@@ -308,7 +308,7 @@ impl record::Event for Event {
 }
 
 /// The line of pseudocode that a step carries out.
-type Lines = fn(&Told) -> usize;
+type Lines = fn(&SolverEvent) -> usize;
 
 fn push_bound(fields: &mut Fields, error_bound: Option<f64>) {
     match error_bound {

@@ -3,28 +3,35 @@
 //!
 //! A patch that reflects nothing keeps B_i = E_i, and is left out. Where F_ii > 0 the patch's own old value is gathered too.
 
-use super::event::Told;
+use super::event::SolverEvent;
 use super::iterate::Method;
 use super::outcome::Unsolved;
+use super::record_filter::Followed;
 use super::system::{System, gather};
-use super::watch::Followed;
 use crate::record::{Recorder, Unrecorded};
 
 /// The line of each step, the same in the three listings.
-pub(super) fn line(told: &Told) -> usize {
-    match told {
-        Told::Gathering { .. } => 2,
-        Told::Exchanged { .. } => 4,
-        Told::Gathered { .. } => 5,
-        Told::Iteration { .. } | Told::IterationDone { .. } | Told::Weighted { .. } => 1,
-        Told::Converged { .. } | Told::NotConverged { .. } => 1,
+pub(super) fn line(recorded: &SolverEvent) -> usize {
+    match recorded {
+        SolverEvent::Gathering { .. } => 2,
+        SolverEvent::Exchanged { .. } => 4,
+        SolverEvent::Gathered { .. } => 5,
+        SolverEvent::Iteration { .. }
+        | SolverEvent::IterationDone { .. }
+        | SolverEvent::Weighted { .. } => 1,
+        SolverEvent::Converged { .. } | SolverEvent::NotConverged { .. } => 1,
         _ => 0,
     }
 }
 
 /// One iteration: every patch that reflects gathers once, in order.
 pub(super) trait Sweep {
-    fn sweep<R: Recorder<Told>>(&mut self, light: &mut Light, followed: Followed, recorder: &mut R);
+    fn sweep<R: Recorder<SolverEvent>>(
+        &mut self,
+        light: &mut Light,
+        followed: Followed,
+        recorder: &mut R,
+    );
 }
 
 /// The system, and its light so far.
@@ -39,7 +46,7 @@ impl Light<'_> {
     }
 
     /// What patch i gathers of the light `from`: `new` makes its new B_i of E_i + ρ_i Σ_j F_ij B_j.
-    pub fn gathered<R: Recorder<Told>>(
+    pub fn gathered<R: Recorder<SolverEvent>>(
         &self,
         i: usize,
         from: &[f64],
@@ -50,7 +57,7 @@ impl Light<'_> {
         let patches = &self.system.patches;
         let (e_i, rho_i, b_old) = (patches.emission[i], patches.rho[i], self.b[i]);
         let row = self.system.matrix.of(i);
-        recorder.enter(|| Told::Gathering {
+        recorder.enter(|| SolverEvent::Gathering {
             i: i as u32,
             e_i,
             rho_i,
@@ -62,7 +69,7 @@ impl Light<'_> {
             gather(row, from, &mut Unrecorded)
         };
         let b_new = new(e_i + rho_i * sum);
-        recorder.leave(|| Told::Gathered {
+        recorder.leave(|| SolverEvent::Gathered {
             i: i as u32,
             b_new,
             change: b_new - b_old,
@@ -92,7 +99,7 @@ impl<'a, S: Sweep> Gathering<'a, S> {
 }
 
 impl<S: Sweep> Method for Gathering<'_, S> {
-    fn iterate<R: Recorder<Told>>(
+    fn iterate<R: Recorder<SolverEvent>>(
         &mut self,
         followed: Followed,
         recorder: &mut R,

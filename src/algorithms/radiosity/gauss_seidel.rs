@@ -1,9 +1,9 @@
 //! Gauss–Seidel's iteration: each patch gathers the newest light there is (Seidel 1874; Cohen & Greenberg 1985). About half as many
 //! iterations as Jacobi's.
 
-use super::event::Told;
+use super::event::SolverEvent;
 use super::gathering::{Light, Sweep};
-use super::watch::Followed;
+use super::record_filter::Followed;
 use crate::record::{Listing, Recorder};
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -21,7 +21,7 @@ pub static PSEUDOCODE: Listing = Listing {
 pub(super) struct GaussSeidel;
 
 impl Sweep for GaussSeidel {
-    fn sweep<R: Recorder<Told>>(
+    fn sweep<R: Recorder<SolverEvent>>(
         &mut self,
         light: &mut Light,
         followed: Followed,

@@ -1,10 +1,10 @@
 //! The loop that every solver shares: iterate until the residual is small, the limit is met, or the iteration diverges.
 
 use super::Solver;
-use super::event::{Event, Told};
+use super::event::{Event, SolverEvent};
 use super::outcome::{Solution, Stop, Unsolved};
+use super::record_filter::{Followed, RecordFilter};
 use super::system::Patches;
-use super::watch::{Followed, Watch};
 use crate::record::{Recorder, Unrecorded};
 
 /// A residual that has grown this much over the first one does not come back.
@@ -12,7 +12,7 @@ const DIVERGED: f64 = 1e6;
 
 /// One way to solve the system, an iteration at a time.
 pub(super) trait Method {
-    fn iterate<R: Recorder<Told>>(
+    fn iterate<R: Recorder<SolverEvent>>(
         &mut self,
         followed: Followed,
         recorder: &mut R,
@@ -27,47 +27,47 @@ pub(super) trait Method {
 }
 
 /// Says of each step which solver told it.
-pub(super) struct By<'r, R> {
+pub(super) struct TaggingRecorder<'r, R> {
     pub solver: Solver,
     pub recorder: &'r mut R,
 }
 
-impl<R: Recorder<Event>> Recorder<Told> for By<'_, R> {
+impl<R: Recorder<Event>> Recorder<SolverEvent> for TaggingRecorder<'_, R> {
     #[inline(always)]
-    fn step(&mut self, told: impl FnOnce() -> Told) {
+    fn step(&mut self, recorded: impl FnOnce() -> SolverEvent) {
         let solver = self.solver;
         self.recorder.step(|| Event {
             solver,
-            told: told(),
+            recorded: recorded(),
         });
     }
     #[inline(always)]
-    fn enter(&mut self, told: impl FnOnce() -> Told) {
+    fn enter(&mut self, recorded: impl FnOnce() -> SolverEvent) {
         let solver = self.solver;
         self.recorder.enter(|| Event {
             solver,
-            told: told(),
+            recorded: recorded(),
         });
     }
     #[inline(always)]
-    fn leave(&mut self, told: impl FnOnce() -> Told) {
+    fn leave(&mut self, recorded: impl FnOnce() -> SolverEvent) {
         let solver = self.solver;
         self.recorder.leave(|| Event {
             solver,
-            told: told(),
+            recorded: recorded(),
         });
     }
 }
 
 /// Runs `method` to its end. Watched or not, the iterations are the same.
-pub(super) fn run<R: Recorder<Told>>(
+pub(super) fn run<R: Recorder<SolverEvent>>(
     mut method: impl Method,
     patches: &Patches,
     stop: Stop,
-    watch: &Watch,
+    filter: &RecordFilter,
     recorder: &mut R,
 ) -> Result<Solution, Unsolved> {
-    recorder.enter(|| Told::System {
+    recorder.enter(|| SolverEvent::System {
         patches: patches.len() as u32,
         gain: method.gain(),
     });
@@ -78,10 +78,10 @@ pub(super) fn run<R: Recorder<Told>>(
     let mut watched = false;
     let outcome = loop {
         // Where watching begins, the values of every patch
-        if watch.takes(iterations) && !watched {
+        if filter.takes(iterations) && !watched {
             tell_values(&method, recorder);
         }
-        watched = watch.takes(iterations);
+        watched = filter.takes(iterations);
         if residual <= stop.tolerance {
             method.confirm();
             residual = relative(&method);
@@ -102,15 +102,15 @@ pub(super) fn run<R: Recorder<Told>>(
             });
         }
         let done = if watched {
-            recorder.enter(|| Told::Iteration { k: iterations });
-            let done = method.iterate(Followed(watch.patch), recorder);
-            recorder.leave(|| Told::IterationDone {
+            recorder.enter(|| SolverEvent::Iteration { k: iterations });
+            let done = method.iterate(Followed(filter.patch), recorder);
+            recorder.leave(|| SolverEvent::IterationDone {
                 residual: relative(&method),
                 error_bound: error_bound(&method),
             });
             done
         } else {
-            method.iterate(Followed(watch.patch), &mut Unrecorded)
+            method.iterate(Followed(filter.patch), &mut Unrecorded)
         };
         iterations += 1;
         residual = relative(&method);
@@ -120,12 +120,12 @@ pub(super) fn run<R: Recorder<Told>>(
     };
     let error_bound = error_bound(&method);
     recorder.leave(|| match outcome {
-        Ok(()) => Told::Converged {
+        Ok(()) => SolverEvent::Converged {
             iterations,
             residual,
             error_bound,
         },
-        Err(_) => Told::NotConverged {
+        Err(_) => SolverEvent::NotConverged {
             iterations,
             residual,
         },
@@ -138,9 +138,9 @@ pub(super) fn run<R: Recorder<Told>>(
     })
 }
 
-fn tell_values<R: Recorder<Told>>(method: &impl Method, recorder: &mut R) {
+fn tell_values<R: Recorder<SolverEvent>>(method: &impl Method, recorder: &mut R) {
     for (i, (&b, &unshot)) in method.radiosity().iter().zip(method.residual()).enumerate() {
-        recorder.step(|| Told::Started {
+        recorder.step(|| SolverEvent::Started {
             i: i as u32,
             b,
             unshot,

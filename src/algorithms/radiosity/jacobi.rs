@@ -1,9 +1,9 @@
 //! Jacobi's iteration: all patches gather the light of the iteration before (Jacobi 1845; Goral et al. 1984). After k iterations B holds the
 //! light of at most k reflections.
 
-use super::event::Told;
+use super::event::SolverEvent;
 use super::gathering::{Light, Sweep};
-use super::watch::Followed;
+use super::record_filter::Followed;
 use crate::record::{Listing, Recorder};
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -24,7 +24,7 @@ pub static PSEUDOCODE: Listing = Listing {
 pub(super) struct Jacobi(Vec<f64>);
 
 impl Sweep for Jacobi {
-    fn sweep<R: Recorder<Told>>(
+    fn sweep<R: Recorder<SolverEvent>>(
         &mut self,
         light: &mut Light,
         followed: Followed,

@@ -22,20 +22,20 @@ mod gathering;
 pub mod gauss_seidel;
 mod iterate;
 pub mod jacobi;
-mod lossless;
 mod outcome;
 pub mod over_relaxation;
 pub mod race;
+mod record_filter;
 pub mod shooting;
+mod singularity_check;
 mod solver;
 mod system;
 #[cfg(test)]
 mod tests;
-mod watch;
 
 pub use channels::{Channel, ChannelUnsolved, equal_before, solve_channels};
-pub use event::{Event, Told};
+pub use event::{Event, SolverEvent};
 pub use outcome::{Solution, Stop, Unsolved};
+pub use record_filter::RecordFilter;
 pub use solver::{Solver, chebyshev_on, shoot, solve};
 pub use system::{Matrix, Patches, Rows, System};
-pub use watch::Watch;

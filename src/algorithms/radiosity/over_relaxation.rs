@@ -1,8 +1,8 @@
 //! Successive over-relaxation: Gauss–Seidel's step, ω times as far (Young 1954).
 
-use super::event::Told;
+use super::event::SolverEvent;
 use super::gathering::{Light, Sweep};
-use super::watch::Followed;
+use super::record_filter::Followed;
 use crate::record::{Listing, Recorder};
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -22,14 +22,14 @@ pub(super) struct OverRelaxation {
 }
 
 impl Sweep for OverRelaxation {
-    fn sweep<R: Recorder<Told>>(
+    fn sweep<R: Recorder<SolverEvent>>(
         &mut self,
         light: &mut Light,
         followed: Followed,
         recorder: &mut R,
     ) {
         let omega = self.omega;
-        recorder.step(|| Told::Weighted { omega });
+        recorder.step(|| SolverEvent::Weighted { omega });
         for i in 0..light.b.len() {
             if light.gathers(i) {
                 let b_i = light.b[i];

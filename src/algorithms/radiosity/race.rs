@@ -3,11 +3,11 @@
 //! Each runs from its own start to the same tolerance, as everywhere else, and is told to a stopwatch that keeps laps.
 //! The exact solution is taken from the default solver at [`REFERENCE`].
 
-use super::event::{Event, Told};
+use super::event::{Event, SolverEvent};
 use super::outcome::{Stop, Unsolved};
+use super::record_filter::RecordFilter;
 use super::solver::{Solver, solve};
 use super::system::System;
-use super::watch::Watch;
 use crate::record::{Recorder, Unrecorded};
 use std::iter::zip;
 
@@ -66,8 +66,8 @@ impl Race {
             tolerance: REFERENCE,
             ..Stop::default()
         };
-        let watch = Watch::default();
-        let reference = solve(system, Solver::Auto, exactly, &watch, &mut Unrecorded)?.radiosity;
+        let filter = RecordFilter::default();
+        let reference = solve(system, Solver::Auto, exactly, &filter, &mut Unrecorded)?.radiosity;
         let patches = reference.len();
         let solvers = Solver::ALL.into_iter().filter(|&solver| {
             solver != Solver::Auto && multiplications(solver, patches) <= PATIENCE
@@ -82,9 +82,9 @@ impl Race {
                 max_iterations: stop.max_iterations.min(WARM_UP),
                 ..stop
             };
-            let _ = solve(system, solver, warm_up, &watch, &mut Unrecorded);
+            let _ = solve(system, solver, warm_up, &filter, &mut Unrecorded);
             let mut stopwatch = Stopwatch::new(system.patches.emission, &reference, &mut clock);
-            let solution = solve(system, solver, stop, &watch, &mut stopwatch);
+            let solution = solve(system, solver, stop, &filter, &mut stopwatch);
             stopwatch.finish(solver, solution)
         });
         Ok(Race {
@@ -178,12 +178,12 @@ impl<'a, C: FnMut() -> f64> Stopwatch<'a, C> {
         });
     }
 
-    fn take(&mut self, told: Told) {
-        match told {
-            Told::Started { i, b, .. }
-            | Told::Gathered { i, b_new: b, .. }
-            | Told::Updated { i, b_new: b, .. }
-            | Told::ShotDone { i, b_i: b, .. } => self.b[i as usize] = b,
+    fn take(&mut self, recorded: SolverEvent) {
+        match recorded {
+            SolverEvent::Started { i, b, .. }
+            | SolverEvent::Gathered { i, b_new: b, .. }
+            | SolverEvent::Updated { i, b_new: b, .. }
+            | SolverEvent::ShotDone { i, b_i: b, .. } => self.b[i as usize] = b,
             _ => {}
         }
     }
@@ -224,7 +224,7 @@ impl<'a, C: FnMut() -> f64> Stopwatch<'a, C> {
 impl<C: FnMut() -> f64> Recorder<Event> for Stopwatch<'_, C> {
     #[inline(always)]
     fn step(&mut self, event: impl FnOnce() -> Event) {
-        self.take(event().told);
+        self.take(event().recorded);
     }
 
     #[inline(always)]
@@ -238,14 +238,14 @@ impl<C: FnMut() -> f64> Recorder<Event> for Stopwatch<'_, C> {
             self.iterations += 1;
             if self.iterations >= self.next {
                 let seconds = self.seconds();
-                if let Told::IterationDone { residual, .. } = event().told {
+                if let SolverEvent::IterationDone { residual, .. } = event().recorded {
                     self.lap(residual, seconds);
                 }
                 self.next = (f64::from(self.iterations) * APART) as u32 + 1;
                 self.paused += self.seconds() - seconds;
             }
         } else {
-            self.take(event().told);
+            self.take(event().recorded);
         }
         self.depth -= 1;
     }
@@ -286,8 +286,8 @@ mod tests {
         let system = System::new(&matrix, patches).unwrap();
         assert_eq!(race.racers.len(), Solver::ALL.len() - 1);
         for racer in &race.racers {
-            let (stop, watch) = (Stop::default(), Watch::default());
-            let alone = solve(&system, racer.solver, stop, &watch, &mut Unrecorded).unwrap();
+            let (stop, filter) = (Stop::default(), RecordFilter::default());
+            let alone = solve(&system, racer.solver, stop, &filter, &mut Unrecorded).unwrap();
             let last = racer.laps.last().unwrap();
             let name = racer.solver.name();
             assert_eq!(racer.unsolved, None, "{name}");

@@ -4,11 +4,11 @@
 //!
 //! Only the row of the patch that shoots is asked for, so no matrix need be stored: only at the end all rows, for the exact residual.
 
-use super::event::Told;
+use super::event::SolverEvent;
 use super::iterate::Method;
 use super::outcome::Unsolved;
+use super::record_filter::Followed;
 use super::system::{Patches, Rows, residual};
-use super::watch::Followed;
 use crate::record::{Listing, Recorder};
 use std::iter::zip;
 
@@ -39,24 +39,24 @@ pub static OVERSHOOTING: Listing = Listing {
     ],
 };
 
-pub(super) fn line(told: &Told) -> usize {
-    match told {
-        Told::Shooting { .. } => 2,
-        Told::Received { .. } => 5,
-        Told::ShotDone { .. } => 6,
-        Told::Iteration { .. } | Told::IterationDone { .. } => 1,
-        Told::Converged { .. } | Told::NotConverged { .. } => 1,
+pub(super) fn line(recorded: &SolverEvent) -> usize {
+    match recorded {
+        SolverEvent::Shooting { .. } => 2,
+        SolverEvent::Received { .. } => 5,
+        SolverEvent::ShotDone { .. } => 6,
+        SolverEvent::Iteration { .. } | SolverEvent::IterationDone { .. } => 1,
+        SolverEvent::Converged { .. } | SolverEvent::NotConverged { .. } => 1,
         _ => 0,
     }
 }
 
-pub(super) fn overshooting_line(told: &Told) -> usize {
-    match told {
-        Told::Ambient { .. } => 2,
-        Told::Shooting { .. } => 3,
-        Told::Received { .. } => 6,
-        Told::ShotDone { .. } => 7,
-        _ => line(told),
+pub(super) fn overshooting_line(recorded: &SolverEvent) -> usize {
+    match recorded {
+        SolverEvent::Ambient { .. } => 2,
+        SolverEvent::Shooting { .. } => 3,
+        SolverEvent::Received { .. } => 6,
+        SolverEvent::ShotDone { .. } => 7,
+        _ => line(recorded),
     }
 }
 
@@ -115,19 +115,19 @@ impl<'a, F: Rows> Shooter<'a, F> {
 }
 
 impl<F: Rows> Method for Shooter<'_, F> {
-    fn iterate<R: Recorder<Told>>(
+    fn iterate<R: Recorder<SolverEvent>>(
         &mut self,
         followed: Followed,
         recorder: &mut R,
     ) -> Result<(), Unsolved> {
         let ambient = if self.overshoots { self.ambient() } else { 0.0 };
         if self.overshoots {
-            recorder.step(|| Told::Ambient { ambient });
+            recorder.step(|| SolverEvent::Ambient { ambient });
         }
         let i = self.brightest(ambient);
         let a_i = self.patches.area[i];
         let shot = self.unshot[i] + ambient;
-        recorder.enter(|| Told::Shooting {
+        recorder.enter(|| SolverEvent::Shooting {
             i: i as u32,
             unshot: self.unshot[i],
             shot,
@@ -141,7 +141,7 @@ impl<F: Rows> Method for Shooter<'_, F> {
             let delta = rho[j] * f_ji * shot;
             self.unshot[j] += delta;
             if followed.takes(i) || followed.takes(j) {
-                recorder.step(|| Told::Received {
+                recorder.step(|| SolverEvent::Received {
                     j: j as u32,
                     f_ji,
                     rho_j: rho[j],
@@ -151,7 +151,7 @@ impl<F: Rows> Method for Shooter<'_, F> {
                 });
             }
         }
-        recorder.leave(|| Told::ShotDone {
+        recorder.leave(|| SolverEvent::ShotDone {
             i: i as u32,
             b_i: self.b[i],
             unshot: self.unshot[i],

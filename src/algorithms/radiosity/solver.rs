@@ -6,14 +6,14 @@ use super::direct::Direct;
 use super::event::Event;
 use super::gathering::Gathering;
 use super::gauss_seidel::GaussSeidel;
-use super::iterate::{By, run};
+use super::iterate::{TaggingRecorder, run};
 use super::jacobi::Jacobi;
-use super::lossless::refuse_endless_light;
 use super::outcome::{Solution, Stop, Unsolved};
 use super::over_relaxation::{OverRelaxation, youngs_omega};
+use super::record_filter::RecordFilter;
 use super::shooting::Shooter;
+use super::singularity_check::refuse_endless_light;
 use super::system::{Patches, Rows, System};
-use super::watch::Watch;
 use crate::record::Recorder;
 
 /// A way to solve the radiosity system.
@@ -80,12 +80,12 @@ pub fn solve<R: Recorder<Event>>(
     system: &System,
     solver: Solver,
     stop: Stop,
-    watch: &Watch,
+    filter: &RecordFilter,
     recorder: &mut R,
 ) -> Result<Solution, Unsolved> {
     refuse_endless_light(system)?;
     let (system, patches, gain) = (*system, system.patches, system.gain());
-    let mut by = By { solver, recorder };
+    let mut by = TaggingRecorder { solver, recorder };
     let by = &mut by;
     let solution = match solver {
         Solver::Auto => {
@@ -93,7 +93,7 @@ pub fn solve<R: Recorder<Event>>(
                 &system,
                 Solver::ConjugateGradients,
                 stop,
-                watch,
+                filter,
                 by.recorder,
             );
             return match fast {
@@ -101,7 +101,7 @@ pub fn solve<R: Recorder<Event>>(
                     Unsolved::NotConverged { .. }
                     | Unsolved::GainsLight
                     | Unsolved::Diverges { .. },
-                ) => solve(&system, Solver::Direct, stop, watch, by.recorder),
+                ) => solve(&system, Solver::Direct, stop, filter, by.recorder),
                 done => done,
             };
         }
@@ -109,14 +109,14 @@ pub fn solve<R: Recorder<Event>>(
             Gathering::new(system, Jacobi::default()),
             &patches,
             stop,
-            watch,
+            filter,
             by,
         ),
         Solver::GaussSeidel => run(
             Gathering::new(system, GaussSeidel),
             &patches,
             stop,
-            watch,
+            filter,
             by,
         ),
         Solver::OverRelaxation => {
@@ -126,21 +126,21 @@ pub fn solve<R: Recorder<Event>>(
                     omega: youngs_omega(gain),
                 },
             );
-            run(method, &patches, stop, watch, by)
+            run(method, &patches, stop, filter, by)
         }
         Solver::Shooting | Solver::Overshooting => {
             let overshoots = solver == Solver::Overshooting;
             let method = Shooter::new(system.matrix, patches, overshoots, Some(gain));
-            run(method, &patches, stop, watch, by)
+            run(method, &patches, stop, filter, by)
         }
         Solver::Chebyshev => {
             let method = Chebyshev::new(system, [-gain, gain])?;
-            run(method, &patches, stop, watch, by)
+            run(method, &patches, stop, filter, by)
         }
         Solver::ConjugateGradients => {
-            run(ConjugateGradients::new(system), &patches, stop, watch, by)
+            run(ConjugateGradients::new(system), &patches, stop, filter, by)
         }
-        Solver::Direct => run(Direct::new(system), &patches, stop, watch, by),
+        Solver::Direct => run(Direct::new(system), &patches, stop, filter, by),
     }?;
     refuse_negative_light(&patches, &solution)?;
     Ok(solution)
@@ -151,7 +151,7 @@ pub fn chebyshev_on<R: Recorder<Event>>(
     system: &System,
     interval: [f64; 2],
     stop: Stop,
-    watch: &Watch,
+    filter: &RecordFilter,
     recorder: &mut R,
 ) -> Result<Solution, Unsolved> {
     refuse_endless_light(system)?;
@@ -161,8 +161,8 @@ pub fn chebyshev_on<R: Recorder<Event>>(
         method,
         &system.patches,
         stop,
-        watch,
-        &mut By { solver, recorder },
+        filter,
+        &mut TaggingRecorder { solver, recorder },
     )
 }
 
@@ -173,7 +173,7 @@ pub fn shoot<F: Rows, R: Recorder<Event>>(
     patches: &Patches,
     overshoots: bool,
     stop: Stop,
-    watch: &Watch,
+    filter: &RecordFilter,
     recorder: &mut R,
 ) -> Result<Solution, Unsolved> {
     let solver = if overshoots {
@@ -182,7 +182,13 @@ pub fn shoot<F: Rows, R: Recorder<Event>>(
         Solver::Shooting
     };
     let method = Shooter::new(rows, *patches, overshoots, None);
-    run(method, patches, stop, watch, &mut By { solver, recorder })
+    run(
+        method,
+        patches,
+        stop,
+        filter,
+        &mut TaggingRecorder { solver, recorder },
+    )
 }
 
 /// Light that is emitted and reflected is nowhere negative (Perron & Frobenius), unless reflections gain light.

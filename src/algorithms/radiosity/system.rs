@@ -1,6 +1,6 @@
 //! The radiosity system of one channel, (I − ρF)B = E, and how well a given B solves it.
 
-use super::event::Told;
+use super::event::SolverEvent;
 use super::outcome::Unsolved;
 use crate::record::{Recorder, Unrecorded};
 use std::iter::zip;
@@ -199,14 +199,14 @@ const LANES: usize = 8;
 
 /// Σ_j F_ij B_j, in eight sums side by side, of which the running total is told. Told or not, the order is the same.
 #[inline(always)]
-pub(super) fn gather<R: Recorder<Told>>(row: &[f64], b: &[f64], recorder: &mut R) -> f64 {
+pub(super) fn gather<R: Recorder<SolverEvent>>(row: &[f64], b: &[f64], recorder: &mut R) -> f64 {
     let mut sums = [0.0; LANES];
     let (rows, row_rest) = row.as_chunks::<LANES>();
     let (bs, b_rest) = b.as_chunks::<LANES>();
     let mut exchange = |sums: &mut [f64; LANES], j: usize, f_ij: f64, b_j: f64| {
         let product = f_ij * b_j;
         sums[j % LANES] += product;
-        recorder.step(|| Told::Exchanged {
+        recorder.step(|| SolverEvent::Exchanged {
             j: j as u32,
             f_ij,
             b_j,

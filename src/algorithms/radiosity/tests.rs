@@ -8,13 +8,19 @@ fn solved(system: &System, solver: Solver) -> Result<Solution, Unsolved> {
         system,
         solver,
         Stop::default(),
-        &Watch::default(),
+        &RecordFilter::default(),
         &mut Unrecorded,
     )
 }
 
 fn within(stop: Stop, system: &System, solver: Solver) -> Result<Solution, Unsolved> {
-    solve(system, solver, stop, &Watch::default(), &mut Unrecorded)
+    solve(
+        system,
+        solver,
+        stop,
+        &RecordFilter::default(),
+        &mut Unrecorded,
+    )
 }
 
 #[test]
@@ -111,7 +117,7 @@ fn infinite_plates_pass_the_light_to_and_fro() {
         &system,
         [0.0, 0.9],
         stop,
-        &Watch::default(),
+        &RecordFilter::default(),
         &mut Unrecorded,
     );
     assert!(matches!(wrong, Err(Unsolved::Diverges { .. })), "{wrong:?}");
@@ -156,12 +162,12 @@ fn conjugate_gradients_are_not_stopped_by_a_slit() {
     let (one, area) = cube(4);
     let n = area.len();
     let mut f = vec![0.0; 4 * n * n];
-    for room in 0..2 {
+    for enclosure in 0..2 {
         for i in 0..n {
             for j in 0..n {
-                f[(room * n + i) * 2 * n + room * n + j] = (1.0 - 1e-4) * one[i * n + j];
+                f[(enclosure * n + i) * 2 * n + enclosure * n + j] = (1.0 - 1e-4) * one[i * n + j];
             }
-            f[(room * n + i) * 2 * n + (1 - room) * n + i] = 1e-4;
+            f[(enclosure * n + i) * 2 * n + (1 - enclosure) * n + i] = 1e-4;
         }
     }
     let area = [area.clone(), area].concat();
@@ -188,23 +194,24 @@ fn told_or_not_the_result_is_the_same_and_scopes_balance() {
     let system = System::new(&matrix, Patches::new(&area, &rho, &emission).unwrap()).unwrap();
     for solver in Solver::ALL {
         let untold = solved(&system, solver).unwrap();
-        for watch in [
-            Watch::default(),
-            Watch {
+        for filter in [
+            RecordFilter::default(),
+            RecordFilter {
                 iterations: Some(1..3),
                 patch: Some(5),
             },
         ] {
             let mut recording = Recording::new(RecordingLimit::default());
-            let told = solve(&system, solver, Stop::default(), &watch, &mut recording).unwrap();
-            assert_eq!(told, untold);
-            assert_eq!(told.radiosity.map_bits(), untold.radiosity.map_bits());
+            let recorded =
+                solve(&system, solver, Stop::default(), &filter, &mut recording).unwrap();
+            assert_eq!(recorded, untold);
+            assert_eq!(recorded.radiosity.map_bits(), untold.radiosity.map_bits());
             let count = |mark| recording.marks().filter(|&m| m == mark).count();
             assert_eq!(count(Mark::Enter), count(Mark::Leave));
             let exchanges = recording
                 .events()
-                .filter(|e| matches!(e.told, Told::Exchanged { .. }));
-            if watch.patch.is_some() {
+                .filter(|e| matches!(e.recorded, SolverEvent::Exchanged { .. }));
+            if filter.patch.is_some() {
                 assert!(exchanges.count() <= 2 * n);
             }
         }
@@ -275,7 +282,7 @@ fn dark_and_equal_channels_are_not_solved() {
         channel("all black", &black, &lamp),
     ];
     let mut recording = Recording::new(RecordingLimit::default());
-    let (solver, stop, watch) = (Solver::Auto, Stop::default(), Watch::default());
+    let (solver, stop, filter) = (Solver::Auto, Stop::default(), RecordFilter::default());
     let found = solve_channels(
         &area,
         channels,
@@ -284,17 +291,17 @@ fn dark_and_equal_channels_are_not_solved() {
         &mut recording,
         |patches, recorder| {
             let system = System::new(&matrix, *patches)?;
-            solve(&system, solver, stop, &watch, recorder)
+            solve(&system, solver, stop, &filter, recorder)
         },
     )
     .unwrap();
     assert_eq!(found[0], found[1]);
     assert_eq!(found[2].radiosity, dark);
     assert_eq!((found[3].iterations, &found[3].radiosity), (0, &lamp));
-    let left_out = recording
+    let skipped = recording
         .events()
-        .filter(|e| matches!(e.told, Told::ChannelLeftOut { .. }));
-    assert_eq!(left_out.count(), 2);
+        .filter(|e| matches!(e.recorded, SolverEvent::ChannelLeftOut { .. }));
+    assert_eq!(skipped.count(), 2);
 }
 
 #[test]
@@ -322,7 +329,7 @@ fn shooting_needs_no_stored_matrix() {
         &patches,
         true,
         Stop::default(),
-        &Watch::default(),
+        &RecordFilter::default(),
         &mut Unrecorded,
     )
     .unwrap();

@@ -101,7 +101,7 @@ impl<A: Cargo> Edge<A> {
         self.inverse_depth.advance();
     }
 
-    pub fn entered(&self) -> Event<A::Told> {
+    pub fn entered(&self) -> Event<A::Recorded> {
         Event::EdgeEntered {
             edge: self.number,
             upper: self.upper.corner,
@@ -109,11 +109,11 @@ impl<A: Cargo> Edge<A> {
             first: self.first,
             end: self.end,
             slope: self.slope,
-            step: self.value.step.told(),
+            step: self.value.step.recorded(),
         }
     }
 
-    pub fn scope(&self) -> Event<A::Told> {
+    pub fn scope(&self) -> Event<A::Recorded> {
         Event::Edge {
             edge: self.number,
             upper: self.upper.corner,

@@ -39,13 +39,13 @@ pub trait Carried: Linear + Default + PartialEq + Debug + Send + Sync + 'static 
 
 /// What goes from the corners to the pixels: a carried value alone, or with more that goes along untold.
 pub trait Cargo: Linear {
-    type Told: Carried;
-    fn told(self) -> Self::Told;
+    type Recorded: Carried;
+    fn recorded(self) -> Self::Recorded;
 }
 
 impl<A: Carried> Cargo for A {
-    type Told = A;
-    fn told(self) -> A {
+    type Recorded = A;
+    fn recorded(self) -> A {
         self
     }
 }
@@ -140,7 +140,7 @@ impl<A: Cargo> ScanLine<A> {
     /// Draws a polygon into `frame`, in the pixels of `region` only. `shade` turns a fragment into a colour.
     ///
     /// The values of a pixel do not depend on the region: increments count from the border of the frame.
-    pub fn fill<E: From<Event<A::Told>>, R: Recorder<E>>(
+    pub fn fill<E: From<Event<A::Recorded>>, R: Recorder<E>>(
         &mut self,
         polygon: &[Corner<A>],
         view: &View,
@@ -197,7 +197,7 @@ impl<A: Cargo> ScanLine<A> {
     }
 
     /// Every edge that passes the centre of a row, sorted by the first such row.
-    fn build_edge_table<E: From<Event<A::Told>>>(
+    fn build_edge_table<E: From<Event<A::Recorded>>>(
         &mut self,
         height: u32,
         recorder: &mut impl Recorder<E>,
@@ -222,7 +222,7 @@ impl<A: Cargo> ScanLine<A> {
                     x,
                     y,
                     z: 1.0 / inverse_depth,
-                    value: value.told(),
+                    value: value.recorded(),
                 }
                 .into()
             });
@@ -254,7 +254,7 @@ impl<A: Cargo> ScanLine<A> {
     }
 
     /// One scan line: where it cuts the active edges, and the spans between each pair of cuts.
-    fn scan<E: From<Event<A::Told>>, R: Recorder<E>>(
+    fn scan<E: From<Event<A::Recorded>>, R: Recorder<E>>(
         &mut self,
         y: u32,
         region: &Region,
@@ -268,18 +268,18 @@ impl<A: Cargo> ScanLine<A> {
             let edge = &mut self.edge_table[active];
             edge.cut(y_4);
             recorder.enter(|| edge.scope().into());
-            if A::Told::NAMES.is_some() {
+            if A::Recorded::NAMES.is_some() {
                 recorder.step(|| {
                     Event::EdgeEnds {
-                        a_1: edge.upper.value.told(),
-                        a_2: edge.lower.value.told(),
+                        a_1: edge.upper.value.recorded(),
+                        a_2: edge.lower.value.recorded(),
                     }
                     .into()
                 });
                 recorder.leave(|| {
                     Event::EdgeInterpolated {
-                        direct: edge.value_at(y_4).told(),
-                        incremental: edge.value.value.told(),
+                        direct: edge.value_at(y_4).recorded(),
+                        incremental: edge.value.value.recorded(),
                     }
                     .into()
                 });
@@ -305,7 +305,7 @@ impl<A: Cargo> ScanLine<A> {
 }
 
 /// The pixels of row `y` whose centres lie between two edges, the left one included.
-fn fill_span<A: Cargo, E: From<Event<A::Told>>, R: Recorder<E>>(
+fn fill_span<A: Cargo, E: From<Event<A::Recorded>>, R: Recorder<E>>(
     y: u32,
     left: &Edge<A>,
     right: &Edge<A>,
@@ -327,8 +327,8 @@ fn fill_span<A: Cargo, E: From<Event<A::Told>>, R: Recorder<E>>(
         }
         .into()
     });
-    if A::Told::NAMES.is_some() {
-        let [a_4, a_5] = [a_4, a_5].map(Cargo::told);
+    if A::Recorded::NAMES.is_some() {
+        let [a_4, a_5] = [a_4, a_5].map(Cargo::recorded);
         recorder.step(|| Event::SpanEnds { a_4, a_5 }.into());
     }
     if first < end {
@@ -356,11 +356,11 @@ fn fill_span<A: Cargo, E: From<Event<A::Told>>, R: Recorder<E>>(
                     .into()
                 });
                 if nearer {
-                    if A::Told::NAMES.is_some() {
+                    if A::Recorded::NAMES.is_some() {
                         recorder.step(|| {
                             Event::SpanInterpolated {
-                                direct: interpolate(a_4, x_4, a_5, x_5, x_p).told(),
-                                incremental: value.value.told(),
+                                direct: interpolate(a_4, x_4, a_5, x_5, x_p).recorded(),
+                                incremental: value.value.recorded(),
                             }
                             .into()
                         });

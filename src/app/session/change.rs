@@ -1,9 +1,9 @@
 //! Parameters that are changed while one looks: the part that is looked at is recorded again, and the whole picture begun anew.
 
 use super::{Refused, Session};
-use crate::app::words;
+use crate::app::strings;
 use crate::lesson::{Change, NotAllowed, Parameter};
-use crate::panels::words::Words;
+use crate::panels::strings::Words;
 use crate::scene::Scene;
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ impl Session {
     /// Whether a parameter has another value than the lesson gives it.
     pub fn is_changed(&self) -> bool {
         let lesson = &self.open.lesson;
-        let (now, opened) = (&self.open.stage.scene, &lesson.scene);
+        let (now, opened) = (&self.open.prepared.scene, &lesson.scene);
         let mut parameters = lesson.parameters.iter();
         parameters.any(|parameter| parameter.value(now) != parameter.value(opened))
     }
@@ -24,22 +24,22 @@ impl Session {
     /// Why a parameter cannot be changed, if it cannot.
     pub(super) fn cannot_change(&self, parameter: Parameter) -> Option<Words> {
         let may = self.open.lesson.parameters.contains(&parameter);
-        (!may).then_some(words::STAYS)
+        (!may).then_some(strings::STAYS)
     }
 
     pub(super) fn change(&mut self, change: Change) -> Result<(), Refused> {
-        if let Some(words) = self.cannot_change(change.parameter()) {
-            return Err(words.into());
+        if let Some(strings) = self.cannot_change(change.parameter()) {
+            return Err(strings.into());
         }
-        if change.parameter().value(&self.open.stage.scene) == Some(change) {
+        if change.parameter().value(&self.open.prepared.scene) == Some(change) {
             return Ok(());
         }
-        let mut scene = self.open.stage.scene.clone();
+        let mut scene = self.open.prepared.scene.clone();
         let made = change.make(&mut scene, &self.open.lesson.scene);
         made.map_err(|why| match why {
-            NotAllowed::TooFar => words::TOO_FAR,
-            NotAllowed::NoView => words::NO_VIEW,
-            NotAllowed::OutOfRange => words::OUT_OF_RANGE,
+            NotAllowed::TooFar => strings::TOO_FAR,
+            NotAllowed::NoView => strings::NO_VIEW,
+            NotAllowed::OutOfRange => strings::OUT_OF_RANGE,
         })?;
         self.set_up(scene);
         Ok(())
@@ -51,23 +51,23 @@ impl Session {
 
     /// Puts another scene on the stage; where only its lights are other ones, all that was made of the rest stays.
     fn set_up(&mut self, scene: Scene) {
-        let old = &self.open.stage;
+        let old = &self.open.prepared;
         let lit = Scene {
             lights: scene.lights.clone(),
             ..old.scene.clone()
         };
-        let stage = if lit == scene {
+        let prepared = if lit == scene {
             Some((**old).clone().with_lights(scene.lights))
         } else {
-            self.open.lesson.stage(scene)
+            self.open.lesson.prepared(scene)
         };
         // A lesson that was opened has a camera.
-        let Some(stage) = stage.map(Arc::new) else {
+        let Some(prepared) = prepared.map(Arc::new) else {
             return;
         };
         self.preview
-            .begin_anew(stage.clone(), super::methods(&self.open));
-        self.open.stage = stage;
+            .begin_anew(prepared.clone(), super::methods(&self.open));
+        self.open.prepared = prepared;
         self.look_again();
     }
 }
@@ -80,7 +80,7 @@ mod tests {
     use crate::color::Rgb;
     use crate::lesson::Coefficient;
     use crate::lesson::{Answer, Lesson, builtin};
-    use crate::panels::words::Language;
+    use crate::panels::strings::Language;
     use crate::panels::{Panel, draw};
     use crate::picture::Picture;
     use crate::record::Value;
@@ -130,7 +130,7 @@ mod tests {
             session
                 .said_here()
                 .unwrap()
-                .say(Language::English)
+                .localize(Language::English)
                 .to_owned()
         };
         let before = (intensity(&session), said(&session), picture(&mut session));
@@ -149,9 +149,9 @@ mod tests {
         };
         *position = THERE;
         let open = lit.open().unwrap();
-        assert_eq!(session.open.stage.settings, open.stage.settings);
+        assert_eq!(session.open.prepared.settings, open.prepared.settings);
         let rendered = render(
-            &open.stage,
+            &open.prepared,
             open.lesson.method,
             NonZeroUsize::MIN,
             &|_, _| {},
@@ -168,11 +168,11 @@ mod tests {
         let mut session = session();
         let far = DVec3::new(0.0, 2e75, 0.0);
         for (light, position, why) in [
-            (1, THERE, words::STAYS),
-            (usize::MAX, THERE, words::STAYS),
-            (0, DVec3::NAN, words::TOO_FAR),
-            (0, DVec3::NEG_INFINITY, words::TOO_FAR),
-            (0, far, words::TOO_FAR),
+            (1, THERE, strings::STAYS),
+            (usize::MAX, THERE, strings::STAYS),
+            (0, DVec3::NAN, strings::TOO_FAR),
+            (0, DVec3::NEG_INFINITY, strings::TOO_FAR),
+            (0, far, strings::TOO_FAR),
         ] {
             let command = Command::Change(Change::Light { light, position });
             assert_eq!(
@@ -187,8 +187,8 @@ mod tests {
             light: 0,
             position: THERE,
         });
-        assert_eq!(session.allows(&command), Err(words::STAYS.into()));
-        assert_eq!(session.update(command), Err(words::STAYS.into()));
+        assert_eq!(session.allows(&command), Err(strings::STAYS.into()));
+        assert_eq!(session.update(command), Err(strings::STAYS.into()));
     }
 
     #[test]
@@ -222,7 +222,7 @@ mod tests {
             session.update(Command::Change(change)).unwrap();
             assert!(session.is_changed() && session.recording() == 2);
             assert_eq!(
-                change.parameter().value(&session.stage().scene),
+                change.parameter().value(&session.prepared().scene),
                 Some(change)
             );
             assert!(picture(&mut session) != before, "{change:?}");
@@ -269,7 +269,7 @@ mod tests {
                 value,
             };
             session.update(Command::Change(change)).unwrap();
-            assert_eq!(session.stage().scene.materials[0].diffuse, color);
+            assert_eq!(session.prepared().scene.materials[0].diffuse, color);
         }
         assert!(!session.is_changed());
     }
@@ -277,7 +277,7 @@ mod tests {
     #[test]
     fn a_ball_is_divided_as_finely_as_is_asked() {
         let mut session = Session::new(ball()).unwrap();
-        let polygons = |session: &Session| session.stage().tessellation.polygon_count();
+        let polygons = |session: &Session| session.prepared().tessellation.polygon_count();
         assert_eq!(polygons(&session), 2 * 4 * 4);
         let mut divide = |divisions| {
             let object = 0;
@@ -286,8 +286,8 @@ mod tests {
             done.map(|()| polygons(&session))
         };
         assert_eq!(divide(9), Ok(2 * 9 * 9));
-        assert_eq!(divide(1), Err(words::OUT_OF_RANGE.into()));
-        assert_eq!(divide(u32::MAX), Err(words::OUT_OF_RANGE.into()));
+        assert_eq!(divide(1), Err(strings::OUT_OF_RANGE.into()));
+        assert_eq!(divide(u32::MAX), Err(strings::OUT_OF_RANGE.into()));
     }
 
     #[test]
@@ -296,9 +296,9 @@ mod tests {
         lesson.parameters = vec![Parameter::Eye];
         let mut session = Session::new(lesson).unwrap();
         let mut eye = |position| session.update(Command::Change(Change::Eye { position }));
-        assert_eq!(eye(DVec3::ZERO), Err(words::NO_VIEW.into()));
-        assert_eq!(eye(DVec3::new(0.0, 5.0, 0.0)), Err(words::NO_VIEW.into()));
-        assert_eq!(eye(DVec3::INFINITY), Err(words::TOO_FAR.into()));
+        assert_eq!(eye(DVec3::ZERO), Err(strings::NO_VIEW.into()));
+        assert_eq!(eye(DVec3::new(0.0, 5.0, 0.0)), Err(strings::NO_VIEW.into()));
+        assert_eq!(eye(DVec3::INFINITY), Err(strings::TOO_FAR.into()));
         assert_eq!(eye(DVec3::new(0.0, 5.0, 0.1)), Ok(()));
     }
 
@@ -309,7 +309,7 @@ mod tests {
         put(&mut session, THERE);
         assert_eq!(
             session.update(Command::Share),
-            Err(words::SHARE_UNCHANGED_ONLY.into())
+            Err(strings::SHARE_UNCHANGED_ONLY.into())
         );
         session.update(Command::Focus(Focus::Frame)).unwrap();
         session.update(Command::Forward(9)).unwrap();
@@ -364,7 +364,7 @@ mod tests {
         let said = |session: &Session| {
             let narrated = session.open.narrated.iter();
             narrated
-                .map(|said| said.say(Language::English).to_owned())
+                .map(|said| said.localize(Language::English).to_owned())
                 .collect::<Vec<_>>()
         };
         assert_eq!(said(&session), said(&moved_there));

@@ -4,7 +4,7 @@ use super::StudyCommand;
 use crate::algorithms::focus::Focus;
 use crate::lesson::Change;
 use crate::panels::TreeView;
-use crate::panels::words::{Language, Words};
+use crate::panels::strings::{Language, Words};
 use crate::picture::{Tag, Theme};
 use crate::scene::Part;
 
@@ -118,14 +118,14 @@ pub enum Refused {
 impl Refused {
     pub fn in_language(&self, language: Language) -> &str {
         match self {
-            Refused::Because(words) => words.in_language(language),
+            Refused::Because(strings) => strings.in_language(language),
             Refused::Error(text) => text,
         }
     }
 }
 
 impl From<Words> for Refused {
-    fn from(words: Words) -> Self {
-        Refused::Because(words)
+    fn from(strings: Words) -> Self {
+        Refused::Because(strings)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Refused, Session};
 use crate::algorithms::focus::Focus;
-use crate::app::words;
+use crate::app::strings;
 use crate::panels::TreeView;
 use crate::picture::Tag;
 use crate::record::{RecordingLimit, Value};
@@ -17,9 +17,9 @@ impl Session {
     /// Records another part of the frame, and goes to the step that is most like the present one; the lesson's own part
     /// goes on where it was left, so that no way around leads past a question.
     pub(super) fn look_at(&mut self, focus: Focus) -> Result<(), Refused> {
-        let told = self.open.lesson.method.tells_of(focus);
-        if !told || self.open.stage.check(focus).is_err() {
-            return Err(words::OUTSIDE.into());
+        let recorded = self.open.lesson.method.tells_of(focus);
+        if !recorded || self.open.prepared.check(focus).is_err() {
+            return Err(strings::OUTSIDE.into());
         }
         if focus == self.focus {
             return Ok(());
@@ -87,7 +87,7 @@ impl Session {
         let seen = query::previous(pixel.walk(), &colored, pixel.walk().len());
         match seen.and_then(|step| pixel.walk().fields(step).get("polygon")) {
             Some(Value::Integer(number)) => self.look_at(Focus::Polygon(number as usize)),
-            _ => Err(words::NOTHING_DRAWN_THERE.into()),
+            _ => Err(strings::NOTHING_DRAWN_THERE.into()),
         }
     }
 
@@ -108,7 +108,7 @@ impl Session {
 
     fn record(&self, focus: Focus) -> Run {
         Run::record(
-            self.open.stage.clone(),
+            self.open.prepared.clone(),
             self.open.lesson.method,
             focus,
             RecordingLimit::default(),

@@ -1,9 +1,9 @@
 //! Everything that the window shows, without a window: a [`Command`] changes it, and nothing else does.
 
-mod anyway;
 mod change;
 mod command;
 mod focus;
+mod forced;
 mod play;
 mod preview;
 mod question;
@@ -19,10 +19,10 @@ pub use question::{Standing, read_number};
 pub use study::{Outcome, PointAt, StudyCommand, Studying};
 
 use crate::algorithms::focus::Focus;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson, builtins};
-use crate::panels::words::{Language, Words};
-use crate::panels::{Panel, Show, TreeView};
+use crate::panels::strings::{Language, Words};
+use crate::panels::{Panel, PanelInput, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::replay::Walk;
 use play::{Loop, Play};
@@ -44,7 +44,7 @@ pub struct Look {
     before_presenting: Theme,
     pub keys: bool,
     /// The view of what is left out.
-    pub left_out: bool,
+    pub skipped: bool,
     pub inspector: bool,
     /// Whether rooms are shown smooth, not patch by patch.
     pub smooth: bool,
@@ -60,7 +60,7 @@ impl Look {
             presenting: false,
             before_presenting: Theme::Light,
             keys: false,
-            left_out: false,
+            skipped: false,
             inspector: true,
             smooth: false,
             questions: true,
@@ -136,7 +136,7 @@ impl Session {
             left_at: 0,
             narrated: Vec::new(),
             standings: Vec::new(),
-            preview: Preview::new(open.stage.clone(), methods(&open)),
+            preview: Preview::new(open.prepared.clone(), methods(&open)),
             pictures: 0,
             recording: 0,
             breakpoints: HashMap::new(),
@@ -161,7 +161,7 @@ impl Session {
     /// Puts another lesson in place of this one; what belongs to the user (language, theme, speed) stays.
     fn replace(&mut self, lesson: Lesson) -> Result<(), LessonError> {
         let open = lesson.open()?;
-        self.preview = Preview::new(open.stage.clone(), methods(&open));
+        self.preview = Preview::new(open.prepared.clone(), methods(&open));
         self.focus = open.lesson.focus;
         self.open = open;
         self.start_over();
@@ -171,7 +171,7 @@ impl Session {
     fn start_over(&mut self) {
         self.recording += 1;
         self.look.inspector = self.open.lesson.panels.contains(&Panel::Inspector);
-        self.look.smooth = self.open.stage.radiosity.smooth;
+        self.look.smooth = self.open.prepared.radiosity.smooth;
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
         self.standings = vec![Standing::Open; self.narrated.len()];
         self.breakpoints.clear();
@@ -184,8 +184,8 @@ impl Session {
     }
 
     /// The scene in front of its camera.
-    pub fn stage(&self) -> &Stage {
-        &self.open.stage
+    pub fn prepared(&self) -> &PreparedScene {
+        &self.open.prepared
     }
 
     pub fn lesson(&self) -> &Lesson {
@@ -247,8 +247,8 @@ impl Session {
         self.pictures += 1;
     }
 
-    pub fn show(&self) -> Show<'_> {
-        Show {
+    pub fn show(&self) -> PanelInput<'_> {
+        PanelInput {
             run: &self.open.run,
             finished: self.preview.frame(),
             compared: self.preview.compared(),
@@ -307,8 +307,8 @@ impl Session {
         panels
     }
 
-    pub fn say(&self, words: Words) -> &'static str {
-        words.in_language(self.look.language)
+    pub fn localize(&self, strings: Words) -> &'static str {
+        strings.in_language(self.look.language)
     }
 
     /// The lesson's number, where it has one, and title.
@@ -325,20 +325,23 @@ impl Session {
     pub fn window_title(&self) -> String {
         let (step, last) = (self.step(), self.last_step());
         let title = self.lesson().title.in_language(self.look.language);
-        let (word, of) = (self.say(super::words::STEP), self.say(super::words::OF));
+        let (word, of) = (
+            self.localize(super::strings::STEP),
+            self.localize(super::strings::OF),
+        );
         format!("Lightwalk – {title} – {word} {step} {of} {last}")
     }
 
     /// The command that opens this lesson at this step. Errors: why there is none.
     pub fn command_line(&self) -> Result<String, Words> {
         if self.lesson().number == Lesson::UNNUMBERED {
-            Err(super::words::SHARE_NO_STUDY)
+            Err(super::strings::SHARE_NO_STUDY)
         } else if !self.follows_lesson() {
-            Err(super::words::SHARE_LESSON_ONLY)
-        } else if !self.stage().anyway().is_empty() {
-            Err(super::words::SHARE_AS_LEFT_OUT_ONLY)
+            Err(super::strings::SHARE_LESSON_ONLY)
+        } else if !self.prepared().forced().is_empty() {
+            Err(super::strings::SHARE_AS_LEFT_OUT_ONLY)
         } else if self.is_changed() {
-            Err(super::words::SHARE_UNCHANGED_ONLY)
+            Err(super::strings::SHARE_UNCHANGED_ONLY)
         } else {
             Ok(format!(
                 "lightwalk open {} --step {}",

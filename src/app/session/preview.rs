@@ -2,10 +2,10 @@
 //! being called off.
 
 use crate::algorithms::frame::Frame;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::render::compare::{Compared, compare};
 use crate::render::{Cancelled, Method, preview, race};
-use crate::study::saving;
+use crate::study::ablation;
 use crate::study::timing::{Patience, Timing};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -76,26 +76,26 @@ impl State {
 
 impl Preview {
     /// Begins the picture of the stage.
-    pub fn new(stage: Arc<Stage>, methods: Methods) -> Self {
-        let [width, height] = [stage.view.width, stage.view.height];
-        let background = Frame::new(width, 0..height, stage.scene.background);
-        Preview::over(background, stage, methods)
+    pub fn new(prepared: Arc<PreparedScene>, methods: Methods) -> Self {
+        let [width, height] = [prepared.view.width, prepared.view.height];
+        let background = Frame::new(width, 0..height, prepared.scene.background);
+        Preview::over(background, prepared, methods)
     }
 
     /// Begins anew, on a stage of the same view; what there is stays to be seen until the first pass comes.
-    pub fn begin_anew(&mut self, stage: Arc<Stage>, methods: Methods) {
-        let nothing = Frame::new(0, 0..0, stage.scene.background);
+    pub fn begin_anew(&mut self, prepared: Arc<PreparedScene>, methods: Methods) {
+        let nothing = Frame::new(0, 0..0, prepared.scene.background);
         let frame = std::mem::replace(&mut self.frame, nothing);
-        *self = Preview::over(frame, stage, methods);
+        *self = Preview::over(frame, prepared, methods);
     }
 
-    fn over(frame: Frame, stage: Arc<Stage>, methods: Methods) -> Self {
+    fn over(frame: Frame, prepared: Arc<PreparedScene>, methods: Methods) -> Self {
         let threads = thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
         Preview::of(frame, move |state, passes| {
             let progress = |done, all| state.progress(done, all);
             // The other end may be gone: then there is nobody to be sorry for.
             let show = &mut |pass: &Frame| drop(passes.send(Pass::Picture(pass.clone())));
-            let Ok(whole) = preview(&stage, methods.picture, threads, progress, show) else {
+            let Ok(whole) = preview(&prepared, methods.picture, threads, progress, show) else {
                 return;
             };
             drop(passes.send(Pass::Picture(whole)));
@@ -103,14 +103,14 @@ impl Preview {
                 if progress(1, 1).is_err() {
                     return;
                 }
-                drop(passes.send(Pass::Compared(compare(&stage, method))));
+                drop(passes.send(Pass::Compared(compare(&prepared, method))));
             }
             if methods.picture == Method::Radiosity && progress(1, 1).is_ok() {
-                race(&stage);
+                race(&prepared);
                 drop(passes.send(Pass::Raced));
             }
-            if !stage.anyway().is_empty() && progress(1, 1).is_ok() {
-                let times = saving::both(&stage, methods.picture, MEASURING);
+            if !prepared.forced().is_empty() && progress(1, 1).is_ok() {
+                let times = ablation::both(&prepared, methods.picture, MEASURING);
                 drop(passes.send(Pass::Timed(times)));
             }
         })
@@ -260,16 +260,16 @@ mod tests {
 
     #[test]
     fn a_dropped_picture_is_called_off() {
-        let (tell, told) = channel();
+        let (tell, recorded) = channel();
         let endless = Preview::of(frame(0.0), move |state, _| {
             while state.progress(0, 1).is_ok() {
                 thread::yield_now();
             }
             tell.send(()).unwrap();
         });
-        assert!(told.try_recv().is_err());
+        assert!(recorded.try_recv().is_err());
         drop(endless);
         // The maker says that it has ended; without that, this would wait for ever.
-        told.recv().unwrap();
+        recorded.recv().unwrap();
     }
 }

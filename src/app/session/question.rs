@@ -1,7 +1,7 @@
 //! Predict before seeing: what follows a question stays hidden until it is answered or skipped.
 
 use super::{Guess, Refused, Session};
-use crate::app::words;
+use crate::app::strings;
 use crate::lesson::{Answer, Question};
 
 /// How a question stands.
@@ -43,18 +43,18 @@ impl Session {
         let index = self
             .narrated_here()
             .filter(|_| self.question_at(self.step()));
-        let index = index.ok_or(words::NO_QUESTION)?;
+        let index = index.ok_or(strings::NO_QUESTION)?;
         let question = self.open.narrated[index].question.as_ref();
         let right = match (question.map(|question| &question.answer), guess) {
             (Some(Answer::Number { value, tolerance }), Guess::Number(text)) => {
-                let number = read_number(text).ok_or(words::NOT_A_NUMBER)?;
+                let number = read_number(text).ok_or(strings::NOT_A_NUMBER)?;
                 (number - value).abs() <= *tolerance
             }
             (Some(Answer::Choice { right, .. }), Guess::Choice(choice)) => choice == right,
             (Some(Answer::Pixel { x, y, tolerance }), Guess::Pixel { x: at_x, y: at_y }) => {
                 x.abs_diff(*at_x) <= *tolerance && y.abs_diff(*at_y) <= *tolerance
             }
-            _ => return Err(words::NO_QUESTION.into()),
+            _ => return Err(strings::NO_QUESTION.into()),
         };
         self.standings[index] = if right {
             Standing::Right
@@ -68,7 +68,7 @@ impl Session {
         let index = self
             .narrated_here()
             .filter(|_| self.question_at(self.step()));
-        self.standings[index.ok_or(words::NO_QUESTION)?] = Standing::Skipped;
+        self.standings[index.ok_or(strings::NO_QUESTION)?] = Standing::Skipped;
         Ok(())
     }
 

@@ -1,6 +1,6 @@
 use super::{Command, Direction, Guess, Refused, Session, Standing};
 use crate::algorithms::focus::Focus;
-use crate::app::words;
+use crate::app::strings;
 use crate::lesson::{Answer, builtin};
 use crate::panels::{Panel, draw};
 use crate::picture::Tag;
@@ -60,17 +60,17 @@ fn both_ends_refuse_to_go_further() {
     let mut session = triangle();
     assert_eq!(
         session.update(Command::Back(1)),
-        Err(words::AT_THE_START.into())
+        Err(strings::AT_THE_START.into())
     );
     go(&mut session, Command::Forward(usize::MAX));
     assert_eq!(session.step(), session.last_step());
     assert_eq!(
         session.update(Command::Forward(1)),
-        Err(words::AT_THE_END.into())
+        Err(strings::AT_THE_END.into())
     );
     assert_eq!(
         session.allows(&Command::Forward(1)),
-        Err(words::AT_THE_END.into())
+        Err(strings::AT_THE_END.into())
     );
     go(&mut session, Command::Start);
     assert_eq!(session.step(), 0);
@@ -96,7 +96,10 @@ fn playing_forward_takes_steps_in_time_and_ends_at_the_end() {
         (session.step(), session.playing()),
         (session.last_step(), None)
     );
-    assert_eq!(session.update(Command::Play), Err(words::AT_THE_END.into()));
+    assert_eq!(
+        session.update(Command::Play),
+        Err(strings::AT_THE_END.into())
+    );
 }
 
 #[test]
@@ -152,7 +155,7 @@ fn a_question_stops_every_way_forward_until_it_is_answered_or_skipped() {
         Command::NextNarrated,
         Command::Play,
     ] {
-        assert_eq!(session.update(command), Err(words::ANSWER_FIRST.into()));
+        assert_eq!(session.update(command), Err(strings::ANSWER_FIRST.into()));
         assert_eq!(session.step(), asked);
     }
     go(&mut session, Command::Back(1));
@@ -208,7 +211,7 @@ fn answers_are_held_against_the_run() {
         };
         if matches!(right, Guess::Number(_)) {
             let much = Command::Answer(Guess::Number("much".into()));
-            assert_eq!(session.update(much), Err(words::NOT_A_NUMBER.into()));
+            assert_eq!(session.update(much), Err(strings::NOT_A_NUMBER.into()));
         }
         answered += 1;
         let (guess, standing) = if answered % 2 == 0 {
@@ -260,7 +263,7 @@ fn another_focus_keeps_the_place_and_the_way_back_brings_the_narration() {
     assert!(session.said_last().is_some());
     assert_eq!(
         session.update(Command::Focus(Focus::ScanLine(9999))),
-        Err(words::OUTSIDE.into())
+        Err(strings::OUTSIDE.into())
     );
 }
 
@@ -301,7 +304,7 @@ fn the_polygon_under_a_pixel_is_found() {
     assert!(matches!(session.focus(), Focus::Polygon(_)));
     assert_eq!(
         session.update(Command::FocusOnPolygonAt { x: 0, y: 0 }),
-        Err(words::NOTHING_DRAWN_THERE.into())
+        Err(strings::NOTHING_DRAWN_THERE.into())
     );
     go(
         &mut session,
@@ -346,7 +349,7 @@ fn a_search_goes_around_and_says_when_it_fails() {
     assert_eq!(session.step(), first);
     assert_eq!(
         session.update(Command::Find("Nonsense".into())),
-        Err(words::NOT_FOUND.into())
+        Err(strings::NOT_FOUND.into())
     );
     assert!(matches!(
         session.update(Command::Find("y=".into())),
@@ -376,7 +379,7 @@ fn another_lesson_takes_the_place_of_this_one() {
     );
     assert_eq!(
         session.update(Command::Open("nothing".into())),
-        Err(words::NO_SUCH_LESSON.into())
+        Err(strings::NO_SUCH_LESSON.into())
     );
     go(&mut session, Command::Share);
     assert_eq!(
@@ -398,9 +401,9 @@ fn a_lesson_is_walked_while_its_picture_is_made() {
     session.wait_for_picture();
     assert!(!session.awaits_picture() && session.picture_percent().is_none());
     assert!(session.pictures() > pictures);
-    let stage = &session.open.stage;
+    let prepared = &session.open.prepared;
     let rendered = render(
-        stage,
+        prepared,
         session.lesson().method,
         NonZeroUsize::MIN,
         &|_, _| {},

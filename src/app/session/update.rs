@@ -1,9 +1,9 @@
 //! What each command does.
 
 use super::{Command, Direction, Guess, Refused, Session, TEXT_SIZES};
-use crate::app::words;
+use crate::app::strings;
 use crate::lesson::builtin;
-use crate::panels::words::{Language, Words};
+use crate::panels::strings::{Language, Words};
 use crate::picture::{Tag, Theme};
 use crate::record::Outline;
 use crate::replay::{Query, moves, query};
@@ -28,13 +28,13 @@ impl Session {
                 return self
                     .change_speed(1)
                     .then_some(())
-                    .ok_or(words::FASTEST.into());
+                    .ok_or(strings::FASTEST.into());
             }
             Command::Slower => {
                 return self
                     .change_speed(-1)
                     .then_some(())
-                    .ok_or(words::SLOWEST.into());
+                    .ok_or(strings::SLOWEST.into());
             }
             Command::LoopFrom => self.around.from = toggled(self.around.from, self.step()),
             Command::LoopTo => self.around.to = toggled(self.around.to, self.step()),
@@ -43,7 +43,7 @@ impl Session {
             Command::Focus(focus) => return self.look_at(focus),
             Command::FocusOnPointer => {
                 let focus = self.hovered.and_then(|tag| self.focus_of(tag));
-                return self.look_at(focus.ok_or(words::NOTHING_UNDER_POINTER)?);
+                return self.look_at(focus.ok_or(strings::NOTHING_UNDER_POINTER)?);
             }
             Command::FocusOnPolygonAt { x, y } => return self.look_at_polygon(x, y),
             Command::Click(tag) => return self.click(tag),
@@ -53,9 +53,9 @@ impl Session {
             Command::Skip => return self.skip(),
             Command::Questions => self.look.questions = !self.look.questions,
             Command::Change(change) => return self.change(change),
-            Command::Anyway(part) => return self.do_anyway(part),
+            Command::Anyway(part) => return self.force(part),
             Command::Reset => {
-                if !self.stage().anyway().is_empty() {
+                if !self.prepared().forced().is_empty() {
                     self.leave_all_out();
                 }
                 if self.is_changed() {
@@ -65,7 +65,7 @@ impl Session {
                 self.start_over();
             }
             Command::Open(id) => {
-                let builtin = builtin(&id).ok_or(words::NO_SUCH_LESSON)?;
+                let builtin = builtin(&id).ok_or(strings::NO_SUCH_LESSON)?;
                 let opened = builtin.read().and_then(|lesson| self.replace(lesson));
                 opened.map_err(|error| Refused::Error(error.to_string()))?;
                 self.studying.is_open = false;
@@ -84,7 +84,7 @@ impl Session {
         if let Some(target) = self.target(command)? {
             let waits = self.question_at(self.step()) && target > self.step();
             return if waits {
-                Err(words::ANSWER_FIRST.into())
+                Err(strings::ANSWER_FIRST.into())
             } else {
                 Ok(())
             };
@@ -94,15 +94,15 @@ impl Session {
             Command::PlayBackwards if self.playing().is_none() => {
                 self.cannot_play(Direction::Backward)
             }
-            Command::LoopOff if self.loop_ends() == (None, None) => Some(words::NO_LOOP),
-            Command::ViewTree(ref view) if *view == self.tree => Some(words::TREE_AS_IT_IS),
+            Command::LoopOff if self.loop_ends() == (None, None) => Some(strings::NO_LOOP),
+            Command::ViewTree(ref view) if *view == self.tree => Some(strings::TREE_AS_IT_IS),
             Command::Share => self.command_line().err(),
             Command::Change(change) => self.cannot_change(change.parameter()),
             Command::Study(command) => self.cannot_study(command),
             Command::Anyway(part) => self.cannot_leave_out(part),
             _ => None,
         };
-        refusal.map_or(Ok(()), |words| Err(words.into()))
+        refusal.map_or(Ok(()), |strings| Err(strings.into()))
     }
 
     /// The step that a command goes to; none for a command that is no move.
@@ -111,24 +111,24 @@ impl Session {
         let go = |go: Move, why: Words| self.walk().target(go).ok_or(why);
         let narrated = |found: Option<&usize>, why: Words| found.copied().ok_or(why);
         let target = match *command {
-            Command::Forward(_) | Command::End if here == last => Err(words::AT_THE_END),
-            Command::Back(_) | Command::Start if here == 0 => Err(words::AT_THE_START),
+            Command::Forward(_) | Command::End if here == last => Err(strings::AT_THE_END),
+            Command::Back(_) | Command::Start if here == 0 => Err(strings::AT_THE_START),
             Command::Forward(steps) => Ok(here.saturating_add(steps).min(last)),
             Command::Back(steps) => Ok(here.saturating_sub(steps)),
             Command::Start => Ok(0),
             Command::End => Ok(last),
-            Command::NextScope => go(moves::next_scope, words::NO_SCOPE_AHEAD),
-            Command::PreviousScope => go(moves::previous_scope, words::NO_SCOPE_BEFORE),
-            Command::Into => go(moves::into, words::AT_THE_END),
-            Command::Over => go(moves::over, words::AT_THE_END),
-            Command::Out => go(moves::out, words::NOTHING_AROUND),
+            Command::NextScope => go(moves::next_scope, strings::NO_SCOPE_AHEAD),
+            Command::PreviousScope => go(moves::previous_scope, strings::NO_SCOPE_BEFORE),
+            Command::Into => go(moves::into, strings::AT_THE_END),
+            Command::Over => go(moves::over, strings::AT_THE_END),
+            Command::Out => go(moves::out, strings::NOTHING_AROUND),
             Command::NextNarrated => narrated(
                 self.narrated.iter().find(|&&step| step > here),
-                words::NOTHING_NARRATED_AHEAD,
+                strings::NOTHING_NARRATED_AHEAD,
             ),
             Command::PreviousNarrated => narrated(
                 self.narrated.iter().rfind(|&&step| step < here),
-                words::NOTHING_NARRATED_BEFORE,
+                strings::NOTHING_NARRATED_BEFORE,
             ),
             Command::Seek(step) => Ok(step.min(last)),
             _ => return Ok(None),
@@ -139,7 +139,7 @@ impl Session {
     /// Goes to a step, or to the first question on the way that waits for its answer.
     fn go_to(&mut self, target: usize) -> Result<(), Refused> {
         match self.question_between(self.step(), target) {
-            Some(step) if step == self.step() => return Err(words::ANSWER_FIRST.into()),
+            Some(step) if step == self.step() => return Err(strings::ANSWER_FIRST.into()),
             Some(step) => self.seek(step),
             None => self.seek(target),
         }
@@ -164,21 +164,21 @@ impl Session {
         };
         self.search = text;
         self.play = None;
-        self.go_to(found.ok_or(words::NOT_FOUND)?)
+        self.go_to(found.ok_or(strings::NOT_FOUND)?)
     }
 
     fn cannot_play(&self, direction: Direction) -> Option<Words> {
         match direction {
-            Direction::Forward if self.question_at(self.step()) => Some(words::ANSWER_FIRST),
+            Direction::Forward if self.question_at(self.step()) => Some(strings::ANSWER_FIRST),
             _ if self.can_play(direction) => None,
-            Direction::Forward => Some(words::AT_THE_END),
-            Direction::Backward => Some(words::AT_THE_START),
+            Direction::Forward => Some(strings::AT_THE_END),
+            Direction::Backward => Some(strings::AT_THE_START),
         }
     }
 
     fn start_playing(&mut self, direction: Direction) -> Result<(), Refused> {
         match self.cannot_play(direction) {
-            Some(words) if self.playing() != Some(direction) => Err(words.into()),
+            Some(strings) if self.playing() != Some(direction) => Err(strings.into()),
             _ => {
                 self.play(direction);
                 Ok(())
@@ -211,12 +211,12 @@ impl Session {
                 };
                 let next = (self.step() + 1..self.walk().len()).find(carries_out);
                 let found = next.or_else(|| (0..self.step()).find(carries_out));
-                self.update(Command::Seek(found.ok_or(words::NOT_FOUND)?))
+                self.update(Command::Seek(found.ok_or(strings::NOT_FOUND)?))
             }
             Tag::Pixel { .. } | Tag::ScanLine(_) | Tag::Polygon(_)
                 if self.focus_of(tag) != Some(self.focus) =>
             {
-                self.look_at(self.focus_of(tag).ok_or(words::OUTSIDE)?)
+                self.look_at(self.focus_of(tag).ok_or(strings::OUTSIDE)?)
             }
             _ => {
                 self.lit = Some(tag).filter(|_| self.lit != Some(tag));
@@ -257,14 +257,14 @@ impl Session {
             }
             Command::StopPresenting => {}
             Command::Keys => look.keys = !look.keys,
-            Command::LeftOut => look.left_out = !look.left_out,
+            Command::LeftOut => look.skipped = !look.skipped,
             Command::Inspector => look.inspector = !look.inspector,
             Command::Smooth => look.smooth = !look.smooth,
             Command::NormalText => look.text = super::Look::new().text,
             Command::LargerText if look.text + 1 == TEXT_SIZES.len() => {
-                return Err(words::LARGEST.into());
+                return Err(strings::LARGEST.into());
             }
-            Command::SmallerText if look.text == 0 => return Err(words::SMALLEST.into()),
+            Command::SmallerText if look.text == 0 => return Err(strings::SMALLEST.into()),
             Command::LargerText => look.text += 1,
             Command::SmallerText => look.text -= 1,
             _ => unreachable!("every other command is carried out above"),

@@ -30,7 +30,7 @@ fn lights(screen: &Screen) -> [DVec3; 2] {
     let Run::RayTracing(replay) = show.run else {
         unreachable!("the lesson is on ray tracing")
     };
-    let lights = &replay.state().stage.scene.lights;
+    let lights = &replay.state().prepared.scene.lights;
     [0, 1].map(|number| match lights[number] {
         Light::Point { position, .. } => position,
         Light::Directional { .. } => unreachable!("both are point lights"),
@@ -41,7 +41,7 @@ fn lights(screen: &Screen) -> [DVec3; 2] {
 fn place(screen: &Screen, light: usize) -> egui::Pos2 {
     let panel = screen
         .harness
-        .get_by_role_and_label(Role::Image, words::RAYS.en);
+        .get_by_role_and_label(Role::Image, strings::RAYS.en);
     let rect = panel.rect();
     let size = glam::Vec2::new(rect.width(), rect.height());
     let picture = draw(Panel::Rays, &screen.session().show(), size);
@@ -88,7 +88,7 @@ fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
     let mut screen = ball();
     let step = screen.session().step();
     let before = lights(&screen);
-    let name = format!("{} 0, {}", words::LIGHT.en, words::DISTANCE.en);
+    let name = format!("{} 0, {}", strings::LIGHT.en, strings::DISTANCE.en);
     let slider = screen.harness.get_by_role_and_label(Role::Slider, &name);
     slider.focus();
     screen.harness.run();
@@ -103,7 +103,7 @@ fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
     assert!(screen.session().is_changed());
     screen.keep("parameters");
 
-    screen.click(words::PUT_BACK.en);
+    screen.click(strings::PUT_BACK.en);
     assert_eq!(lights(&screen), before);
     screen.press(Modifiers::NONE, Key::ArrowRight);
     assert_eq!(screen.session().step(), step + 1);
@@ -112,7 +112,7 @@ fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
 #[test]
 fn what_cannot_be_changed_has_no_card() {
     let screen = triangle([]);
-    let title = screen.harness.query_by_label(words::PARAMETERS.en);
+    let title = screen.harness.query_by_label(strings::PARAMETERS.en);
     assert!(title.is_none());
 }
 
@@ -122,7 +122,7 @@ fn the_eye_is_dragged_by_its_vector_and_stays_as_far_away() {
     let mut screen = screen("illumination-model", [1280, 800], 1.0, narrated);
     let panel = screen
         .harness
-        .get_by_role_and_label(Role::Image, words::VECTORS.en);
+        .get_by_role_and_label(Role::Image, strings::VECTORS.en);
     let rect = panel.rect();
     let size = glam::Vec2::new(rect.width(), rect.height());
     let places =
@@ -131,7 +131,7 @@ fn the_eye_is_dragged_by_its_vector_and_stays_as_far_away() {
     let show = screen.session().show();
     let held = |at| vector_grip(&show, size, at).is_some_and(|grip| grip.held == Held::Eye);
     let at = places.find(|&at| held(at)).expect("the eye can be held");
-    let eye = |screen: &Screen| screen.session().stage().view.eye;
+    let eye = |screen: &Screen| screen.session().prepared().view.eye;
     let target = DVec3::new(0.48, 0.64, 0.6);
     let before = eye(&screen);
     let from = rect.min + egui::vec2(at.x, at.y);

@@ -1,6 +1,6 @@
 //! The ray tree in the window: zoomed, dragged, collapsed, and followed.
 
-use super::{Screen, screen, words};
+use super::{Screen, screen, strings};
 use crate::app::session::Command;
 use crate::panels::{Panel, TreeView, draw};
 use crate::picture::Tag;
@@ -18,7 +18,7 @@ fn tree_screen() -> Screen {
 
 /// The place of the panel on the screen.
 fn panel(screen: &Screen) -> egui::Rect {
-    let images = screen.harness.get_all_by_label(words::RAY_TREE.en);
+    let images = screen.harness.get_all_by_label(strings::RAY_TREE.en);
     let mut panel = images.filter(|node| node.accesskit_node().role() == egui::Role::Image);
     panel.next_back().expect("the panel").rect()
 }
@@ -44,12 +44,12 @@ fn tree(screen: &Screen) -> TreeView {
 fn buttons_zoom_and_fit() {
     let mut screen = tree_screen();
     screen.keep("ray-tree");
-    screen.click(words::LARGER_TREE.en);
+    screen.click(strings::LARGER_TREE.en);
     assert!((tree(&screen).zoom - 1.5).abs() < 1e-6);
-    screen.click(words::LARGER_TREE.en);
-    screen.click(words::SMALLER_TREE.en);
+    screen.click(strings::LARGER_TREE.en);
+    screen.click(strings::SMALLER_TREE.en);
     assert!((tree(&screen).zoom - 1.5).abs() < 1e-6);
-    screen.click(words::WHOLE_TREE.en);
+    screen.click(strings::WHOLE_TREE.en);
     assert_eq!(tree(&screen), TreeView::WHOLE);
     // What cannot act is refused.
     let whole = Command::ViewTree(TreeView::WHOLE);

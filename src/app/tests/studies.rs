@@ -10,12 +10,12 @@ use egui::Role;
 /// The window with a study of two curves, of which the first point draws the lesson's stage.
 fn study(commands: impl IntoIterator<Item = Command>) -> Screen {
     let mut screen = triangle(commands);
-    let stage = Shared::new(screen.session().stage().clone());
+    let prepared = Shared::new(screen.session().prepared().clone());
     let found = findings();
     let studying = screen.session_mut().studying_mut();
     (studying.of, studying.parts) = (Some((found.study, true)), found.parts);
     studying.parts[0].lines[0].points[0].drawn = Some(Drawn {
-        stage,
+        prepared,
         method: Method::RayCasting,
         settings: Default::default(),
     });
@@ -27,10 +27,10 @@ fn study(commands: impl IntoIterator<Item = Command>) -> Screen {
 #[test]
 fn the_view_is_opened_from_the_menu_or_by_its_key_and_escape_closes_it() {
     let mut screen = triangle([]);
-    screen.click(words::MENU.en);
-    screen.click(words::STUDIES.en);
+    screen.click(strings::MENU.en);
+    screen.click(strings::STUDIES.en);
     assert!(screen.session().studying().is_open);
-    screen.harness.get_by_label(words::MEASURE.en);
+    screen.harness.get_by_label(strings::MEASURE.en);
     screen.press(Modifiers::NONE, Key::ArrowRight);
     assert_eq!(
         screen.session().step(),
@@ -47,11 +47,11 @@ fn the_view_is_opened_from_the_menu_or_by_its_key_and_escape_closes_it() {
 #[test]
 fn a_study_is_measured_from_its_button_and_no_frame_waits() {
     let mut screen = triangle([Command::Study(StudyCommand::View)]);
-    screen.click(words::MEASURE.en);
+    screen.click(strings::MEASURE.en);
     assert!(screen.session().studying().percent().is_some());
-    screen.harness.get_by_label(words::CALL_OFF.en);
-    screen.click(words::CALL_OFF.en);
-    screen.harness.get_by_label(words::CALLED_OFF.en);
+    screen.harness.get_by_label(strings::CALL_OFF.en);
+    screen.click(strings::CALL_OFF.en);
+    screen.harness.get_by_label(strings::CALLED_OFF.en);
 }
 
 #[test]
@@ -59,7 +59,7 @@ fn a_point_that_is_pointed_at_is_named_and_a_click_opens_it() {
     let mut screen = study([]);
     let plot = screen
         .harness
-        .get_by_role_and_label(Role::Image, words::STUDY_PLOT.en);
+        .get_by_role_and_label(Role::Image, strings::STUDY_PLOT.en);
     let rect = plot.rect();
     // Somewhere in the plot is the only point that draws something.
     let mut found = None;
@@ -73,7 +73,7 @@ fn a_point_that_is_pointed_at_is_named_and_a_click_opens_it() {
             screen.harness.step();
             let here = screen
                 .harness
-                .query_all_by_label_contains(words::CLICK_OPENS_IT.en)
+                .query_all_by_label_contains(strings::CLICK_OPENS_IT.en)
                 .next();
             if here.is_some() {
                 found = Some(at);

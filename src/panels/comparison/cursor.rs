@@ -1,6 +1,6 @@
 //! The pixel that all methods are asked about: the one that the run is at, and before it comes to one, what it looks at.
 
-use super::super::Show;
+use super::super::PanelInput;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::color::Rgb;
@@ -14,14 +14,14 @@ pub struct Cursor {
 }
 
 impl Cursor {
-    pub fn of(show: &Show) -> Cursor {
-        let walk = show.run.walk();
-        let told = (!walk.is_empty()).then(|| walk.fields(walk.position()));
-        let whole = |name| match told.as_ref().and_then(|fields| fields.get(name)) {
+    pub fn of(input: &PanelInput) -> Cursor {
+        let walk = input.run.walk();
+        let recorded = (!walk.is_empty()).then(|| walk.fields(walk.position()));
+        let whole = |name| match recorded.as_ref().and_then(|fields| fields.get(name)) {
             Some(Value::Integer(value)) => u32::try_from(value).ok(),
             _ => None,
         };
-        let looked_at = match show.focus {
+        let looked_at = match input.focus {
             Focus::Pixel { x, y } => (Some(x), Some(y)),
             Focus::ScanLine(y) => (None, Some(y)),
             _ => (None, None),

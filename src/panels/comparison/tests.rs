@@ -1,10 +1,10 @@
-use super::super::crowd::{SIZES, assert_legible};
-use super::super::sample::Sample;
-use super::super::words::Language;
+use super::super::fixture::Fixture;
+use super::super::fixtures::{SIZES, assert_legible};
+use super::super::strings::Language;
 use super::super::{Panel, draw};
 use super::*;
 use crate::algorithms::focus::Focus;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::picture::{Shape, Tag};
 use crate::render::Method;
 use crate::render::compare::compare_on;
@@ -18,16 +18,16 @@ const METHODS: [Method; 4] = [
 ];
 const PANELS: [Panel; 3] = [Panel::Comparison, Panel::Difference, Panel::Profile];
 
-fn stage(sample: &Sample) -> &Stage {
-    match &sample.run {
-        Run::Gouraud(replay) => &replay.state().stage,
-        Run::Phong(replay) => &replay.state().stage,
+fn prepared(fixture: &Fixture) -> &PreparedScene {
+    match &fixture.run {
+        Run::Gouraud(replay) => &replay.state().prepared,
+        Run::Phong(replay) => &replay.state().prepared,
         _ => panic!("the sample converts polygons"),
     }
 }
 
 /// On a clock that ticks a microsecond each time it is looked at.
-fn compared(sample: &Sample) -> Vec<Compared> {
+fn compared(fixture: &Fixture) -> Vec<Compared> {
     let mut ticks = 0.0;
     let mut clock = || {
         ticks += 1e-6;
@@ -35,27 +35,27 @@ fn compared(sample: &Sample) -> Vec<Compared> {
     };
     let methods = METHODS.into_iter();
     methods
-        .map(|method| compare_on(stage(sample), method, &mut clock))
+        .map(|method| compare_on(prepared(fixture), method, &mut clock))
         .collect()
 }
 
 #[test]
 fn every_step_is_legible_at_every_size() {
     // Of the large one a few steps are enough.
-    for (mut sample, stride) in [
-        (Sample::triangle(Method::Gouraud), 1499),
-        (Sample::pyramid(Method::Phong), 300_007),
+    for (mut fixture, stride) in [
+        (Fixture::triangle(Method::Gouraud), 1499),
+        (Fixture::pyramid(Method::Phong), 300_007),
     ] {
-        let compared = compared(&sample);
-        for step in sample.some_steps(stride) {
-            sample.seek(step);
+        let compared = compared(&fixture);
+        for step in fixture.some_steps(stride) {
+            fixture.seek(step);
             for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                let show = Show {
+                let input = PanelInput {
                     compared: &compared,
-                    ..sample.show_in(language)
+                    ..fixture.show_in(language)
                 };
                 for panel in PANELS {
-                    let picture = draw(panel, &show, size);
+                    let picture = draw(panel, &input, size);
                     let what = format!("{} {step} at {size}", panel.name());
                     assert_legible(&picture, &what);
                     assert!(!picture.alt.is_empty(), "{what}");
@@ -67,25 +67,25 @@ fn every_step_is_legible_at_every_size() {
 
 #[test]
 fn the_cursor_goes_with_the_pixel_of_the_run_in_every_picture() {
-    let mut sample = Sample::triangle(Method::Gouraud);
-    let compared = compared(&sample);
-    let circles = |sample: &Sample| {
-        let show = Show {
+    let mut fixture = Fixture::triangle(Method::Gouraud);
+    let compared = compared(&fixture);
+    let circles = |fixture: &Fixture| {
+        let input = PanelInput {
             compared: &compared,
-            ..sample.show()
+            ..fixture.input()
         };
-        let picture = draw(Panel::Comparison, &show, Vec2::new(640.0, 460.0));
+        let picture = draw(Panel::Comparison, &input, Vec2::new(640.0, 460.0));
         let circles = picture.items.iter().filter_map(|item| match item.shape {
             Shape::Circle { center, .. } => Some(center),
             _ => None,
         });
         circles.collect::<Vec<_>>()
     };
-    sample.go_to("PixelColored", 3);
-    let before = circles(&sample);
+    fixture.go_to("PixelColored", 3);
+    let before = circles(&fixture);
     assert_eq!(before.len(), METHODS.len());
-    sample.go_to("PixelColored", 4);
-    let after = circles(&sample);
+    fixture.go_to("PixelColored", 4);
+    let after = circles(&fixture);
     let moved: Vec<Vec2> = before.iter().zip(&after).map(|(b, a)| a - b).collect();
     assert!(moved[0].length() > 1.0);
     assert!(moved.iter().all(|by| by.distance(moved[0]) < 1e-3));
@@ -93,14 +93,14 @@ fn the_cursor_goes_with_the_pixel_of_the_run_in_every_picture() {
 
 #[test]
 fn every_picture_answers_the_pointer_with_its_pixels() {
-    let sample = Sample::triangle(Method::Gouraud);
-    let compared = compared(&sample);
-    let show = Show {
+    let fixture = Fixture::triangle(Method::Gouraud);
+    let compared = compared(&fixture);
+    let input = PanelInput {
         compared: &compared,
-        ..sample.show()
+        ..fixture.input()
     };
     for panel in [Panel::Comparison, Panel::Difference] {
-        let picture = draw(panel, &show, Vec2::new(640.0, 460.0));
+        let picture = draw(panel, &input, Vec2::new(640.0, 460.0));
         let images: Vec<Rect> = picture
             .items
             .iter()
@@ -132,8 +132,8 @@ fn every_picture_answers_the_pointer_with_its_pixels() {
 
 #[test]
 fn phong_costs_more_than_gouraud_and_flat_least() {
-    let sample = Sample::pyramid(Method::Phong);
-    let compared = compared(&sample);
+    let fixture = Fixture::pyramid(Method::Phong);
+    let compared = compared(&fixture);
     let [_, flat, gouraud, phong] = &compared[..] else {
         panic!("four methods");
     };
@@ -151,11 +151,11 @@ fn phong_costs_more_than_gouraud_and_flat_least() {
 
 #[test]
 fn nothing_to_compare_says_so() {
-    let sample = Sample::triangle(Method::Gouraud);
-    assert_eq!(sample.run.method(), Method::Gouraud);
-    assert_eq!(sample.show().focus, Focus::Polygon(0));
+    let fixture = Fixture::triangle(Method::Gouraud);
+    assert_eq!(fixture.run.method(), Method::Gouraud);
+    assert_eq!(fixture.input().focus, Focus::Polygon(0));
     for panel in PANELS {
-        let picture = draw(panel, &sample.show(), Vec2::new(300.0, 200.0));
+        let picture = draw(panel, &fixture.input(), Vec2::new(300.0, 200.0));
         assert!(picture.alt.starts_with("The pictures"), "{}", picture.alt);
     }
 }

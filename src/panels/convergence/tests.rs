@@ -1,5 +1,5 @@
-use super::super::crowd::{self, SIZES, assert_legible};
-use super::super::sample::Sample;
+use super::super::fixture::Fixture;
+use super::super::fixtures::{self, SIZES, assert_legible};
 use super::*;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::radiosity::Solver;
@@ -8,34 +8,34 @@ use crate::render::Method;
 
 const SIZE: Vec2 = Vec2::new(480.0, 320.0);
 
-fn told(sample: &Sample) -> impl Iterator<Item = usize> {
-    let walk = sample.walk();
+fn recorded(fixture: &Fixture) -> impl Iterator<Item = usize> {
+    let walk = fixture.walk();
     (0..walk.len()).filter(|&step| walk.kind(step) == "IterationDone")
 }
 
 #[test]
 fn every_step_is_legible_at_every_size() {
     let iterations = Focus::Iterations { start: 5, end: 9 };
-    for mut sample in [
-        Sample::room(Solver::GaussSeidel, Focus::Frame),
-        Sample::room(Solver::Shooting, iterations),
-        Sample::room(Solver::Auto, Focus::Frame),
-        Sample::room(Solver::Direct, Focus::Patch(3)),
-        Sample::room(
+    for mut fixture in [
+        Fixture::room(Solver::GaussSeidel, Focus::Frame),
+        Fixture::room(Solver::Shooting, iterations),
+        Fixture::room(Solver::Auto, Focus::Frame),
+        Fixture::room(Solver::Direct, Focus::Patch(3)),
+        Fixture::room(
             Solver::Jacobi,
             Focus::Iterations {
                 start: u32::MAX - 1,
                 end: u32::MAX,
             },
         ),
-        Sample::room(Solver::Auto, Focus::FormFactor { i: 0, j: 60 }),
-        crowd::crowd(Method::Gouraud),
+        Fixture::room(Solver::Auto, Focus::FormFactor { i: 0, j: 60 }),
+        fixtures::fixtures(Method::Gouraud),
     ] {
-        for step in sample.some_steps(9973) {
-            sample.seek(step);
+        for step in fixture.some_steps(9973) {
+            fixture.seek(step);
             for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                let picture = draw(&sample.show_in(language), size);
-                let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                let picture = draw(&fixture.show_in(language), size);
+                let what = format!("{} {step} at {size}", fixture.walk().kind(step));
                 assert_legible(&picture, &what);
                 assert!(!picture.items.is_empty(), "{what}");
             }
@@ -45,10 +45,10 @@ fn every_step_is_legible_at_every_size() {
 
 #[test]
 fn a_click_on_a_point_goes_to_the_end_of_its_iteration() {
-    let mut sample = Sample::room(Solver::GaussSeidel, Focus::Frame);
-    sample.go_to("RoomDone", 0);
-    let picture = draw(&sample.show(), SIZE);
-    let steps: Vec<usize> = told(&sample).collect();
+    let mut fixture = Fixture::room(Solver::GaussSeidel, Focus::Frame);
+    fixture.go_to("RoomDone", 0);
+    let picture = draw(&fixture.input(), SIZE);
+    let steps: Vec<usize> = recorded(&fixture).collect();
     assert!(steps.len() > 6, "{} iterations", steps.len());
     for step in steps {
         let marks = picture.items.iter().filter(|item| {
@@ -60,11 +60,11 @@ fn a_click_on_a_point_goes_to_the_end_of_its_iteration() {
 
 #[test]
 fn the_iteration_in_hand_is_marked_and_a_smaller_residual_stands_lower() {
-    let mut sample = Sample::room(Solver::Jacobi, Focus::Frame);
+    let mut fixture = Fixture::room(Solver::Jacobi, Focus::Frame);
     let mut before = 0.0;
     for n in 0..3 {
-        sample.go_to("IterationDone", n);
-        let picture = draw(&sample.show(), SIZE);
+        fixture.go_to("IterationDone", n);
+        let picture = draw(&fixture.input(), SIZE);
         let marks: Vec<f32> = picture
             .items
             .iter()
@@ -83,29 +83,29 @@ fn the_iteration_in_hand_is_marked_and_a_smaller_residual_stands_lower() {
 
 #[test]
 fn many_iterations_make_few_lines_that_end_at_the_last_one() {
-    let mut sample = Sample::room(Solver::Shooting, Focus::Frame);
-    sample.go_to("RoomDone", 0);
-    let picture = draw(&sample.show(), SIZE);
+    let mut fixture = Fixture::room(Solver::Shooting, Focus::Frame);
+    fixture.go_to("RoomDone", 0);
+    let picture = draw(&fixture.input(), SIZE);
     let lines = picture.items.iter().map(|item| match &item.shape {
         Shape::Polyline { points, .. } => points.len() - 1,
         _ => 0,
     });
-    assert!(told(&sample).count() > 200);
+    assert!(recorded(&fixture).count() > 200);
     assert!(lines.sum::<usize>() < 500);
-    let last = told(&sample).last().expect("iterations");
+    let last = recorded(&fixture).last().expect("iterations");
     assert!(picture.tagged_bounds(Tag::Step(last)).is_some());
 }
 
 #[test]
 fn the_axis_spans_the_iterations_that_are_looked_at() {
     let axes = |focus| {
-        let mut sample = Sample::room(Solver::Shooting, focus);
-        sample.go_to("IterationDone", 2);
-        let Run::Radiosity(stage, replay) = &sample.run else {
+        let mut fixture = Fixture::room(Solver::Shooting, focus);
+        fixture.go_to("IterationDone", 2);
+        let Run::Radiosity(prepared, replay) = &fixture.run else {
             panic!("the sample is a room");
         };
         let whole = Rect::new(0.0, 0.0, SIZE.x, SIZE.y);
-        let axes = Axes::new(stage, replay.state(), focus, whole);
+        let axes = Axes::new(prepared, replay.state(), focus, whole);
         (axes.first, axes.last)
     };
     assert_eq!(axes(Focus::Iterations { start: 5, end: 9 }), (5, 8));

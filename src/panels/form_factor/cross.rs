@@ -1,14 +1,14 @@
 //! The hemicube in hand, its faces folded down into a cross: the pixels that show j.
 
-use super::Sheet;
+use super::Layout;
 use crate::picture::{Image, Ink, Picture, Rect, Style, Tag};
 
 /// sRGB of the blue in which j is drawn, readable on every theme.
 const BLUE: [u8; 3] = [0x2a, 0x8c, 0xc8];
 const TEXT: f32 = 11.0;
 
-pub fn draw(picture: &mut Picture, sheet: &Sheet, place: Rect) {
-    let Some(resolution) = sheet.state.resolution else {
+pub fn draw(picture: &mut Picture, layout: &Layout, place: Rect) {
+    let Some(resolution) = layout.state.resolution else {
         return;
     };
     let quarter = 0.25 * place.width;
@@ -39,13 +39,13 @@ pub fn draw(picture: &mut Picture, sheet: &Sheet, place: Rect) {
     let side = 2 * resolution;
     let mut bytes = vec![0; 4 * (side * side) as usize];
     let (pixels, _) = bytes.as_chunks_mut::<4>();
-    let largest = sheet
+    let largest = layout
         .state
         .pixels
         .iter()
         .fold(0.0, |most: f64, pixel| most.max(pixel.3));
     let mut newest = None;
-    for &(face, column, row, delta, step) in sheet.state.pixels.iter() {
+    for &(face, column, row, delta, step) in layout.state.pixels.iter() {
         let (x, y) = unfolded(face, column, row, resolution);
         let [r, g, b] = BLUE;
         let opacity = (90.0 + 165.0 * delta / largest) as u8;
@@ -64,10 +64,10 @@ pub fn draw(picture: &mut Picture, sheet: &Sheet, place: Rect) {
         });
     }
     let corner = Rect::new(place.x, place.y, quarter, TEXT + 4.0);
-    let words = format!("{resolution}^2");
+    let strings = format!("{resolution}^2");
     let set = Style::Label.size(TEXT).ink(Ink::Muted);
-    if set.width(&words) <= quarter {
-        picture.text_in(corner, words, set);
+    if set.width(&strings) <= quarter {
+        picture.text_in(corner, strings, set);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The value as it runs, against the reference.
 
-use super::{EXACT, Sheet};
+use super::{EXACT, Layout};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, number};
 use glam::Vec2;
 
@@ -10,10 +10,10 @@ const MOST: usize = 400;
 const DOTTED: usize = 60;
 const TEXT: f32 = 11.0;
 
-pub fn draw(picture: &mut Picture, sheet: &Sheet, place: Rect) {
-    let running = sheet.running();
-    let exact = sheet.state.reference.map(|(f, _)| f);
-    let found = sheet.state.found;
+pub fn draw(picture: &mut Picture, layout: &Layout, place: Rect) {
+    let running = layout.running();
+    let exact = layout.state.reference.map(|(f, _)| f);
+    let found = layout.state.found;
     let all = running.iter().map(|&(f, _)| f);
     let all = all.chain(exact).chain(found.map(|(f, _)| f));
     let finite = all.filter(|f| f.is_finite());
@@ -50,15 +50,15 @@ pub fn draw(picture: &mut Picture, sheet: &Sheet, place: Rect) {
         let at = y(exact);
         let stroke = Ink::Text.stroke(1.0).dashed();
         picture.line((frame.x, at), (frame.right(), at), stroke);
-        let words = EXACT.in_language(sheet.show.language);
+        let strings = EXACT.in_language(layout.input.language);
         let label = Rect::new(place.x + 40.0, place.y, place.width - 40.0, 16.0);
         // In the header, where no curve is.
         picture.line(
-            (label.right() - set.width(words) - 26.0, label.center().y),
-            (label.right() - set.width(words) - 5.0, label.center().y),
+            (label.right() - set.width(strings) - 26.0, label.center().y),
+            (label.right() - set.width(strings) - 5.0, label.center().y),
             stroke,
         );
-        picture.text_in(label, words, set.end());
+        picture.text_in(label, strings, set.end());
     }
     let stride = running.len().div_ceil(MOST).max(1);
     let mut points: Vec<(Vec2, usize)> = Vec::new();

@@ -1,7 +1,7 @@
 //! The two patches, and between them what was sampled so far.
 
 use super::super::labels::{Labels, within};
-use super::Sheet;
+use super::Layout;
 use super::view::View;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, elide};
 use crate::record::Value;
@@ -15,26 +15,26 @@ const MOST_POLYGONS: usize = 1500;
 const TITLE: f32 = 18.0;
 const TEXT: f32 = 12.0;
 
-pub fn draw(picture: &mut Picture, sheet: &Sheet, area: Rect) {
+pub fn draw(picture: &mut Picture, layout: &Layout, area: Rect) {
     picture.rounded_rect(area, 3.0, Ink::Rule.stroke(1.0));
     let inner = Rect::between([area.x, area.y + TITLE], [area.right(), area.bottom()]).grown(-2.0);
-    let (title, room) = (sheet.title(), area.width - 12.0);
+    let (title, room) = (layout.title(), area.width - 12.0);
     let set = Style::Body.size(11.0).ink(Ink::Muted);
     let place = Rect::new(area.x + 6.0, area.y + 1.0, room, TITLE);
     picture.text_in(place, elide(&title, Style::Body, 11.0, room), set);
 
-    let camera = sheet.stage.scene.camera;
-    let up = camera.map_or(sheet.stage.view.up, |camera| camera.up.normalize());
+    let camera = layout.prepared.scene.camera;
+    let up = camera.map_or(layout.prepared.view.up, |camera| camera.up.normalize());
     let pair = Pair {
-        sheet,
-        view: View::of(&sheet.room.patches, [sheet.i, sheet.j], up, inner),
+        layout,
+        view: View::of(&layout.room.patches, [layout.i, layout.j], up, inner),
         area: inner,
     };
     let mut labels = Labels::new(inner.grown(-1.0));
     picture.clipped(inner, |picture| {
         pair.around(picture);
-        pair.patch(picture, sheet.i, Ink::This, Ink::ThisTint);
-        pair.patch(picture, sheet.j, Ink::Linked, Ink::LinkedTint);
+        pair.patch(picture, layout.i, Ink::This, Ink::ThisTint);
+        pair.patch(picture, layout.j, Ink::Linked, Ink::LinkedTint);
         pair.segments(picture);
         pair.points(picture, &mut labels);
         pair.edges(picture);
@@ -43,7 +43,7 @@ pub fn draw(picture: &mut Picture, sheet: &Sheet, area: Rect) {
 }
 
 struct Pair<'a> {
-    sheet: &'a Sheet<'a>,
+    layout: &'a Layout<'a>,
     view: View,
     area: Rect,
 }
@@ -67,9 +67,9 @@ impl Pair<'_> {
 
     /// The scene around the two, faint.
     fn around(&self, picture: &mut Picture) {
-        let stage = self.sheet.stage;
-        for number in 0..stage.tessellation.polygon_count().min(MOST_POLYGONS) {
-            let Some(polygon) = stage.polygon(number) else {
+        let prepared = self.layout.prepared;
+        for number in 0..prepared.tessellation.polygon_count().min(MOST_POLYGONS) {
+            let Some(polygon) = prepared.polygon(number) else {
                 continue;
             };
             let corners: Vec<Vec2> = polygon
@@ -84,7 +84,7 @@ impl Pair<'_> {
 
     fn patch(&self, picture: &mut Picture, patch: usize, ink: Ink, tint: Ink) {
         picture.tagged(Tag::Patch(patch), |picture| {
-            for piece in self.sheet.room.patches.pieces(patch) {
+            for piece in self.layout.room.patches.pieces(patch) {
                 let corners = piece.corners.iter().map(|&corner| self.view.place(corner));
                 let paint = tint.fill().opacity(0.8).outlined(ink.stroke(1.75));
                 picture.polygon(corners, paint);
@@ -94,8 +94,8 @@ impl Pair<'_> {
 
     /// Segments so far, the newest last, in the accent and with its ends.
     fn segments(&self, picture: &mut Picture) {
-        let segments = &self.sheet.state.segments;
-        let step = self.sheet.show.run.walk().position();
+        let segments = &self.layout.state.segments;
+        let step = self.layout.input.run.walk().position();
         let most = (self.area.width * self.area.height / POINTS_A_SEGMENT) as usize;
         for at in segments.len().saturating_sub(most)..segments.len() {
             let Some(segment) = segments.get(at) else {
@@ -117,7 +117,7 @@ impl Pair<'_> {
 
     /// The two points of the step, where it is a pair that has no term yet.
     fn open(&self, step: usize) -> Option<[DVec3; 2]> {
-        let walk = self.sheet.show.run.walk();
+        let walk = self.layout.input.run.walk();
         let fields = walk.own_fields(step);
         match (walk.kind(step), fields.get("x"), fields.get("y")) {
             ("Points", Some(Value::Vector(x)), Some(Value::Vector(y))) => Some([x, y]),
@@ -167,8 +167,8 @@ impl Pair<'_> {
 
     /// Where a ray ends: on j, or after a fifth of the way there.
     fn end(&self, from: DVec3, direction: DVec3, met: bool) -> DVec3 {
-        let patches = &self.sheet.room.patches;
-        let (i, j) = (&patches[self.sheet.i], &patches[self.sheet.j]);
+        let patches = &self.layout.room.patches;
+        let (i, j) = (&patches[self.layout.i], &patches[self.layout.j]);
         let t = j.normal.dot(j.center - from) / j.normal.dot(direction);
         if met && t.is_finite() && t > 0.0 {
             from + t * direction
@@ -179,7 +179,7 @@ impl Pair<'_> {
 
     /// Points of elements and hemicubes, and what the newest sees of the polygon's edge in hand.
     fn points(&self, picture: &mut Picture, labels: &mut Labels) {
-        let state = self.sheet.state;
+        let state = self.layout.state;
         let last = state.points.len();
         for (&(point, step), number) in state.points.iter().zip(1..) {
             let newest = number == last && state.found.is_none();
@@ -211,11 +211,11 @@ impl Pair<'_> {
             }
             self.line(picture, x, next, Ink::This.stroke(1.25).dashed());
             self.line(picture, r, next, Ink::This.stroke(3.0));
-            labels.spare(x, next);
-            labels.spare(r, next);
+            labels.avoid(x, next);
+            labels.avoid(r, next);
         }
         self.line(picture, x, r, Ink::This.stroke(1.75));
-        labels.spare(x, r);
+        labels.avoid(x, r);
         self.dot(picture, r, 3.5, Ink::This);
         let set = Style::LabelBold.size(TEXT).ink(Ink::This);
         labels.put(picture, (r, 4.0), r - x, "R_k", set);
@@ -223,18 +223,20 @@ impl Pair<'_> {
 
     /// The corner after this one of either patch; none where the patch was clipped there.
     fn next_corner(&self, corner: DVec3) -> Option<DVec3> {
-        let patches = &self.sheet.room.patches;
-        [self.sheet.i, self.sheet.j].into_iter().find_map(|patch| {
-            patches.pieces(patch).find_map(|piece| {
-                let at = piece.corners.iter().position(|&other| other == corner)?;
-                Some(piece.corners[(at + 1) % piece.corners.len()])
+        let patches = &self.layout.room.patches;
+        [self.layout.i, self.layout.j]
+            .into_iter()
+            .find_map(|patch| {
+                patches.pieces(patch).find_map(|piece| {
+                    let at = piece.corners.iter().position(|&other| other == corner)?;
+                    Some(piece.corners[(at + 1) % piece.corners.len()])
+                })
             })
-        })
     }
 
     /// The pair of edges in hand of the double contour integral, where neither patch was clipped.
     fn edges(&self, picture: &mut Picture) {
-        let walk = self.sheet.show.run.walk();
+        let walk = self.layout.input.run.walk();
         let step = walk.position();
         if walk.kind(step) != "EdgePair" {
             return;
@@ -250,17 +252,17 @@ impl Pair<'_> {
         };
         let (area_i, area_j) = (area("area_i"), area("area_j"));
         // The automatic choice takes the smaller patch first.
-        let swapped = self.sheet.state.chosen.is_some() && area_j < area_i;
+        let swapped = self.layout.state.chosen.is_some() && area_j < area_i;
         let (first, second) = if swapped {
             ("edge_j", "edge_i")
         } else {
             ("edge_i", "edge_j")
         };
         for (patch, area, edge) in [
-            (self.sheet.i, area_i, first),
-            (self.sheet.j, area_j, second),
+            (self.layout.i, area_i, first),
+            (self.layout.j, area_j, second),
         ] {
-            let mut pieces = self.sheet.room.patches.pieces(patch);
+            let mut pieces = self.layout.room.patches.pieces(patch);
             let (Some(piece), None, Some(edge)) = (pieces.next(), pieces.next(), number(edge))
             else {
                 continue;
@@ -280,13 +282,13 @@ impl Pair<'_> {
 
     /// i and j, beside the corners that are farthest out.
     fn letters(&self, picture: &mut Picture, labels: &mut Labels) {
-        let center = |patch: usize| self.view.place(self.sheet.room.patches[patch].center);
-        let (i, j) = (self.sheet.i, self.sheet.j);
+        let center = |patch: usize| self.view.place(self.layout.room.patches[patch].center);
+        let (i, j) = (self.layout.i, self.layout.j);
         let apart = center(i) - center(j);
         for (patch, letter, ink, toward) in
             [(i, "i", Ink::This, apart), (j, "j", Ink::Linked, -apart)]
         {
-            let pieces = self.sheet.room.patches.pieces(patch);
+            let pieces = self.layout.room.patches.pieces(patch);
             let corners = pieces.flat_map(|piece| piece.corners.iter().copied());
             let outmost = corners
                 .map(|corner| self.view.place(corner))

@@ -5,12 +5,12 @@ mod set;
 mod table;
 mod template;
 
-use super::Show;
+use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::names;
+use super::strings::{Language, Words};
 use super::values::shown;
-use super::words::{Language, Words};
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::picture::{Ink, Picture, Style, symbol, wrap};
 use crate::record::Value;
 use glam::Vec2;
@@ -25,25 +25,30 @@ const CHANNELS: [Words; 3] = [
     Words::new("blue", "biru"),
 ];
 
-pub fn draw(show: &Show, size: Vec2) -> Picture {
-    let walk = show.run.walk();
+pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
+    let walk = input.run.walk();
     if walk.is_empty() {
-        return message(NO_STEPS, show.language, size);
+        return message(NO_STEPS, input.language, size);
     }
     let known = Known::at(walk, walk.position());
     let Some(entry) = entry(walk.kind(walk.position()), &known) else {
-        return message(NO_FORMULA, show.language, size);
+        return message(NO_FORMULA, input.language, size);
     };
     let formulas = formulas(entry, &known);
-    let says = filled(entry.says, &known, names::stage(show.run), show.language);
+    let says = filled(
+        entry.says,
+        &known,
+        names::prepared(input.run),
+        input.language,
+    );
 
     let mut picture = Picture::new(size.x, size.y);
-    let sheet = |detail: &Detail, text: f32| {
-        Sheet::new(
+    let layout = |detail: &Detail, text: f32| {
+        Layout::new(
             &says,
             &formulas,
             &known,
-            show.language,
+            input.language,
             size.x,
             text,
             detail,
@@ -53,12 +58,12 @@ pub fn draw(show: &Show, size: Vec2) -> Picture {
     let fitting = DETAILS.iter().find_map(|detail| {
         let steps = (detail.largest - detail.smallest) as usize;
         (0..=steps)
-            .map(|i| sheet(detail, detail.largest - i as f32))
-            .find(|sheet| sheet.fits && sheet.height <= room)
+            .map(|i| layout(detail, detail.largest - i as f32))
+            .find(|layout| layout.fits && layout.height <= room)
     });
-    let sheet = fitting.unwrap_or_else(|| sheet(&DETAILS[DETAILS.len() - 1], 11.0));
-    sheet.draw(&mut picture, room);
-    picture.alt = in_words(&says, &formulas, &known, show.language);
+    let layout = fitting.unwrap_or_else(|| layout(&DETAILS[DETAILS.len() - 1], 11.0));
+    layout.draw(&mut picture, room);
+    picture.alt = in_words(&says, &formulas, &known, input.language);
     picture
 }
 
@@ -76,7 +81,7 @@ fn entry(kind: &str, known: &Known) -> Option<&'static Entry> {
 }
 
 fn holds(when: When, known: &Known) -> bool {
-    let value = |name| known.get(name).map(|told| told.field.value);
+    let value = |name| known.get(name).map(|recorded| recorded.field.value);
     let number = |name| match value(name) {
         Some(Value::Number(v)) => v,
         Some(Value::Integer(v)) => v as f64,
@@ -84,7 +89,7 @@ fn holds(when: When, known: &Known) -> bool {
     };
     match when {
         When::Always => true,
-        When::Told(name) => value(name).is_some(),
+        When::RecordedField(name) => value(name).is_some(),
         When::Untold(name) => value(name).is_none(),
         When::Is(name, word) => value(name) == Some(Value::Word(word)),
         When::True(name) => value(name) == Some(Value::Truth(true)),
@@ -142,9 +147,9 @@ impl Parsed {
 }
 
 /// A sentence of the table with its values; things of the scene by their names.
-fn filled(words: Words, known: &Known, stage: &Stage, language: Language) -> String {
+fn filled(strings: Words, known: &Known, prepared: &PreparedScene, language: Language) -> String {
     let mut text = String::new();
-    for piece in parse(words.in_language(language)) {
+    for piece in parse(strings.in_language(language)) {
         match piece {
             Piece::Text(part) => text.push_str(&part),
             Piece::Place(place) => match known.values(&place).as_deref() {
@@ -153,7 +158,7 @@ fn filled(words: Words, known: &Known, stage: &Stage, language: Language) -> Str
                     text.push_str(&shown(*value, 4, language));
                     // Lights have no names, only kinds.
                     if place.name != "light"
-                        && let Some(name) = names::of_field(stage, &place.name, *value, language)
+                        && let Some(name) = names::of_field(prepared, &place.name, *value, language)
                     {
                         text.push_str(&format!(" ({name})"));
                     }
@@ -218,13 +223,13 @@ const DETAILS: [Detail; 9] = [
 ];
 
 /// The lines of the panel at one size of text.
-struct Sheet {
+struct Layout {
     lines: Vec<set::Line>,
     height: f32,
     fits: bool,
 }
 
-impl Sheet {
+impl Layout {
     fn new(
         says: &str,
         formulas: &[Parsed],
@@ -235,33 +240,33 @@ impl Sheet {
         detail: &Detail,
     ) -> Self {
         let width = width - 2.0 * MARGIN;
-        let mut sheet = Sheet {
+        let mut layout = Layout {
             lines: Vec::new(),
             height: 0.0,
             fits: true,
         };
-        let sentence = |sheet: &mut Sheet, words: &str, above: f32| {
+        let sentence = |layout: &mut Layout, strings: &str, above: f32| {
             let size = (text - 2.0).clamp(11.0, 13.0);
-            for (i, line) in wrap(words, Style::Label, size, width)
+            for (i, line) in wrap(strings, Style::Label, size, width)
                 .into_iter()
                 .enumerate()
             {
                 let style = Style::Label.size(size).ink(Ink::Muted);
                 let gap = if i == 0 { above } else { 1.0 };
-                sheet.push(vec![Atom::text(line, style)], width, 0.0, gap);
+                layout.push(vec![Atom::text(line, style)], width, 0.0, gap);
             }
         };
         if detail.sentences || formulas.is_empty() {
-            sentence(&mut sheet, says, 0.0);
+            sentence(&mut layout, says, 0.0);
         }
         for formula in formulas {
             let above = 0.5 * text;
             if let Some(note) = formula.note.filter(|_| detail.sentences) {
-                sentence(&mut sheet, note.in_language(language), above);
+                sentence(&mut layout, note.in_language(language), above);
             }
-            formula_lines(&mut sheet, formula, known, language, width, text, detail);
+            formula_lines(&mut layout, formula, known, language, width, text, detail);
         }
-        sheet
+        layout
     }
 
     fn push(&mut self, atoms: Vec<Atom>, width: f32, indent: f32, gap: f32) {
@@ -294,7 +299,7 @@ impl Sheet {
 
 /// The rows of one formula: symbols, numbers, result.
 fn formula_lines(
-    sheet: &mut Sheet,
+    layout: &mut Layout,
     formula: &Parsed,
     known: &Known,
     language: Language,
@@ -321,11 +326,11 @@ fn formula_lines(
         match whole {
             Some(whole) => symbols.extend(spaced(result(whole), text)),
             None => {
-                sheet.push(symbols, width, indent, 0.5 * text);
+                layout.push(symbols, width, indent, 0.5 * text);
                 symbols = set(&formula.left, Voice::Numbers(0));
             }
         }
-        sheet.push(symbols, width, indent, 0.5 * text);
+        layout.push(symbols, width, indent, 0.5 * text);
         return;
     }
     let mut right = vec![equals()];
@@ -340,7 +345,7 @@ fn formula_lines(
     if let (0, Some(whole)) = (channels, &whole) {
         symbols.extend(spaced(result(whole.clone()), text));
     }
-    sheet.push(symbols, width, indent, 0.5 * text);
+    layout.push(symbols, width, indent, 0.5 * text);
 
     for (channel, name) in CHANNELS.iter().enumerate().take(channels) {
         let mut row = Vec::new();
@@ -356,12 +361,12 @@ fn formula_lines(
             let end = result(set::number_text(value, channel, language));
             row.extend(spaced(end, text));
         }
-        sheet.push(row, width, indent, 0.25 * text);
+        layout.push(row, width, indent, 0.25 * text);
     }
     // Of a colour every channel has its result, unless not all are shown.
     let all_told = channels == 0 || coloured && channels == CHANNELS.len();
     if let (false, Some(whole)) = (all_told, whole) {
-        sheet.push(result(whole), width, indent, 0.25 * text);
+        layout.push(result(whole), width, indent, 0.25 * text);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Sets the pieces of a template in boxes beside each other, and lets them flow into lines.
 
+use super::super::strings::Language;
 use super::super::values::shown;
-use super::super::words::Language;
 use super::template::{Known, Piece, Place};
 use crate::picture::{Ink, Picture, Style, Tag, Text, ascent, descent};
 use crate::record::Value;
@@ -133,8 +133,8 @@ pub fn set_pieces(
                     Voice::Numbers(_) => style.ink(Ink::Linked),
                 };
                 let mut atom = Atom::text(text, style);
-                if let Some(told) = known.get(&place.name) {
-                    atom.texts[0].3 = Some(Tag::Field(told.field.name));
+                if let Some(recorded) = known.get(&place.name) {
+                    atom.texts[0].3 = Some(Tag::Field(recorded.field.name));
                 }
                 atoms[last].append(atom, 0.0);
                 (before, raised) = (' ', false);

@@ -6,7 +6,7 @@ mod radiosity;
 mod rays;
 mod series;
 
-use super::super::words::Words;
+use super::super::strings::Words;
 
 /// The sentence and the formulas of one kind of step.
 pub struct Entry {
@@ -28,7 +28,7 @@ pub struct Formula {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum When {
     Always,
-    Told(&'static str),
+    RecordedField(&'static str),
     Untold(&'static str),
     /// The word told under the name.
     Is(&'static str, &'static str),
@@ -49,7 +49,7 @@ const fn is(template: &'static str) -> Formula {
 const fn if_told(name: &'static str, template: &'static str) -> Formula {
     Formula {
         template,
-        when: When::Told(name),
+        when: When::RecordedField(name),
         note: None,
     }
 }
@@ -262,7 +262,7 @@ const TABLE: &[Entry] = &[
     ),
     only(
         "Specular",
-        When::Told("R_dot_V"),
+        When::RecordedField("R_dot_V"),
         "The specular term: the highlight, narrower the larger n is.",
         "Suku spekular: sorotan, makin sempit bila n makin besar.",
         &[is(
@@ -279,14 +279,14 @@ const TABLE: &[Entry] = &[
     ),
     only(
         "LightAdded",
-        When::Told("I_s"),
+        When::RecordedField("I_s"),
         "What light {light} adds to the intensity.",
         "Yang ditambahkan cahaya {light} pada intensitas.",
         &[is("{I_d + I_s=I_added} = {I_d} + {I_s}")],
     ),
     only(
         "Illuminated",
-        When::Told("I_a"),
+        When::RecordedField("I_a"),
         "The intensity of the point: the ambient term and what each light adds.",
         "Intensitas titik: suku ambien dan yang ditambahkan tiap cahaya.",
         &[is("{I} = {I_a} + {Σ(I_d + I_s)=+I_added}")],
@@ -349,7 +349,7 @@ const TABLE: &[Entry] = &[
     ),
     only(
         "Edge",
-        When::Told("x_4"),
+        When::RecordedField("x_4"),
         "The scan line cuts edge {upper}–{lower} at x_4.",
         "Garis scan memotong sisi {upper}–{lower} di x_4.",
         &[is(
@@ -426,7 +426,7 @@ const TABLE: &[Entry] = &[
     ),
     only(
         "PixelColored",
-        When::Told("I_P_incremental"),
+        When::RecordedField("I_P_incremental"),
         "Pixel ({x}, {y}) takes its intensity.",
         "Piksel ({x}, {y}) mendapat intensitasnya.",
         &[is("{pixel=color} = {I_P incremental=I_P_incremental}")],

@@ -8,7 +8,7 @@
 
 use crate::picture::symbol;
 use crate::record::{Fields, Value};
-use crate::replay::{Told, Walk};
+use crate::replay::{RecordedField, Walk};
 
 /// A piece of a template.
 #[derive(Clone, PartialEq, Debug)]
@@ -114,7 +114,7 @@ const MOST_SIBLINGS: usize = 256;
 pub struct Known<'a> {
     walk: &'a dyn Walk,
     step: usize,
-    told: Vec<Told>,
+    recorded: Vec<RecordedField>,
 }
 
 impl<'a> Known<'a> {
@@ -122,19 +122,21 @@ impl<'a> Known<'a> {
         Known {
             walk,
             step,
-            told: walk.told(step),
+            recorded: walk.recorded(step),
         }
     }
 
     /// The value told last under `name`: by the step and the headings around it, else earlier in the same scope.
-    pub fn get(&self, name: &str) -> Option<Told> {
-        let mut told = self.told.iter().rev();
-        let told = told.find(|told| told.field.name == name).copied();
-        told.or_else(|| self.before(name))
+    pub fn get(&self, name: &str) -> Option<RecordedField> {
+        let mut recorded = self.recorded.iter().rev();
+        let recorded = recorded
+            .find(|recorded| recorded.field.name == name)
+            .copied();
+        recorded.or_else(|| self.before(name))
     }
 
     /// The value told last under `name` by the steps before in the same scope, and by the ends of the scopes in it.
-    fn before(&self, name: &str) -> Option<Told> {
+    fn before(&self, name: &str) -> Option<RecordedField> {
         let outline = self.walk.outline();
         let scope = outline.parent(self.step)?;
         // Backward: before a step in the scope lies a step of it, or the end of a scope in it.
@@ -147,7 +149,7 @@ impl<'a> Known<'a> {
         ends.take(MOST_SIBLINGS).find_map(|step| {
             let fields = self.walk.own_fields(step);
             let field = *fields.0.iter().rev().find(|field| field.name == name)?;
-            Some(Told { step, field })
+            Some(RecordedField { step, field })
         })
     }
 
@@ -157,9 +159,10 @@ impl<'a> Known<'a> {
             Source::Last => vec![self.get(&place.name)?.field.value],
             Source::Before => vec![self.before(&place.name)?.field.value],
             Source::All => {
-                let told = self.told.iter();
-                told.filter(|told| told.field.name == place.name)
-                    .map(|told| told.field.value)
+                let recorded = self.recorded.iter();
+                recorded
+                    .filter(|recorded| recorded.field.name == place.name)
+                    .map(|recorded| recorded.field.value)
                     .collect()
             }
             Source::Inside => {
@@ -175,18 +178,18 @@ impl<'a> Known<'a> {
     }
 
     fn beside(&self, name: &str, key: &str, by: &str) -> Option<Value> {
-        let wanted = self.get(by).map(|told| told.field.value);
+        let wanted = self.get(by).map(|recorded| recorded.field.value);
         let right =
             |fields: &Fields| key.is_empty() || wanted.is_some() && fields.get(key) == wanted;
         let look = |step: usize| {
             let fields = self.walk.own_fields(step);
             fields.get(name).filter(|_| right(&fields))
         };
-        let mut tellers: Vec<usize> = self.told.iter().map(|told| told.step).collect();
+        let mut tellers: Vec<usize> = self.recorded.iter().map(|recorded| recorded.step).collect();
         tellers.dedup();
-        let told = tellers.into_iter().rev().find_map(look);
+        let recorded = tellers.into_iter().rev().find_map(look);
         let around = self.walk.outline().scopes(self.step);
-        told.or_else(|| {
+        recorded.or_else(|| {
             around
                 .flat_map(|scope| self.scopes_in(scope).collect::<Vec<_>>())
                 .filter(|&(_, end)| end < self.step)

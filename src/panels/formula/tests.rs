@@ -1,5 +1,5 @@
-use super::super::crowd::{self, SIZES, assert_legible, texts};
-use super::super::sample::{self, Sample};
+use super::super::fixture::{self, Fixture};
+use super::super::fixtures::{self, SIZES, assert_legible, texts};
 use super::*;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::texture::Mapping;
@@ -7,25 +7,31 @@ use crate::render::Method;
 use std::collections::HashSet;
 
 /// Every step of the crowd, by every method, of rays among spheres, of every solver and method of form factors.
-fn each_step(mut look: impl FnMut(&str, &Known, &Stage)) {
-    let crowds = Method::ALL.map(crowd::crowd);
+fn each_step(mut look: impl FnMut(&str, &Known, &PreparedScene)) {
+    let crowds = Method::ALL.map(fixtures::fixtures);
     let rays = [
-        crowd::rays(Method::RayCasting, 2),
-        crowd::rays(Method::RayTracing, 1),
-        Sample::rays(Method::RayTracing, sample::BALL, 5),
-        Sample::rays(Method::RayTracing, sample::SPARK, 5),
+        fixtures::rays(Method::RayCasting, 2),
+        fixtures::rays(Method::RayTracing, 1),
+        Fixture::rays(Method::RayTracing, fixture::BALL, 5),
+        Fixture::rays(Method::RayTracing, fixture::SPARK, 5),
     ];
     let textured = [
-        crowd::textured(Method::Flat, Mapping::Perspective),
-        crowd::textured(Method::Phong, Mapping::Linear),
-        crowd::textured(Method::Exact, Mapping::Perspective),
+        fixtures::textured(Method::Flat, Mapping::Perspective),
+        fixtures::textured(Method::Phong, Mapping::Linear),
+        fixtures::textured(Method::Exact, Mapping::Perspective),
     ];
     let rays = rays.into_iter().chain(textured);
-    let light = crowd::solvers().into_iter().chain(crowd::form_factors());
-    for sample in crowds.into_iter().chain(rays).chain(light) {
-        for step in 0..sample.walk().len() {
-            let known = Known::at(sample.walk(), step);
-            look(sample.walk().kind(step), &known, names::stage(&sample.run));
+    let light = fixtures::solvers()
+        .into_iter()
+        .chain(fixtures::form_factors());
+    for fixture in crowds.into_iter().chain(rays).chain(light) {
+        for step in 0..fixture.walk().len() {
+            let known = Known::at(fixture.walk(), step);
+            look(
+                fixture.walk().kind(step),
+                &known,
+                names::prepared(&fixture.run),
+            );
         }
     }
 }
@@ -33,10 +39,10 @@ fn each_step(mut look: impl FnMut(&str, &Known, &Stage)) {
 #[test]
 fn every_step_has_an_entry_and_every_entry_and_formula_is_used_with_all_its_values() {
     let mut used = HashSet::new();
-    each_step(|kind, known, stage| {
+    each_step(|kind, known, prepared| {
         let entry = entry(kind, known).unwrap_or_else(|| panic!("{kind} has no entry"));
         for language in Language::ALL {
-            let says = filled(entry.says, known, stage, language).replace("f_{att}", "");
+            let says = filled(entry.says, known, prepared, language).replace("f_{att}", "");
             assert!(!says.contains('{'), "{kind}: {says}");
         }
         for formula in entry
@@ -67,12 +73,12 @@ fn every_step_has_an_entry_and_every_entry_and_formula_is_used_with_all_its_valu
 
 #[test]
 fn the_result_is_printed_as_the_field_is() {
-    let mut sample = crowd::crowd(Method::Gouraud);
-    for step in sample.some_steps(997) {
-        sample.seek(step);
-        let picture = draw(&sample.show(), SIZES[5]);
-        let known = Known::at(sample.walk(), step);
-        let entry = entry(sample.walk().kind(step), &known).expect("every step has one");
+    let mut fixture = fixtures::fixtures(Method::Gouraud);
+    for step in fixture.some_steps(997) {
+        fixture.seek(step);
+        let picture = draw(&fixture.input(), SIZES[5]);
+        let known = Known::at(fixture.walk(), step);
+        let entry = entry(fixture.walk().kind(step), &known).expect("every step has one");
         for formula in formulas(entry, &known) {
             let Some(value) = formula.result(&known) else {
                 continue;
@@ -93,15 +99,17 @@ fn the_result_is_printed_as_the_field_is() {
 
 #[test]
 fn every_step_is_legible_at_every_size() {
-    let crowds = Method::ALL.map(crowd::crowd);
-    let light = crowd::solvers().into_iter().chain(crowd::form_factors());
-    for mut sample in crowds.into_iter().chain(light) {
-        for step in sample.some_steps(2011) {
-            sample.seek(step);
+    let crowds = Method::ALL.map(fixtures::fixtures);
+    let light = fixtures::solvers()
+        .into_iter()
+        .chain(fixtures::form_factors());
+    for mut fixture in crowds.into_iter().chain(light) {
+        for step in fixture.some_steps(2011) {
+            fixture.seek(step);
             for size in SIZES {
                 for language in Language::ALL {
-                    let picture = draw(&sample.show_in(language), size);
-                    let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                    let picture = draw(&fixture.show_in(language), size);
+                    let what = format!("{} {step} at {size}", fixture.walk().kind(step));
                     assert_legible(&picture, &what);
                     assert!(!picture.items.is_empty(), "{what}");
                 }
@@ -112,11 +120,11 @@ fn every_step_is_legible_at_every_size() {
 
 #[test]
 fn the_interpolated_edge_has_symbols_numbers_and_result() {
-    let mut sample = Sample::triangle(Method::Gouraud);
-    sample.go_to("EdgeInterpolated", 4);
-    let picture = draw(&sample.show(), Vec2::new(500.0, 300.0));
+    let mut fixture = Fixture::triangle(Method::Gouraud);
+    fixture.go_to("EdgeInterpolated", 4);
+    let picture = draw(&fixture.input(), Vec2::new(500.0, 300.0));
     let printed: String = texts(&picture).into_iter().map(|(text, _)| text).collect();
-    let fields = sample.walk().fields(sample.walk().position());
+    let fields = fixture.walk().fields(fixture.walk().position());
     for name in ["y_4", "y_2", "y_1", "I_1", "I_2", "I_4", "difference"] {
         let value = fields.get(name).expect("told");
         assert!(
@@ -128,17 +136,17 @@ fn the_interpolated_edge_has_symbols_numbers_and_result() {
 
 #[test]
 fn nothing_recorded_is_said() {
-    let sample = crowd::nothing();
+    let fixture = fixtures::nothing();
     for language in Language::ALL {
-        assert_legible(&draw(&sample.show_in(language), SIZES[0]), "empty");
+        assert_legible(&draw(&fixture.show_in(language), SIZES[0]), "empty");
     }
 }
 
 #[test]
 fn words_name_symbols_as_the_formula_sets_them() {
-    let mut sample = Sample::rays(Method::RayTracing, sample::BALL, 5);
-    sample.go_to("Refraction", 0);
-    let alt = draw(&sample.show(), Vec2::new(380.0, 280.0)).alt;
+    let mut fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
+    fixture.go_to("Refraction", 0);
+    let alt = draw(&fixture.input(), Vec2::new(380.0, 280.0)).alt;
     assert!(alt.contains(" cos^2 θ_r = "), "{alt}");
     assert!(alt.contains(" θ_r degrees = "), "{alt}");
 }
@@ -146,14 +154,14 @@ fn words_name_symbols_as_the_formula_sets_them() {
 #[test]
 fn of_a_thousand_values_told_before_the_last_one_counts() {
     let rays = 1024;
-    let settings = crate::algorithms::room::Settings {
+    let settings = crate::algorithms::enclosure::Settings {
         form_factors: crate::algorithms::form_factor::Method::MonteCarlo { rays, seed: 0 },
         ..Default::default()
     };
-    let [i, j] = [crowd::LAMP, crowd::FLOOR[0]];
-    let sample = crowd::open_room(settings, Focus::FormFactor { i, j });
-    let known = Known::at(sample.walk(), sample.walk().len() - 1);
-    let value = |name: &str| known.get(name).map(|told| told.field.value);
+    let [i, j] = [fixtures::LAMP, fixtures::FLOOR[0]];
+    let fixture = fixtures::open_room(settings, Focus::FormFactor { i, j });
+    let known = Known::at(fixture.walk(), fixture.walk().len() - 1);
+    let value = |name: &str| known.get(name).map(|recorded| recorded.field.value);
     let (Some(Value::Number(f)), Some(Value::Integer(hits))) = (value("F_ij"), value("hits"))
     else {
         panic!("the last step knows both");

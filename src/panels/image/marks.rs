@@ -2,9 +2,9 @@
 
 use super::super::fit::{Fit, outline, staged};
 use crate::algorithms::focus::Focus;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::picture::{Ink, Picture, Rect};
-use crate::replay::rays::{self, RayInHand};
+use crate::replay::rays::{self, RayState};
 use crate::replay::shading::{self, Dot};
 use crate::replay::{Canvas, wireframe};
 use glam::{DVec2, Vec2};
@@ -17,7 +17,7 @@ const SMALLEST: f32 = 6.0;
 const MOST_HITS: usize = 24;
 
 pub(super) struct Marks<'a> {
-    pub stage: &'a Stage,
+    pub prepared: &'a PreparedScene,
     pub canvas: &'a Canvas<Dot>,
     outline: Vec<DVec2>,
     /// Where the vertex in hand is.
@@ -34,19 +34,19 @@ pub(super) struct Marks<'a> {
 
 impl<'a> Marks<'a> {
     pub fn of_shading<A>(state: &'a shading::State<A>) -> Self {
-        let stage = &*state.stage;
-        let in_hand = state.vertex.as_ref().map(|vertex| vertex.position);
+        let prepared = &*state.prepared;
+        let current = state.vertex.as_ref().map(|vertex| vertex.position);
         // The point of a pixel is marked by the pixel.
         let point = state.point.as_ref().filter(|_| state.pixel.is_none());
-        let in_hand = in_hand.or(point.map(|point| point.position));
+        let current = current.or(point.map(|point| point.position));
         Marks {
-            stage,
+            prepared,
             canvas: &state.canvas,
             outline: outline(state),
-            vertex: in_hand
-                .map(|position| stage.view.to_camera(position))
-                .filter(|camera| camera.z >= stage.view.near)
-                .map(|camera| stage.view.to_screen(camera)),
+            vertex: current
+                .map(|position| prepared.view.to_camera(position))
+                .filter(|camera| camera.z >= prepared.view.near)
+                .map(|camera| prepared.view.to_screen(camera)),
             edge: None,
             span: state.span.as_ref().map(|span| span.first..span.end),
             polygon: state.polygon.map(|polygon| polygon.polygon),
@@ -58,7 +58,7 @@ impl<'a> Marks<'a> {
 
     pub fn of_wireframe(state: &'a wireframe::State) -> Self {
         Marks {
-            stage: &state.stage,
+            prepared: &state.prepared,
             canvas: &state.canvas,
             outline: Vec::new(),
             vertex: None,
@@ -72,9 +72,9 @@ impl<'a> Marks<'a> {
     }
 
     pub fn of_rays(state: &'a rays::State) -> Self {
-        let seen = |ray: &RayInHand| {
-            let camera = state.stage.view.to_camera(ray.surface?.position);
-            (camera.z >= state.stage.view.near).then(|| state.stage.view.to_screen(camera))
+        let seen = |ray: &RayState| {
+            let camera = state.prepared.view.to_camera(ray.surface?.position);
+            (camera.z >= state.prepared.view.near).then(|| state.prepared.view.to_screen(camera))
         };
         // The first ray meets its surface in the pixel itself.
         let secondary = state.rays.iter().skip(1).enumerate();
@@ -82,12 +82,12 @@ impl<'a> Marks<'a> {
         let many = state.rays.len() > MOST_HITS;
         let is_shown = |index: usize| !many || way.contains(&index);
         let others = secondary.filter(|(i, _)| state.current != Some(i + 1) && is_shown(i + 1));
-        let in_hand = state.ray().filter(|ray| ray.parent.is_some());
+        let current = state.ray().filter(|ray| ray.parent.is_some());
         Marks {
-            stage: &state.stage,
+            prepared: &state.prepared,
             canvas: &state.canvas,
             outline: Vec::new(),
-            vertex: in_hand.and_then(seen),
+            vertex: current.and_then(seen),
             edge: None,
             span: None,
             polygon: None,
@@ -100,7 +100,7 @@ impl<'a> Marks<'a> {
     pub fn draw(&self, picture: &mut Picture, focus: Focus, fit: &Fit) {
         self.draw_focus(picture, focus, fit);
         if let Some(y) = self.row {
-            let width = self.stage.view.width;
+            let width = self.prepared.view.width;
             let band = at_least(fit.pixels(0, width, y), 2.0);
             // The pixels of the span keep their colours.
             let free = match &self.span {
@@ -138,7 +138,7 @@ impl<'a> Marks<'a> {
                 cross_hair(
                     picture,
                     square,
-                    fit.pixels(0, self.stage.view.width, 0).width,
+                    fit.pixels(0, self.prepared.view.width, 0).width,
                 );
             }
             picture.rect(square.grown(1.0), Ink::Surface.stroke(1.0));
@@ -155,11 +155,11 @@ impl<'a> Marks<'a> {
             | Focus::Patch(_)
             | Focus::FormFactor { .. } => {}
             Focus::Polygon(number) => {
-                let corners = staged(self.stage, number);
+                let corners = staged(self.prepared, number);
                 picture.polygon(corners.into_iter().map(|corner| fit.place(corner)), stroke);
             }
             Focus::ScanLine(y) => {
-                let row = fit.pixels(0, self.stage.view.width, y);
+                let row = fit.pixels(0, self.prepared.view.width, y);
                 picture.rect(at_least(row, SMALLEST), stroke);
             }
             Focus::Pixel { x, y } => {

@@ -2,8 +2,8 @@
 
 use super::grid::Grid;
 use super::viridis::viridis;
-use super::{Hand, Sheet};
-use crate::algorithms::radiosity::Told;
+use super::{Hand, Layout};
+use crate::algorithms::radiosity::SolverEvent;
 use crate::picture::{Image, Ink, Paint, Picture, Rect, Style, Tag, elide, fixed, number};
 use std::ops::Range;
 
@@ -18,13 +18,13 @@ const MOST_CELLS: usize = 64;
 /// The most patches whose row of the system is written out.
 const MOST_WRITTEN: usize = 8;
 
-pub fn draw(picture: &mut Picture, sheet: &Sheet) {
+pub fn draw(picture: &mut Picture, layout: &Layout) {
     let (width, height) = (picture.width, picture.height);
-    let written = sheet.written().filter(|_| {
-        let columns = (sheet.n + 1) as f32;
+    let written = layout.written().filter(|_| {
+        let columns = (layout.n + 1) as f32;
         height >= 260.0 && (width - 2.0 * MARGIN - 40.0) / columns >= 42.0
     });
-    let names = names(sheet);
+    let names = names(layout);
     let longest = names.iter().map(|(name, _)| small().width(name));
     let left = longest.fold(0.0, f32::max).min(0.2 * width).min(110.0) + BRACKET + 3.0;
     let bars = (0.18 * width).clamp(44.0, 130.0);
@@ -42,18 +42,18 @@ pub fn draw(picture: &mut Picture, sheet: &Sheet) {
         width - 2.0 * MARGIN - left - bars - 10.0,
         height - top - bottom - MARGIN,
     );
-    let mut grid = Grid::new(sheet.matrix, sheet.n, free);
+    let mut grid = Grid::new(layout.matrix, layout.n, free);
     // Everything in the middle.
     grid.area.x += (0.5 * (free.width - grid.area.width)).max(0.0).floor();
     let area = grid.area;
     let bars = Rect::new(area.right() + 10.0, area.y, bars, area.height);
 
-    title(picture, sheet);
-    map(picture, sheet, &grid);
-    objects_left(picture, sheet, &grid, &names, left);
+    title(picture, layout);
+    map(picture, layout, &grid);
+    objects_left(picture, layout, &grid, &names, left);
     objects_above(picture, &grid, &names);
-    sums(picture, sheet, &grid, bars);
-    if let Some(hand) = sheet.hand {
+    sums(picture, layout, &grid, bars);
+    if let Some(hand) = layout.hand {
         marks(picture, &grid, hand);
     }
     let legend_place = Rect::new(
@@ -70,7 +70,7 @@ pub fn draw(picture: &mut Picture, sheet: &Sheet) {
             width - 2.0 * MARGIN,
             2.0 * LINE,
         );
-        system(picture, sheet, rho, emission, place);
+        system(picture, layout, rho, emission, place);
     }
 }
 
@@ -79,24 +79,24 @@ fn small() -> crate::picture::Text {
 }
 
 /// The objects' names, and the patches of each.
-fn names(sheet: &Sheet) -> Vec<(String, Range<usize>)> {
-    let surfaces = sheet.room.patches.surfaces.iter().zip(0_u32..);
+fn names(layout: &Layout) -> Vec<(String, Range<usize>)> {
+    let surfaces = layout.room.patches.surfaces.iter().zip(0_u32..);
     surfaces
         .map(|(surface, object)| {
             let count = (surface.grid[0] * surface.grid[1]) as usize;
-            let name = super::super::names::object(sheet.stage, object).to_string();
+            let name = super::super::names::object(layout.prepared, object).to_string();
             (name, surface.first..surface.first + count)
         })
         .collect()
 }
 
 /// The patch in hand, and the form factor in hand, as far as there is room.
-fn title(picture: &mut Picture, sheet: &Sheet) {
+fn title(picture: &mut Picture, layout: &Layout) {
     let room = picture.width - 2.0 * MARGIN;
     let set = Style::LabelBold.size(12.0).ink(Ink::Text);
-    let mut parts = vec![format!("F, {} × {}", sheet.n, sheet.n)];
-    if let Some(hand) = sheet.hand {
-        let name = sheet.name(hand.i);
+    let mut parts = vec![format!("F, {} × {}", layout.n, layout.n)];
+    if let Some(hand) = layout.hand {
+        let name = layout.name(hand.i);
         parts = vec![format!("i = {}: {name}", hand.i)];
         if let Some((row, column, f)) = hand.entry {
             let (other, symbol) = if hand.shoots() {
@@ -105,10 +105,10 @@ fn title(picture: &mut Picture, sheet: &Sheet) {
                 (column, "F_i_j")
             };
             parts.push(format!("{symbol} = {}", number(f)));
-            parts.push(format!("j = {other}: {}", sheet.name(other)));
+            parts.push(format!("j = {other}: {}", layout.name(other)));
         }
         if !hand.shoots() {
-            parts.push(format!("Σ_j F_i_j = {}", fixed(sheet.sum(hand.i), 4)));
+            parts.push(format!("Σ_j F_i_j = {}", fixed(layout.sum(hand.i), 4)));
         }
     }
     let mut text = String::new();
@@ -128,12 +128,12 @@ fn title(picture: &mut Picture, sheet: &Sheet) {
 }
 
 /// The colours, and over them what can be pointed at.
-fn map(picture: &mut Picture, sheet: &Sheet, grid: &Grid) {
+fn map(picture: &mut Picture, layout: &Layout, grid: &Grid) {
     picture.rect(grid.area, Ink::Background);
     picture.image(grid.area, grid.image());
     picture.rect(grid.area.grown(1.0), Ink::Rule.stroke(1.0));
     let unseen = Ink::Surface.fill().opacity(0.0);
-    let n = sheet.n;
+    let n = layout.n;
     if grid.cell() >= LEAST_CELL && n <= MOST_CELLS {
         for i in 0..n {
             for j in 0..n {
@@ -155,20 +155,20 @@ fn map(picture: &mut Picture, sheet: &Sheet, grid: &Grid) {
 /// Brackets along the left, and names where they do not cover each other: first that of the patch in hand.
 fn objects_left(
     picture: &mut Picture,
-    sheet: &Sheet,
+    layout: &Layout,
     grid: &Grid,
     names: &[(String, Range<usize>)],
     left: f32,
 ) {
     let (x, y) = (grid.area.x - BRACKET, grid.area.y);
-    let in_hand = |range: &Range<usize>| sheet.hand.is_some_and(|hand| range.contains(&hand.i));
+    let current = |range: &Range<usize>| layout.hand.is_some_and(|hand| range.contains(&hand.i));
     let mut order: Vec<&(String, Range<usize>)> = names.iter().collect();
-    order.sort_by_key(|(_, range)| !in_hand(range));
+    order.sort_by_key(|(_, range)| !current(range));
     let mut taken: Vec<Rect> = Vec::new();
     for (name, range) in order {
         let [from, to] = grid.span(range.clone()).map(|at| y + at);
         bracket(picture, [from, to], |at, depth| [x + depth, at]);
-        let ink = if in_hand(range) {
+        let ink = if current(range) {
             Ink::This
         } else {
             Ink::Muted
@@ -213,17 +213,17 @@ fn bracket(picture: &mut Picture, [from, to]: [f32; 2], at: impl Fn(f32, f32) ->
 }
 
 /// Bars as long as the sums of the rows, with a line at 1: the sum in a closed room.
-fn sums(picture: &mut Picture, sheet: &Sheet, grid: &Grid, place: Rect) {
-    let in_hand = |rows: &Range<usize>| {
-        sheet
+fn sums(picture: &mut Picture, layout: &Layout, grid: &Grid, place: Rect) {
+    let current = |rows: &Range<usize>| {
+        layout
             .hand
             .filter(|hand| !hand.shoots() && rows.contains(&hand.i))
     };
     let rows: Vec<(Range<usize>, usize, f64)> = (0..grid.cells)
         .map(|cell| {
             let rows = grid.entries(cell);
-            let row = in_hand(&rows).map_or(rows.start, |hand| hand.i);
-            (rows, row, sheet.sum(row))
+            let row = current(&rows).map_or(rows.start, |hand| hand.i);
+            (rows, row, layout.sum(row))
         })
         .collect();
     let longest = rows.iter().map(|(_, _, sum)| *sum).fold(1.1, f64::max);
@@ -237,7 +237,7 @@ fn sums(picture: &mut Picture, sheet: &Sheet, grid: &Grid, place: Rect) {
             scale * sum as f32,
             (to - from - gap).max(0.5),
         );
-        let paint = match in_hand(&rows) {
+        let paint = match current(&rows) {
             Some(_) => Ink::This.fill(),
             None => Ink::Muted.fill().opacity(0.45),
         };
@@ -318,28 +318,30 @@ fn legend(picture: &mut Picture, grid: &Grid, place: Rect) {
     }
     let label = |x: f32, width: f32| Rect { x, width, ..place };
     picture.text_in(label(zero.right() + 8.0, widths[0]), &*decades[0], small());
-    let share = |sample| f64::from(sample) / f64::from(SAMPLES - 1);
+    let share = |fixture| f64::from(fixture) / f64::from(SAMPLES - 1);
     let bytes: Vec<u8> = (0..SAMPLES).flat_map(|s| viridis(share(s))).collect();
     let bar = Rect::new(from, place.y + 3.0, length, 9.0);
     picture.image(bar, Image::new(SAMPLES, 1, bytes));
     picture.text_in(label(bar.right() + 3.0, widths[1]), &*decades[1], small());
 }
 
-impl Sheet<'_> {
+impl Layout<'_> {
     /// ρ_i and E_i of the patch that gathers, where its row of the system is short enough to be written.
     fn written(&self) -> Option<(f64, f64)> {
-        match self.hand?.told {
-            Told::Gathering { rho_i, e_i, .. } if self.n <= MOST_WRITTEN => Some((rho_i, e_i)),
+        match self.hand?.recorded {
+            SolverEvent::Gathering { rho_i, e_i, .. } if self.n <= MOST_WRITTEN => {
+                Some((rho_i, e_i))
+            }
             _ => None,
         }
     }
 }
 
 /// The row of I − ρF, and E_i.
-fn system(picture: &mut Picture, sheet: &Sheet, rho: f64, emission: f64, place: Rect) {
-    let Some(hand) = sheet.hand else { return };
+fn system(picture: &mut Picture, layout: &Layout, rho: f64, emission: f64, place: Rect) {
+    let Some(hand) = layout.hand else { return };
     let head = 40.0;
-    let width = (place.width - head) / (sheet.n + 1) as f32;
+    let width = (place.width - head) / (layout.n + 1) as f32;
     let column = hand.entry.map(|(_, column, _)| column);
     let cell = |at: usize, line: usize| {
         let x = place.x + head + at as f32 * width;
@@ -358,7 +360,7 @@ fn system(picture: &mut Picture, sheet: &Sheet, rho: f64, emission: f64, place: 
     picture.text_in(first, "j", small());
     let second = first.shifted([0.0, LINE].into());
     picture.text_in(second, format!("i = {}", hand.i), small());
-    for (j, f) in sheet.row(hand.i).iter().enumerate() {
+    for (j, f) in layout.row(hand.i).iter().enumerate() {
         let diagonal = j == hand.i;
         let symbol = match diagonal {
             _ if width < 84.0 => format!("{j}"),
@@ -380,7 +382,7 @@ fn system(picture: &mut Picture, sheet: &Sheet, rho: f64, emission: f64, place: 
             );
         });
     }
-    let last = cell(sheet.n, 0);
+    let last = cell(layout.n, 0);
     picture.line(
         (last.x + 5.0, place.y),
         (last.x + 5.0, place.bottom()),
@@ -388,5 +390,5 @@ fn system(picture: &mut Picture, sheet: &Sheet, rho: f64, emission: f64, place: 
     );
     picture.text_in(last, "E_i", small().end());
     let set = Style::Label.size(SMALL).end();
-    picture.text_in(cell(sheet.n, 1), fixed(emission, 3), set);
+    picture.text_in(cell(layout.n, 1), fixed(emission, 3), set);
 }

@@ -1,35 +1,35 @@
-use super::super::crowd::{SIZES, assert_legible, nothing, open_room, solvers, texts};
-use super::super::sample::Sample;
+use super::super::fixture::Fixture;
+use super::super::fixtures::{SIZES, assert_legible, nothing, open_room, solvers, texts};
 use super::*;
+use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::radiosity::Solver;
-use crate::algorithms::room;
 use crate::picture::Tag;
 
-fn solved(solver: Solver) -> Sample {
-    let settings = room::Settings {
+fn solved(solver: Solver) -> Fixture {
+    let settings = enclosure::Settings {
         solver,
-        ..room::Settings::default()
+        ..enclosure::Settings::default()
     };
     open_room(settings, Focus::Frame)
 }
 
-fn at(sample: &mut Sample, kind: &str, size: [f32; 2]) -> Picture {
-    let step = sample.first(kind) + 1;
-    sample.seek(step);
-    draw(&sample.show(), size.into())
+fn at(fixture: &mut Fixture, kind: &str, size: [f32; 2]) -> Picture {
+    let step = fixture.first(kind) + 1;
+    fixture.seek(step);
+    draw(&fixture.input(), size.into())
 }
 
 #[test]
 fn every_step_is_legible_at_every_size() {
-    for mut sample in solvers() {
-        for step in sample.some_steps(211) {
-            sample.seek(step);
+    for mut fixture in solvers() {
+        for step in fixture.some_steps(211) {
+            fixture.seek(step);
             for size in SIZES {
                 for language in Language::ALL {
-                    let picture = draw(&sample.show_in(language), size);
-                    let what = format!("{} at {size}", sample.walk().kind(step));
+                    let picture = draw(&fixture.show_in(language), size);
+                    let what = format!("{} at {size}", fixture.walk().kind(step));
                     assert_legible(&picture, &what);
                 }
             }
@@ -44,9 +44,9 @@ fn gathering_marks_a_row_and_shooting_a_column() {
         (Solver::Jacobi, "Gathering"),
         (Solver::Shooting, "Shooting"),
     ] {
-        let mut sample = solved(solver);
-        let picture = at(&mut sample, kind, size);
-        let Run::Radiosity(_, replay) = &sample.run else {
+        let mut fixture = solved(solver);
+        let picture = at(&mut fixture, kind, size);
+        let Run::Radiosity(_, replay) = &fixture.run else {
             panic!("it is a run of radiosity");
         };
         let hand = Hand::of(replay.state()).expect("a patch is in hand");
@@ -61,8 +61,8 @@ fn gathering_marks_a_row_and_shooting_a_column() {
 
 #[test]
 fn a_cell_can_be_pointed_at_and_the_row_in_hand_is_written_out() {
-    let mut sample = solved(Solver::Jacobi);
-    let picture = at(&mut sample, "Gathering", [500.0, 400.0]);
+    let mut fixture = solved(Solver::Jacobi);
+    let picture = at(&mut fixture, "Gathering", [500.0, 400.0]);
     let cell = Tag::FormFactor { i: 3, j: 5 };
     let bounds = picture.tagged_bounds(cell).expect("the cell is there");
     assert_eq!(picture.hit(bounds.center()), Some(cell));
@@ -75,14 +75,14 @@ fn a_cell_can_be_pointed_at_and_the_row_in_hand_is_written_out() {
 #[test]
 fn without_a_matrix_that_is_said() {
     let form_factors = Method::AreaToArea { points: 2 };
-    let settings = room::Settings {
+    let settings = enclosure::Settings {
         form_factors,
-        ..room::Settings::default()
+        ..enclosure::Settings::default()
     };
-    for sample in [
+    for fixture in [
         nothing(),
         open_room(settings, Focus::FormFactor { i: 0, j: 2 }),
     ] {
-        assert_legible(&draw(&sample.show(), SIZES[0]), "no matrix");
+        assert_legible(&draw(&fixture.input(), SIZES[0]), "no matrix");
     }
 }

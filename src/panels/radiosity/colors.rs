@@ -1,7 +1,7 @@
 //! The colours of patches: their light as the picture of the room would show it, and one channel's unshot light on a scale.
 
+use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::radiosity::Solver;
-use crate::algorithms::room::Room;
 use crate::color::Rgb;
 use crate::replay::radiosity::{ChannelNow, State};
 use std::iter::zip;
@@ -21,7 +21,7 @@ pub(super) fn shoots(solver: Solver) -> bool {
 /// The light of every patch so far. It begins with what they emit; a channel that is still to be solved is dark, unless it is equal to
 /// one before it, whose light it shares: a grey room is grey from the first step on. Where patches shoot, their unshot light, which
 /// they already have, counts (Cohen, Chen, Wallace & Greenberg 1988).
-pub(super) fn light(state: &State, room: &Room) -> Vec<Rgb> {
+pub(super) fn light(state: &State, room: &Enclosure) -> Vec<Rgb> {
     if state.channels.is_empty() {
         return room.emission.clone();
     }
@@ -36,7 +36,7 @@ pub(super) fn light(state: &State, room: &Room) -> Vec<Rgb> {
 }
 
 /// The first channel in which patches reflect and emit as much as in channel `c`: one is solved for both.
-pub(super) fn twin(room: &Room, c: usize) -> usize {
+pub(super) fn twin(room: &Enclosure, c: usize) -> usize {
     let equal = |other: usize| {
         let mut colors = room.reflectance.iter().chain(&room.emission);
         colors.all(|color| color.channels()[other] == color.channels()[c])
@@ -46,9 +46,10 @@ pub(super) fn twin(room: &Room, c: usize) -> usize {
 
 /// The channel as it was solved, be it under the name of an equal one; none of one that is dark or still to be solved.
 fn of_channel<'a>(state: &'a State, name: &str) -> Option<&'a ChannelNow> {
-    let mut told = state.channels.iter().rev();
-    let channel = told.find(|channel| channel.channel.is_none_or(|told| told == name))?;
-    match channel.left_out {
+    let mut recorded = state.channels.iter().rev();
+    let channel =
+        recorded.find(|channel| channel.channel.is_none_or(|recorded| recorded == name))?;
+    match channel.skipped {
         None => Some(channel),
         Some((_, Some(like))) if like != name => of_channel(state, like),
         Some(_) => None,
@@ -73,7 +74,7 @@ fn values(channel: &ChannelNow, emission: impl Iterator<Item = f64>) -> Vec<f64>
 
 /// What light is multiplied by to be shown, the same at every step: by the finished light of the patches that do not shine by
 /// themselves, as lamps may well be white.
-pub(super) fn exposure(room: &Room) -> f64 {
+pub(super) fn exposure(room: &Enclosure) -> f64 {
     let finished = room.matrix().and_then(|matrix| room.light(matrix).ok());
     let radiosity = finished.map_or(&room.emission, |light| &light.radiosity);
     let lit = zip(radiosity, &room.emission).filter(|(_, emission)| emission.max_channel() == 0.0);
@@ -100,7 +101,7 @@ pub(super) struct Unshot {
 
 impl Unshot {
     /// None where the solver does not shoot, or nothing emits. Until it is told, patches have to shoot what they emit.
-    pub fn of(state: &State, room: &Room) -> Option<Self> {
+    pub fn of(state: &State, room: &Enclosure) -> Option<Self> {
         let emission = room.emission.iter();
         let brightest = emission
             .clone()

@@ -4,10 +4,10 @@ use super::super::fit::Fit;
 use super::super::labels::{Labels, within};
 use super::super::names;
 use super::room_view::RoomView;
+use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
-use crate::algorithms::radiosity::Told;
-use crate::algorithms::room::Room;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::radiosity::SolverEvent;
 use crate::picture::{Dash, Ink, Picture, Rect, Shape, Stroke, Style, Tag, number};
 use crate::record::Value;
 use crate::replay::Run;
@@ -52,14 +52,16 @@ impl Exchange {
 
     fn of_iteration(focused: Focused) -> Self {
         let (j, value) = match focused.exchange {
-            Some((j, Told::Exchanged { product, .. })) => (Some(j), Some(("F_{ij} B_j", product))),
-            Some((j, Told::Received { delta, .. })) => (Some(j), Some(("ΔB_j", delta))),
+            Some((j, SolverEvent::Exchanged { product, .. })) => {
+                (Some(j), Some(("F_{ij} B_j", product)))
+            }
+            Some((j, SolverEvent::Received { delta, .. })) => (Some(j), Some(("ΔB_j", delta))),
             _ => (None, None),
         };
         Exchange {
             i: focused.i as usize,
             j: j.map(|j| j as usize),
-            outward: matches!(focused.told, Told::Shooting { .. }),
+            outward: matches!(focused.recorded, SolverEvent::Shooting { .. }),
             value,
         }
     }
@@ -79,21 +81,21 @@ impl Exchange {
         }
     }
 
-    fn told(&self) -> Option<String> {
+    fn recorded(&self) -> Option<String> {
         let (symbol, value) = self.value?;
         Some(format!("{symbol} = {}", three_digits(value)))
     }
 
-    pub fn in_words(&self, stage: &Stage, room: &Room) -> String {
-        let name = |patch| names::patch(stage, room, patch);
-        let mut words = format!("i = {}", name(self.i));
+    pub fn in_words(&self, prepared: &PreparedScene, room: &Enclosure) -> String {
+        let name = |patch| names::patch(prepared, room, patch);
+        let mut strings = format!("i = {}", name(self.i));
         if let Some(j) = self.j {
             let way = if self.outward { "→" } else { "←" };
-            words = format!("{words} {way} j = {}", name(j));
+            strings = format!("{strings} {way} j = {}", name(j));
         }
-        match self.told() {
-            Some(value) => format!("{words}, {}.", value.replace(['{', '}'], "")),
-            None => format!("{words}."),
+        match self.recorded() {
+            Some(value) => format!("{strings}, {}.", value.replace(['{', '}'], "")),
+            None => format!("{strings}."),
         }
     }
 
@@ -101,8 +103,8 @@ impl Exchange {
     pub fn draw(
         &self,
         picture: &mut Picture,
-        stage: &Stage,
-        room: &Room,
+        prepared: &PreparedScene,
+        room: &Enclosure,
         view: &RoomView,
         fit: &Fit,
         area: Rect,
@@ -135,8 +137,8 @@ impl Exchange {
             picture.tagged(Tag::Patch(j), |picture| {
                 picture.arrow(from, to, self.stroke());
             });
-            labels.spare(from, to);
-            if let Some(value) = self.told() {
+            labels.avoid(from, to);
+            if let Some(value) = self.recorded() {
                 let aside = (to - from).perp();
                 let middle = (from.lerp(to, 0.5), 3.0);
                 let style = Style::LabelBold.size(text).ink(Ink::This);
@@ -147,7 +149,7 @@ impl Exchange {
             let Some(at) = center(patch).filter(|&at| area.contains(at)) else {
                 continue;
             };
-            let name = format!("{letter} = {}", names::patch(stage, room, patch));
+            let name = format!("{letter} = {}", names::patch(prepared, room, patch));
             labels.put(&mut over, (at, 10.0), Vec2::Y, &name, style.ink(ink));
         }
         lay_over(picture, over);

@@ -4,8 +4,8 @@
 
 use super::super::fit::Fit;
 use super::order::{Placed, painters_order};
-use crate::algorithms::room::Room;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::enclosure::Enclosure;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::picture::Rect;
 use crate::scene::View;
 use glam::{DVec2, DVec3};
@@ -18,7 +18,7 @@ pub(super) struct Seen {
 }
 
 pub(super) struct RoomView<'a> {
-    room: &'a Room,
+    room: &'a Enclosure,
     pub view: View,
     /// The part of the screen that is shown.
     pub low: DVec2,
@@ -28,8 +28,8 @@ pub(super) struct RoomView<'a> {
 }
 
 impl<'a> RoomView<'a> {
-    pub fn new(stage: &Stage, room: &'a Room) -> Self {
-        let view = stage.view;
+    pub fn new(prepared: &PreparedScene, room: &'a Enclosure) -> Self {
+        let view = prepared.view;
         let frame = DVec2::new(view.width.into(), view.height.into());
         let mut whole = RoomView {
             room,

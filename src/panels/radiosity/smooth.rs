@@ -3,10 +3,10 @@
 
 use super::super::fit::Fit;
 use super::room_view::RoomView;
+use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Region;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::patch_view::corner_values;
-use crate::algorithms::room::Room;
 use crate::algorithms::scan_line::{self, Corner, ScanLine};
 use crate::color::Rgb;
 use crate::picture::{Image, Rect};
@@ -19,7 +19,7 @@ use std::ops::Range;
 const MOST_PIXELS: f64 = 2e6;
 
 /// The fronts of all patches, transparent where there are none, and its place in the panel. `colors` has one a patch.
-pub(super) fn image(room: &Room, view: &RoomView, fit: &Fit, colors: &[Rgb]) -> (Rect, Image) {
+pub(super) fn image(room: &Enclosure, view: &RoomView, fit: &Fit, colors: &[Rgb]) -> (Rect, Image) {
     let View { width, height, .. } = view.view;
     let size = DVec2::new(width.into(), height.into());
     let scale = fit.scale.min((MOST_PIXELS / (size.x * size.y)).sqrt());

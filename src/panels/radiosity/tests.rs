@@ -1,30 +1,32 @@
-use super::super::crowd::{self, SIZES, assert_legible};
-use super::super::sample::Sample;
+use super::super::fixture::Fixture;
+use super::super::fixtures::{self, SIZES, assert_legible};
 use super::*;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::radiosity::Solver;
 use crate::picture::{Item, Shape};
 use crate::render::Method;
 use crate::scene::View;
-use crate::scene::solids::Ray;
+use crate::scene::primitives::Ray;
 use glam::DVec2;
 
 const WIDE: Vec2 = Vec2::new(800.0, 500.0);
 const NARROW: Vec2 = Vec2::new(380.0, 280.0);
 
-fn stage_of(sample: &Sample) -> &Stage {
-    match &sample.run {
-        Run::Radiosity(stage, _) | Run::FormFactor(stage, _) => stage,
+fn stage_of(fixture: &Fixture) -> &PreparedScene {
+    match &fixture.run {
+        Run::Radiosity(prepared, _) | Run::FormFactor(prepared, _) => prepared,
         _ => panic!("the sample is a room"),
     }
 }
 
-fn room_of(sample: &Sample) -> &Room {
-    stage_of(sample).room().expect("the sample has patches")
+fn room_of(fixture: &Fixture) -> &Enclosure {
+    stage_of(fixture)
+        .enclosure()
+        .expect("the sample has patches")
 }
 
-fn state_of(sample: &Sample) -> &State {
-    match &sample.run {
+fn state_of(fixture: &Fixture) -> &State {
+    match &fixture.run {
         Run::Radiosity(_, replay) => replay.state(),
         _ => panic!("the sample has a solver"),
     }
@@ -39,25 +41,25 @@ fn tagged(picture: &Picture, tag: Tag) -> impl Iterator<Item = &Item> {
 
 #[test]
 fn every_step_is_legible_at_every_size() {
-    for mut sample in [
-        Sample::room(Solver::GaussSeidel, Focus::Frame),
-        Sample::room(Solver::Overshooting, Focus::Frame),
-        Sample::room(Solver::Shooting, Focus::Patch(60)),
-        Sample::room(Solver::Auto, Focus::Iterations { start: 1, end: 3 }),
-        Sample::room(Solver::Auto, Focus::FormFactor { i: 0, j: 60 }),
-        crowd::crowd(Method::Gouraud),
-        crowd::rays(Method::RayCasting, 1),
+    for mut fixture in [
+        Fixture::room(Solver::GaussSeidel, Focus::Frame),
+        Fixture::room(Solver::Overshooting, Focus::Frame),
+        Fixture::room(Solver::Shooting, Focus::Patch(60)),
+        Fixture::room(Solver::Auto, Focus::Iterations { start: 1, end: 3 }),
+        Fixture::room(Solver::Auto, Focus::FormFactor { i: 0, j: 60 }),
+        fixtures::fixtures(Method::Gouraud),
+        fixtures::rays(Method::RayCasting, 1),
     ] {
-        for step in sample.some_steps(9973) {
-            sample.seek(step);
+        for step in fixture.some_steps(9973) {
+            fixture.seek(step);
             for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
                 let smooth = step % 2 == 1;
-                let show = Show {
+                let input = PanelInput {
                     smooth,
-                    ..sample.show_in(language)
+                    ..fixture.show_in(language)
                 };
-                let picture = draw(&show, size);
-                let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                let picture = draw(&input, size);
+                let what = format!("{} {step} at {size}", fixture.walk().kind(step));
                 assert_legible(&picture, &what);
                 assert!(!picture.items.is_empty(), "{what}");
             }
@@ -67,10 +69,10 @@ fn every_step_is_legible_at_every_size() {
 
 #[test]
 fn every_patch_that_shows_its_front_is_tagged_and_no_other() {
-    let sample = Sample::room(Solver::Auto, Focus::Frame);
-    let picture = draw(&sample.show(), NARROW);
-    let eye = stage_of(&sample).view.eye;
-    for (number, patch) in room_of(&sample).patches.iter().enumerate() {
+    let fixture = Fixture::room(Solver::Auto, Focus::Frame);
+    let picture = draw(&fixture.input(), NARROW);
+    let eye = stage_of(&fixture).view.eye;
+    for (number, patch) in room_of(&fixture).patches.iter().enumerate() {
         let front = patch.normal.dot(eye - patch.center) > 0.0;
         let count = tagged(&picture, Tag::Patch(number)).count();
         assert_eq!(count, usize::from(front), "patch {number}");
@@ -79,13 +81,13 @@ fn every_patch_that_shows_its_front_is_tagged_and_no_other() {
 
 #[test]
 fn the_nearest_patch_answers_the_pointer() {
-    let sample = Sample::room(Solver::Auto, Focus::Frame);
-    let (stage, room) = (stage_of(&sample), room_of(&sample));
-    let picture = draw(&sample.show(), WIDE);
-    let view = RoomView::new(stage, room);
-    let mut sheet = Picture::new(WIDE.x, WIDE.y);
+    let fixture = Fixture::room(Solver::Auto, Focus::Frame);
+    let (prepared, room) = (stage_of(&fixture), room_of(&fixture));
+    let picture = draw(&fixture.input(), WIDE);
+    let view = RoomView::new(prepared, room);
+    let mut layout = Picture::new(WIDE.x, WIDE.y);
     let place = places(WIDE, 1)[0];
-    let fit = view.fit(colorings(&sample.show(), room)[0].frame(&mut sheet, place));
+    let fit = view.fit(colorings(&fixture.input(), room)[0].frame(&mut layout, place));
     let nearest = |at: Vec2| {
         let View {
             eye,
@@ -96,14 +98,14 @@ fn the_nearest_patch_answers_the_pointer() {
             width,
             height,
             ..
-        } = stage.view;
+        } = prepared.view;
         let from_middle = fit.point(at) - 0.5 * DVec2::new(width.into(), height.into());
         let direction = focal * forward + from_middle.x * right - from_middle.y * up;
         let ray = Ray {
             origin: eye,
             direction: direction.normalize(),
         };
-        room.solids.nearest(&ray).map(|(patch, _)| patch)
+        room.primitives.nearest(&ray).map(|(patch, _)| patch)
     };
     let mut checked = 0;
     for seen in &view.seen {
@@ -135,12 +137,12 @@ fn neighbours_overlap_by_as_much_at_every_edge() {
 
 #[test]
 fn what_is_gathered_comes_along_an_arrow() {
-    let mut sample = Sample::room(Solver::GaussSeidel, Focus::Frame);
+    let mut fixture = Fixture::room(Solver::GaussSeidel, Focus::Frame);
     // Patch 0, of the floor, from the lamp's first.
-    sample.go_to("Exchanged", 60);
-    let exchange = Exchange::of(&sample.run, sample.focus).expect("an exchange");
+    fixture.go_to("Exchanged", 60);
+    let exchange = Exchange::of(&fixture.run, fixture.focus).expect("an exchange");
     assert_eq!((exchange.i, exchange.j), (0, Some(60)));
-    let picture = draw(&sample.show(), NARROW);
+    let picture = draw(&fixture.input(), NARROW);
     let line = tagged(&picture, Tag::Patch(60)).find_map(|item| match &item.shape {
         Shape::Polyline { points, stroke } if stroke.ink == Ink::This => Some(points.clone()),
         _ => None,
@@ -161,18 +163,18 @@ fn what_is_gathered_comes_along_an_arrow() {
 
 #[test]
 fn where_patches_shoot_a_wide_panel_shows_what_is_still_unshot() {
-    let mut sample = Sample::room(Solver::Shooting, Focus::Frame);
-    let pictures = |sample: &Sample, size| {
-        let picture = draw(&sample.show(), size);
+    let mut fixture = Fixture::room(Solver::Shooting, Focus::Frame);
+    let pictures = |fixture: &Fixture, size| {
+        let picture = draw(&fixture.input(), size);
         tagged(&picture, Tag::Patch(3)).count()
     };
-    assert_eq!([NARROW, WIDE].map(|size| pictures(&sample, size)), [1, 2]);
-    sample.go_to("Received", 5);
+    assert_eq!([NARROW, WIDE].map(|size| pictures(&fixture, size)), [1, 2]);
+    fixture.go_to("Received", 5);
     // The patch in hand is another, so that this one has no outline beside its picture.
-    let state = state_of(&sample).focused.expect("a shot");
+    let state = state_of(&fixture).focused.expect("a shot");
     assert_eq!((state.i, state.exchange.map(|(j, _)| j)), (60, Some(5)));
-    assert_eq!([NARROW, WIDE].map(|size| pictures(&sample, size)), [1, 2]);
-    let unshot = Unshot::of(state_of(&sample), room_of(&sample)).expect("a solver that shoots");
+    assert_eq!([NARROW, WIDE].map(|size| pictures(&fixture, size)), [1, 2]);
+    let unshot = Unshot::of(state_of(&fixture), room_of(&fixture)).expect("a solver that shoots");
     // The first of the lamp's patches has just shot all it had, and the others have not.
     assert_eq!(unshot.shares[60..], [0.0, 1.0, 1.0, 1.0]);
     assert!(unshot.shares[3] > 0.0 && unshot.shares[3] < 1.0);
@@ -185,13 +187,13 @@ fn the_light_begins_with_the_emission_and_ends_with_the_solution() {
         Solver::ConjugateGradients,
         Solver::Shooting,
     ] {
-        let mut sample = Sample::room(solver, Focus::Frame);
-        let room = room_of(&sample);
-        assert_eq!(light(state_of(&sample), room), room.emission);
-        sample.go_to("RoomDone", 0);
-        let room = room_of(&sample);
+        let mut fixture = Fixture::room(solver, Focus::Frame);
+        let room = room_of(&fixture);
+        assert_eq!(light(state_of(&fixture), room), room.emission);
+        fixture.go_to("RoomDone", 0);
+        let room = room_of(&fixture);
         let finished = room.light(room.matrix().expect("made")).expect("solved");
-        let shown = light(state_of(&sample), room);
+        let shown = light(state_of(&fixture), room);
         for (shown, finished) in shown.into_iter().zip(&finished.radiosity) {
             let apart = (shown - *finished).channels().map(f64::abs);
             // What is left unshot is below the tolerance of the solver.
@@ -203,9 +205,9 @@ fn the_light_begins_with_the_emission_and_ends_with_the_solution() {
 
 #[test]
 fn a_smooth_room_shows_at_a_corner_the_mean_of_the_patches_that_meet_there() {
-    let sample = Sample::room(Solver::Auto, Focus::Frame);
-    let (stage, room) = (stage_of(&sample), room_of(&sample));
-    let view = RoomView::new(stage, room);
+    let fixture = Fixture::room(Solver::Auto, Focus::Frame);
+    let (prepared, room) = (stage_of(&fixture), room_of(&fixture));
+    let view = RoomView::new(prepared, room);
     let fit = view.fit(Rect::new(10.0, 20.0, 700.0, 420.0));
     // Grey like a landscape whose height is the place: linear, so the mean at a corner between equal cells is the corner's own.
     let gray = |at: glam::DVec3| 0.5 + 0.05 * (at.x + 0.5 * at.z - at.y);
@@ -231,18 +233,18 @@ fn a_smooth_room_shows_at_a_corner_the_mean_of_the_patches_that_meet_there() {
             .iter()
             .filter(|&&other| other == (object, corner))
             .count();
-        let camera = stage.view.to_camera(corner);
+        let camera = prepared.view.to_camera(corner);
         // Of the floor: on the ball cells are not equal, and corners lie on its outline.
-        if meeting != 4 || corner.y != 0.0 || camera.z <= stage.view.near {
+        if meeting != 4 || corner.y != 0.0 || camera.z <= prepared.view.near {
             continue;
         }
-        let seen = stage.view.to_screen(camera);
+        let seen = prepared.view.to_screen(camera);
         let ray = Ray {
-            origin: stage.view.eye,
-            direction: (corner - stage.view.eye).normalize(),
+            origin: prepared.view.eye,
+            direction: (corner - prepared.view.eye).normalize(),
         };
         let nearest = room
-            .solids
+            .primitives
             .nearest(&ray)
             .map(|(patch, _)| room.patches[patch].object);
         let at = fit.place(seen);
@@ -253,11 +255,11 @@ fn a_smooth_room_shows_at_a_corner_the_mean_of_the_patches_that_meet_there() {
             continue;
         }
         corners += 1;
-        let told = f64::from(pixel.red());
+        let recorded = f64::from(pixel.red());
         let [wanted, ..] = Rgb::splat(gray(corner)).to_srgb8();
         assert!(
-            (told - f64::from(wanted)).abs() < 6.0,
-            "{corner}: {told}, not {wanted}"
+            (recorded - f64::from(wanted)).abs() < 6.0,
+            "{corner}: {recorded}, not {wanted}"
         );
     }
     assert!(corners > 20, "{corners} corners");

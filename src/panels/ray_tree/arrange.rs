@@ -1,6 +1,6 @@
 //! Where the nodes of the tree lie, and in how much detail each is drawn: the most that fits the room.
 
-use super::pick::{Rays, Room, Tree};
+use super::pick::{Enclosure, Rays, Tree};
 use super::tidy;
 use super::view::TreeView;
 use crate::picture::Rect;
@@ -159,7 +159,7 @@ fn whole(rays: &Rays, view: &TreeView, room: Vec2) -> Option<(Tree, Natural)> {
     if rays.len() > MOST_NODES {
         return None;
     }
-    let tree = rays.pick(&view.collapsed, Room::ENDLESS);
+    let tree = rays.pick(&view.collapsed, Enclosure::ENDLESS);
     const LEAST_FIRST: [Detail; 5] = [
         Detail::Line,
         Detail::Tiny,
@@ -208,10 +208,10 @@ impl Named {
     }
 
     fn lay_out(self, rays: &Rays, tree: &Tree) -> Natural {
-        let hand = tree.nodes[tree.in_hand].level;
+        let hand = tree.nodes[tree.current].level;
         Natural::new(rays, tree, |node| {
             let at = &tree.nodes[node];
-            let sent_on = at.parent.is_some_and(|(parent, _)| parent == tree.in_hand);
+            let sent_on = at.parent.is_some_and(|(parent, _)| parent == tree.current);
             let on_way = at.on_path && hand - at.level <= self.before_hand;
             if on_way || at.level < self.levels || self.levels > 0 && sent_on {
                 self.detail
@@ -227,7 +227,7 @@ impl Named {
 fn in_part(rays: &Rays, view: &TreeView, room: Vec2) -> (Tree, Natural) {
     let (dot, gap) = (Detail::Dot.size(), Detail::Dot.gap());
     let levels = (room.y / (dot.y + gap.y)).max(2.0) as usize;
-    let pick = |leaves| rays.pick(&view.collapsed, Room { leaves, levels });
+    let pick = |leaves| rays.pick(&view.collapsed, Enclosure { leaves, levels });
     // Subtrees reach under each other, so there may be room for more leaves than side by side.
     let (mut fitting, mut too_many) = (2, MOST_NODES.min(2 * (room.x / dot.x) as usize + 4));
     while too_many - fitting > 1 + fitting / 16 {
@@ -289,7 +289,7 @@ fn place(rays: &Rays, tree: Tree, natural: Natural, view: &TreeView, area: Rect)
     let high = Vec2::new(room.x + overhang, room.y.max(y)) - 0.5 * size;
     let wanted = match view.center {
         Some(center) => center * room,
-        None => rects[tree.in_hand].center(),
+        None => rects[tree.current].center(),
     };
     let middle = wanted.clamp(low, high.max(low));
     let offset = area.center() - middle;

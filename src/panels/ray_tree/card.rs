@@ -1,14 +1,14 @@
 //! All about the ray in hand beside its tree: what it met, what stands before each light, and the light that comes back up.
 
-use super::node::{Speaker, bracketed, color, ink, letter, mark, nothing_passes, number};
-use super::words::*;
+use super::node::{Describer, bracketed, color, ink, letter, mark, nothing_passes, number};
+use super::strings::*;
 use crate::algorithms::ray_tree::End;
-use crate::algorithms::visible::Met;
+use crate::algorithms::visible::Intersection;
 use crate::color::Rgb;
 use crate::panels::values::short;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide, symbol};
 use crate::record::Value;
-use crate::replay::rays::{Outcome, RayInHand, Target};
+use crate::replay::rays::{Outcome, RayState, Target};
 
 const ROW: f32 = 17.0;
 const SIZE: f32 = 12.0;
@@ -64,14 +64,14 @@ struct Section {
 /// Draws the card. `returning` puts the light that comes back first; `rising` is the ray whose light came back last.
 pub(super) fn draw(
     picture: &mut Picture,
-    speaker: &Speaker,
-    ray: &RayInHand,
+    describer: &Describer,
+    ray: &RayState,
     (rising, returning): (Option<usize>, bool),
     area: Rect,
 ) {
-    let met = surface(speaker, ray);
-    let lights = lights(speaker, ray);
-    let back = coming_back(speaker, ray, rising);
+    let met = surface(describer, ray);
+    let lights = lights(describer, ray);
+    let back = coming_back(describer, ray, rising);
     if area.width >= 600.0 {
         let half = 0.5 * (area.width - 16.0);
         let left = Rect::new(area.x, area.y, half, area.height);
@@ -89,15 +89,15 @@ pub(super) fn draw(
 }
 
 /// The ray in hand in one line.
-pub(super) fn line(picture: &mut Picture, speaker: &Speaker, ray: &RayInHand, area: Rect) {
-    let mut parts = vec![speaker.name(ray)[0].clone()];
+pub(super) fn line(picture: &mut Picture, describer: &Describer, ray: &RayState, area: Rect) {
+    let mut parts = vec![describer.name(ray)[0].clone()];
     let verdicts = ray.shadows.iter().map(|verdict| {
         let by = verdict
             .by
-            .map(|hit| format!(" {}, t {}", speaker.object(hit.object), number(hit.t)));
+            .map(|hit| format!(" {}, t {}", describer.object(hit.object), number(hit.t)));
         format!(
             "{} {}{}",
-            speaker.light(verdict.light),
+            describer.light(verdict.light),
             mark(!verdict.blocked),
             by.unwrap_or_default()
         )
@@ -183,10 +183,10 @@ fn write(picture: &mut Picture, entry: &Entry, area: Rect, mut y: f32) -> f32 {
 }
 
 /// What the ray met, and how it goes on.
-fn surface(speaker: &Speaker, ray: &RayInHand) -> Section {
+fn surface(describer: &Describer, ray: &RayState) -> Section {
     let mut entries = Vec::new();
-    let level = format!("{} {}", speaker.say(LEVEL), ray.level);
-    let name = speaker.name(ray)[0].clone();
+    let level = format!("{} {}", describer.localize(LEVEL), ray.level);
+    let name = describer.name(ray)[0].clone();
     let title = Entry {
         set: Style::LabelBold.size(13.0),
         ..Entry::parts(vec![name, format!("· {level}")])
@@ -202,10 +202,10 @@ fn surface(speaker: &Speaker, ray: &RayInHand) -> Section {
         place.push(format!("  cos θ_i {}", short(Value::Number(cosine), 3)));
     }
     match ray.met {
-        None => entries.extend(search(speaker)),
-        Some(Met::Nothing) => entries.push(Entry::new(speaker.say(LEAVES))),
-        Some(Met::Light { .. }) => {
-            entries.push(Entry::new(speaker.say(LIGHT_MET)));
+        None => entries.extend(search(describer)),
+        Some(Intersection::Nothing) => entries.push(Entry::new(describer.localize(LEAVES))),
+        Some(Intersection::Light { .. }) => {
+            entries.push(Entry::new(describer.localize(LIGHT_MET)));
         }
         Some(_) => {}
     }
@@ -224,7 +224,7 @@ fn surface(speaker: &Speaker, ray: &RayInHand) -> Section {
         );
         let mut parts = vec![eta, radicand];
         if nothing_passes(ray) {
-            parts.push(format!("< 0: {}", speaker.say(TIR)));
+            parts.push(format!("< 0: {}", describer.localize(TIR)));
         }
         entries.push(Entry::parts(parts).tag(Tag::Step(refraction.step)));
     }
@@ -232,7 +232,7 @@ fn surface(speaker: &Speaker, ray: &RayInHand) -> Section {
         let Outcome::Ended(end) = branch.outcome else {
             continue;
         };
-        let why = speaker.say(match end {
+        let why = describer.localize(match end {
             End::Depth => DEPTH_REACHED,
             End::NoCoefficient => NO_COEFFICIENT,
         });
@@ -246,37 +246,37 @@ fn surface(speaker: &Speaker, ray: &RayInHand) -> Section {
 }
 
 /// How the search for the nearest object stands.
-fn search(speaker: &Speaker) -> Option<Entry> {
-    let search = speaker.state.search?;
+fn search(describer: &Describer) -> Option<Entry> {
+    let search = describer.state.search?;
     let name = |target| match target {
-        Target::Object(object) => speaker.object(object).to_owned(),
-        Target::Light(light) => speaker.light(light),
+        Target::Object(object) => describer.object(object).to_owned(),
+        Target::Light(light) => describer.light(light),
     };
     let mut parts = Vec::new();
     if let Some(tested) = search.tested {
         let t = if tested.t.is_finite() {
             format!("t {}", number(tested.t))
         } else {
-            speaker.say(MISSED)
+            describer.localize(MISSED)
         };
         parts.push(format!(
             "{}: {}, {t}",
-            speaker.say(TESTED),
+            describer.localize(TESTED),
             name(tested.target)
         ));
     }
     if let Some(nearest) = search.nearest {
-        let (word, t) = (speaker.say(NEAREST), number(nearest.t));
+        let (word, t) = (describer.localize(NEAREST), number(nearest.t));
         parts.push(format!("· {word}: {}, t {t}", name(nearest.target)));
     }
     (!parts.is_empty()).then(|| Entry::parts(parts))
 }
 
 /// The verdict of each light, and N·L where it is in hand; none where no light was asked.
-fn lights(speaker: &Speaker, ray: &RayInHand) -> Option<Section> {
-    let state = speaker.state;
-    let in_hand = state.ray().is_some_and(|hand| hand.step == ray.step);
-    let point = state.point.as_ref().filter(|_| in_hand);
+fn lights(describer: &Describer, ray: &RayState) -> Option<Section> {
+    let state = describer.state;
+    let current = state.ray().is_some_and(|hand| hand.step == ray.step);
+    let point = state.point.as_ref().filter(|_| current);
     let cosine = |light: u32| {
         let lights = point.map_or(&[][..], |point| &point.lights);
         let lit = lights.iter().find(|lit| lit.light == light);
@@ -289,48 +289,52 @@ fn lights(speaker: &Speaker, ray: &RayInHand) -> Option<Section> {
         .map(|verdict| {
             let why = match (verdict.blocked, verdict.by) {
                 (true, Some(hit)) => {
-                    let (by, name) = (speaker.say(BLOCKED_BY), speaker.object(hit.object));
+                    let (by, name) = (describer.localize(BLOCKED_BY), describer.object(hit.object));
                     format!("{by} {name}, t {}", number(hit.t))
                 }
-                (true, None) => speaker.say(BLOCKED),
-                (false, _) => format!("{}, d {}", speaker.say(CLEAR), number(verdict.distance)),
+                (true, None) => describer.localize(BLOCKED),
+                (false, _) => format!(
+                    "{}, d {}",
+                    describer.localize(CLEAR),
+                    number(verdict.distance)
+                ),
             };
             let mark = mark(!verdict.blocked);
-            let text = format!("{}  {mark} {why}", speaker.light(verdict.light));
+            let text = format!("{}  {mark} {why}", describer.light(verdict.light));
             let parts = [Some(text), cosine(verdict.light)];
             Entry::parts(parts.into_iter().flatten().collect())
                 .ink(ink(!verdict.blocked))
                 .tag(Tag::Step(verdict.step))
         })
         .collect();
-    let asked = !entries.is_empty() || state.shadow.is_some() && in_hand;
-    if let (Some(shadow), true) = (&state.shadow, in_hand) {
-        let mut text = format!("{}  …", speaker.light(shadow.light));
+    let asked = !entries.is_empty() || state.shadow.is_some() && current;
+    if let (Some(shadow), true) = (&state.shadow, current) {
+        let mut text = format!("{}  …", describer.light(shadow.light));
         if let Some((object, t, _)) = shadow.tested {
             let place = if t.is_finite() {
                 format!("t {}", number(t))
             } else {
-                speaker.say(MISSED)
+                describer.localize(MISSED)
             };
             text = format!(
                 "{text} {}: {}, {place}",
-                speaker.say(TESTED),
-                speaker.object(object)
+                describer.localize(TESTED),
+                describer.object(object)
             );
         }
         entries.push(Entry::new(text).ink(Ink::This).tag(Tag::Scope(shadow.step)));
     }
     if !asked && let Some(point) = point {
         for lit in &point.lights {
-            let text = speaker.light(lit.light) + &cosine(lit.light).unwrap_or_default();
+            let text = describer.light(lit.light) + &cosine(lit.light).unwrap_or_default();
             entries.push(Entry::new(text).tag(Tag::Scope(lit.step)));
         }
     }
     if entries.is_empty() {
         return None;
     }
-    let title = speaker.say(if asked { SHADOW_RAYS } else { LIGHTS });
-    let name = &speaker.name(ray)[0];
+    let title = describer.localize(if asked { SHADOW_RAYS } else { LIGHTS });
+    let name = &describer.name(ray)[0];
     Some(Section {
         title: headline(format!("{title} {name}")),
         entries,
@@ -345,15 +349,15 @@ fn headline(text: String) -> Entry {
 }
 
 /// The sums on the way of the light: of the ray that returned last, of the ray in hand, and of those that wait for it.
-fn coming_back(speaker: &Speaker, ray: &RayInHand, rising: Option<usize>) -> Section {
-    let state = speaker.state;
+fn coming_back(describer: &Describer, ray: &RayState, rising: Option<usize>) -> Section {
+    let state = describer.state;
     let risen = rising.and_then(|index| state.rays.get(index));
     let risen = risen.filter(|risen| risen.step != ray.step);
-    let above = |ray: &&RayInHand| state.rays.get(ray.parent?);
+    let above = |ray: &&RayState| state.rays.get(ray.parent?);
     let waiting = std::iter::successors(Some(ray), above);
     let rows = risen.into_iter().chain(waiting).map(|ray| {
         let returned = ray.returned.map(|(color, _)| color);
-        let entry = Entry::parts(sum(speaker, ray)).swatch(returned.or(ray.sum));
+        let entry = Entry::parts(sum(describer, ray)).swatch(returned.or(ray.sum));
         let ink = if risen.is_some_and(|risen| risen.step == ray.step) {
             Ink::Linked
         } else {
@@ -362,14 +366,14 @@ fn coming_back(speaker: &Speaker, ray: &RayInHand, rising: Option<usize>) -> Sec
         entry.ink(ink).tag(Tag::Scope(ray.step))
     });
     Section {
-        title: headline(speaker.say(COMING_BACK)),
+        title: headline(describer.localize(COMING_BACK)),
         entries: rows.collect(),
     }
 }
 
 /// What a ray's light is the sum of, as far as it was told.
-pub(super) fn sum(speaker: &Speaker, ray: &RayInHand) -> Vec<String> {
-    let name = &speaker.name(ray)[0];
+pub(super) fn sum(describer: &Describer, ray: &RayState) -> Vec<String> {
+    let name = &describer.name(ray)[0];
     let returned = ray.returned.map(|(returned, _)| returned);
     let Some(local) = ray.local else {
         let light = returned.map_or_else(|| "…".to_owned(), bracketed);
@@ -380,11 +384,11 @@ pub(super) fn sum(speaker: &Speaker, ray: &RayInHand) -> Vec<String> {
         let Some(sent) = branch.branch else { continue };
         let k = bracketed(sent.coefficient);
         let back = match branch.outcome {
-            Outcome::Ray(index) => speaker.state.rays.get(index).and_then(|ray| ray.returned),
+            Outcome::Ray(index) => describer.state.rays.get(index).and_then(|ray| ray.returned),
             _ => None,
         };
         let light = match (branch.outcome, branch.attenuation, back, branch.carried) {
-            (Outcome::Ended(_), ..) => format!("0 ({})", speaker.say(DEPTH_REACHED)),
+            (Outcome::Ended(_), ..) => format!("0 ({})", describer.localize(DEPTH_REACHED)),
             (_, Some((_, divisor)), Some((light, _)), _) => {
                 format!("{}/{}", bracketed(light), number(divisor))
             }
@@ -399,7 +403,7 @@ pub(super) fn sum(speaker: &Speaker, ray: &RayInHand) -> Vec<String> {
             if ray.branches[1].is_none() {
                 parts.push("+ …".to_owned());
             }
-            parts.push(format!("({} {})", speaker.say(SO_FAR), color(sum)));
+            parts.push(format!("({} {})", describer.localize(SO_FAR), color(sum)));
         }
         (None, None) => {}
     }

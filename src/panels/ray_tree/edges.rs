@@ -6,7 +6,7 @@ use super::pick::Rays;
 use crate::algorithms::ray_tree::{End, RayKind};
 use crate::panels::labels::crosses;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
-use crate::replay::rays::{BranchInHand, Outcome};
+use crate::replay::rays::{CurrentBranch, Outcome};
 use glam::Vec2;
 
 /// Width of the band of light under an edge.
@@ -97,7 +97,7 @@ pub(super) fn draw(
 /// The letter with its coefficient, beside the middle of the edge on its outer side, or further along where that is taken.
 fn label(
     picture: &mut Picture,
-    branch: &BranchInHand,
+    branch: &CurrentBranch,
     (lines, edge): (&[[Vec2; 2]], usize),
     scale: f32,
     taken: &mut Vec<Rect>,

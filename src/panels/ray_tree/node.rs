@@ -1,16 +1,16 @@
 //! What is said of a ray, and how its node is drawn.
 
 use super::arrange::{Detail, LINE};
-use super::words::*;
+use super::strings::*;
 use crate::algorithms::ray_tree::{End, RayKind};
-use crate::algorithms::visible::Met;
+use crate::algorithms::visible::Intersection;
 use crate::color::Rgb;
 use crate::panels::names;
+use crate::panels::strings::Language;
 use crate::panels::values::short;
-use crate::panels::words::Language;
 use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, Text, elide, symbol};
 use crate::record::Value;
-use crate::replay::rays::{Outcome, RayInHand, State};
+use crate::replay::rays::{Outcome, RayState, State};
 
 /// Width of the strip that shows a node's light.
 const STRIP: f32 = 7.0;
@@ -19,14 +19,14 @@ const INSET: f32 = 5.0;
 
 /// Who says things, and of which run.
 #[derive(Clone, Copy)]
-pub(super) struct Speaker<'a> {
+pub(super) struct Describer<'a> {
     pub state: &'a State,
     pub language: Language,
 }
 
-impl Speaker<'_> {
+impl Describer<'_> {
     pub fn object(&self, object: u32) -> &str {
-        names::object(&self.state.stage, object)
+        names::object(&self.state.prepared, object)
     }
 
     pub fn light(&self, light: u32) -> String {
@@ -34,31 +34,31 @@ impl Speaker<'_> {
     }
 
     /// What the ray met, with and without the side.
-    pub fn name(&self, ray: &RayInHand) -> [String; 2] {
+    pub fn name(&self, ray: &RayState) -> [String; 2] {
         match ray.met {
-            None => [self.say(SEARCHING), self.say(SEARCHING)],
-            Some(Met::Nothing) => [self.say(BACKGROUND), self.say(BACKGROUND)],
-            Some(Met::Light { light, .. }) => [self.light(light), self.light(light)],
-            Some(Met::Object(hit)) => {
+            None => [self.localize(SEARCHING), self.localize(SEARCHING)],
+            Some(Intersection::Nothing) => [self.localize(BACKGROUND), self.localize(BACKGROUND)],
+            Some(Intersection::Light { light, .. }) => [self.light(light), self.light(light)],
+            Some(Intersection::Object(hit)) => {
                 let name = self.object(hit.object).to_owned();
                 let facing = ray.surface.and_then(|surface| surface.facing);
                 match facing {
-                    Some((.., false)) => [format!("{name}, {}", self.say(INSIDE)), name],
+                    Some((.., false)) => [format!("{name}, {}", self.localize(INSIDE)), name],
                     _ => [name.clone(), name],
                 }
             }
         }
     }
 
-    pub fn say(&self, words: crate::panels::words::Words) -> String {
-        words.in_language(self.language).to_owned()
+    pub fn localize(&self, strings: crate::panels::strings::Words) -> String {
+        strings.in_language(self.language).to_owned()
     }
 
     /// Where the ray met it, or why it has no t; and the same in short.
-    fn place(&self, ray: &RayInHand) -> [String; 2] {
+    fn place(&self, ray: &RayState) -> [String; 2] {
         match ray.met {
             None => [String::new(), String::new()],
-            Some(Met::Nothing) => [self.say(LEAVES), self.say(LEAVES_SHORT)],
+            Some(Intersection::Nothing) => [self.localize(LEAVES), self.localize(LEAVES_SHORT)],
             Some(met) => [(); 2].map(|()| format!("t {}", number(met.t()))),
         }
     }
@@ -110,13 +110,13 @@ pub(super) fn line(kind: RayKind) -> Stroke {
 }
 
 /// Whether nothing passes where the ray met its surface.
-pub(super) fn nothing_passes(ray: &RayInHand) -> bool {
+pub(super) fn nothing_passes(ray: &RayState) -> bool {
     ray.refraction
         .is_some_and(|refraction| refraction.radicand < 0.0)
 }
 
 /// The branches that are missing below the last level.
-pub(super) fn too_deep(ray: &RayInHand) -> Vec<&'static str> {
+pub(super) fn too_deep(ray: &RayState) -> Vec<&'static str> {
     ray.branches
         .iter()
         .flatten()
@@ -126,7 +126,7 @@ pub(super) fn too_deep(ray: &RayInHand) -> Vec<&'static str> {
 }
 
 /// Lines that a node has more than others of its detail.
-pub(super) fn further_lines(ray: &RayInHand, detail: Detail) -> usize {
+pub(super) fn further_lines(ray: &RayState, detail: Detail) -> usize {
     let remarks = usize::from(nothing_passes(ray)) + usize::from(!too_deep(ray).is_empty());
     match detail {
         Detail::Dot | Detail::Line | Detail::Tiny | Detail::Small => 0,
@@ -138,7 +138,7 @@ pub(super) fn further_lines(ray: &RayInHand, detail: Detail) -> usize {
 /// How a node stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Standing {
-    InHand,
+    Current,
     /// Its light has not come back yet.
     Open,
     Returned,
@@ -151,12 +151,12 @@ pub(super) fn frame(
     picture: &mut Picture,
     rect: Rect,
     standing: Standing,
-    ray: Option<&RayInHand>,
+    ray: Option<&RayState>,
     detail: Detail,
 ) {
     let stroke = outline(standing);
     let fill = match standing {
-        Standing::InHand => Ink::ThisTint,
+        Standing::Current => Ink::ThisTint,
         _ => Ink::Surface,
     };
     let returned = ray.and_then(|ray| ray.returned);
@@ -186,7 +186,7 @@ pub(super) fn frame(
 
 fn outline(standing: Standing) -> Stroke {
     match standing {
-        Standing::InHand => Ink::This.stroke(2.5),
+        Standing::Current => Ink::This.stroke(2.5),
         Standing::Open => Ink::Text.stroke(2.0),
         Standing::Returned => Ink::Muted.stroke(1.0),
         Standing::Asked => Stroke {
@@ -199,9 +199,9 @@ fn outline(standing: Standing) -> Stroke {
 /// Writes what a node says, line by line.
 pub(super) fn write(
     picture: &mut Picture,
-    speaker: &Speaker,
+    describer: &Describer,
     rect: Rect,
-    ray: Option<&RayInHand>,
+    ray: Option<&RayState>,
     detail: Detail,
     scale: f32,
 ) {
@@ -221,11 +221,14 @@ pub(super) fn write(
     let body = Style::Body.size(11.0 * scale);
     let muted = body.ink(Ink::Muted);
     let Some(ray) = ray else {
-        writer.line(&[speaker.say(NOT_TRACED), speaker.say(ASKED)], muted);
+        writer.line(
+            &[describer.localize(NOT_TRACED), describer.localize(ASKED)],
+            muted,
+        );
         return;
     };
-    let name = speaker.name(ray);
-    let place = speaker.place(ray);
+    let name = describer.name(ray);
+    let place = describer.place(ray);
     let marks: Vec<bool> = ray.shadows.iter().map(|verdict| !verdict.blocked).collect();
     if detail == Detail::Line {
         writer.end(&place[1], muted);
@@ -242,7 +245,7 @@ pub(super) fn write(
             writer.marks(&marks);
             writer.line(&place, body);
             writer.light(ray);
-            writer.remarks(speaker, ray);
+            writer.remarks(describer, ray);
         }
         Detail::Full => {
             let facing = ray.surface.and_then(|surface| surface.facing);
@@ -254,9 +257,9 @@ pub(super) fn write(
                 writer.line(&[format!("N ({})", normal.replace(' ', ", "))], muted);
             }
             for verdict in &ray.shadows {
-                let light = speaker.light(verdict.light);
+                let light = describer.light(verdict.light);
                 let by = verdict.by.map_or_else(String::new, |hit| {
-                    format!("{}, t {}", speaker.object(hit.object), number(hit.t))
+                    format!("{}, t {}", describer.object(hit.object), number(hit.t))
                 });
                 let mark = mark(!verdict.blocked);
                 writer.line(
@@ -271,7 +274,7 @@ pub(super) fn write(
                 );
             }
             writer.light(ray);
-            writer.remarks(speaker, ray);
+            writer.remarks(describer, ray);
         }
     }
 }
@@ -346,7 +349,7 @@ impl Writer<'_> {
     }
 
     /// What came back, or what was gathered so far.
-    fn light(&mut self, ray: &RayInHand) {
+    fn light(&mut self, ray: &RayState) {
         let set = Style::Label.size(11.0 * self.scale);
         match (ray.returned, ray.sum) {
             (Some((returned, _)), _) => {
@@ -360,14 +363,14 @@ impl Writer<'_> {
         }
     }
 
-    fn remarks(&mut self, speaker: &Speaker, ray: &RayInHand) {
+    fn remarks(&mut self, describer: &Describer, ray: &RayState) {
         let set = Style::Body.size(11.0 * self.scale).ink(Ink::Muted);
         if nothing_passes(ray) {
-            self.line(&[speaker.say(NO_TRANSMITTED)], set.ink(Ink::Warn));
+            self.line(&[describer.localize(NO_TRANSMITTED)], set.ink(Ink::Warn));
         }
         let missing = too_deep(ray);
         if !missing.is_empty() {
-            let depth = speaker.say(DEPTH_REACHED);
+            let depth = describer.localize(DEPTH_REACHED);
             self.line(&[format!("{}: {depth}", missing.join(", ")), depth], set);
         }
     }

@@ -1,6 +1,6 @@
 //! Which rays of the tree are drawn: all where there is room, else those on the way to the ray in hand, then level by level.
 
-use crate::replay::rays::{Outcome, RayInHand, State};
+use crate::replay::rays::{Outcome, RayState, State};
 use std::collections::{BTreeSet, VecDeque};
 
 /// What a node stands for.
@@ -32,7 +32,7 @@ pub(super) struct Node {
 pub(super) struct Tree {
     pub nodes: Vec<Node>,
     /// The node of the ray in hand, or the collapsed one that it lies in.
-    pub in_hand: usize,
+    pub current: usize,
     /// Rays that are not drawn.
     pub hidden: usize,
 }
@@ -46,13 +46,13 @@ pub(super) struct Rays<'a> {
 
 /// How much there is room for.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Room {
+pub(super) struct Enclosure {
     pub leaves: usize,
     pub levels: usize,
 }
 
-impl Room {
-    pub const ENDLESS: Room = Room {
+impl Enclosure {
+    pub const ENDLESS: Enclosure = Enclosure {
         leaves: usize::MAX,
         levels: usize::MAX,
     };
@@ -79,7 +79,7 @@ impl<'a> Rays<'a> {
         self.below.len()
     }
 
-    pub fn ray(&self, node: &Node) -> Option<&'a RayInHand> {
+    pub fn ray(&self, node: &Node) -> Option<&'a RayState> {
         match node.of {
             Of::Ray(index) => self.state.rays.get(index),
             Of::Asked => None,
@@ -87,10 +87,10 @@ impl<'a> Rays<'a> {
     }
 
     /// The tree as far as there is room; the way to the ray in hand is always drawn.
-    pub fn pick(&self, collapsed: &BTreeSet<usize>, room: Room) -> Tree {
+    pub fn pick(&self, collapsed: &BTreeSet<usize>, room: Enclosure) -> Tree {
         let mut tree = Tree {
             nodes: Vec::new(),
-            in_hand: 0,
+            current: 0,
             hidden: 0,
         };
         let mut leaves = 1;
@@ -138,7 +138,7 @@ impl<'a> Rays<'a> {
         let index = tree.nodes.len();
         let on_path = matches!(of, Of::Ray(ray) if self.path.contains(&ray));
         if on_path {
-            tree.in_hand = index;
+            tree.current = index;
         }
         let level = parent.map_or(0, |(parent, _)| tree.nodes[parent].level + 1);
         if let Some((parent, side)) = parent {

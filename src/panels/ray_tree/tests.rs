@@ -1,65 +1,65 @@
-use super::super::crowd::{SIZES, assert_legible, crowd, nothing, texts};
-use super::super::sample::{BALL, FLOOR, SKY, SPARK, Sample, rays_scene};
-use super::super::words::Language;
+use super::super::fixture::{BALL, FLOOR, Fixture, SKY, SPARK, rays_scene};
+use super::super::fixtures::{SIZES, assert_legible, fixtures, nothing, texts};
+use super::super::strings::Language;
 use super::*;
 use crate::picture::Shape;
 use crate::record::Value;
 use crate::render::Method;
 
 fn all_words(picture: &Picture) -> String {
-    let words: Vec<&str> = texts(picture).into_iter().map(|(text, _)| text).collect();
-    words.join("\n")
+    let strings: Vec<&str> = texts(picture).into_iter().map(|(text, _)| text).collect();
+    strings.join("\n")
 }
 
 /// A tree of 200 rays and more: between the faces of the glass cube.
-fn large() -> Sample {
-    let mut sample = Sample::rays(Method::RayTracing, (150, 260), 16);
-    let last = sample.walk().len() - 1;
-    sample.seek(last);
-    sample
+fn large() -> Fixture {
+    let mut fixture = Fixture::rays(Method::RayTracing, (150, 260), 16);
+    let last = fixture.walk().len() - 1;
+    fixture.seek(last);
+    fixture
 }
 
 #[test]
 fn nothing_overlaps_or_is_cut_at_any_step_and_size() {
     let samples = [
-        (Sample::rays(Method::RayTracing, BALL, 5), 97),
-        (Sample::rays(Method::RayTracing, SPARK, 3), 997),
-        (Sample::rays(Method::RayTracing, SKY, 5), 997),
-        (Sample::rays(Method::RayCasting, FLOOR, 5), 997),
-        (crowd(Method::Gouraud), 10_000),
+        (Fixture::rays(Method::RayTracing, BALL, 5), 97),
+        (Fixture::rays(Method::RayTracing, SPARK, 3), 997),
+        (Fixture::rays(Method::RayTracing, SKY, 5), 997),
+        (Fixture::rays(Method::RayCasting, FLOOR, 5), 997),
+        (fixtures(Method::Gouraud), 10_000),
         (nothing(), 1),
     ];
-    for (i, (mut sample, stride)) in samples.into_iter().enumerate() {
-        for step in sample.some_steps(stride) {
-            sample.seek(step);
+    for (i, (mut fixture, stride)) in samples.into_iter().enumerate() {
+        for step in fixture.some_steps(stride) {
+            fixture.seek(step);
             for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                let picture = draw(&sample.show_in(language), size);
+                let picture = draw(&fixture.show_in(language), size);
                 assert_legible(&picture, &format!("sample {i}, step {step}, {size}"));
             }
         }
     }
 }
 
-fn rays_of(sample: &Sample) -> &State {
-    sample.run.rays().expect("the sample follows rays")
+fn rays_of(fixture: &Fixture) -> &State {
+    fixture.run.rays().expect("the sample follows rays")
 }
 
 #[test]
 fn a_large_tree_is_legible_at_any_step_zoom_and_size() {
-    let mut sample = large();
-    assert!(rays_of(&sample).rays.len() > 200);
-    let last = sample.walk().len() - 1;
+    let mut fixture = large();
+    assert!(rays_of(&fixture).rays.len() > 200);
+    let last = fixture.walk().len() - 1;
     for step in (0..=last).step_by(last / 5) {
-        sample.seek(step);
+        fixture.seek(step);
         for size in SIZES {
             for zoom in [1.0, 3.0, 20.0] {
                 let tree = TreeView::WHOLE.zoomed(zoom);
-                let show = Show {
+                let input = PanelInput {
                     tree: &tree,
-                    ..sample.show()
+                    ..fixture.input()
                 };
                 let what = format!("step {step}, {size}, zoom {zoom}");
-                assert_legible(&draw(&show, size), &what);
+                assert_legible(&draw(&input, size), &what);
             }
         }
     }
@@ -67,13 +67,13 @@ fn a_large_tree_is_legible_at_any_step_zoom_and_size() {
 
 #[test]
 fn every_ray_is_drawn_or_counted_as_hidden() {
-    let sample = large();
-    let count = rays_of(&sample).rays.len();
+    let fixture = large();
+    let count = rays_of(&fixture).rays.len();
     for size in SIZES {
-        let rays = Rays::new(rays_of(&sample));
+        let rays = Rays::new(rays_of(&fixture));
         let tree = arrange(&rays, TreeView::whole(), area(size)).tree;
         assert_eq!(tree.nodes.len() + tree.hidden, count, "{size}");
-        let said = all_words(&draw(&sample.show(), size));
+        let said = all_words(&draw(&fixture.input(), size));
         assert_eq!(
             said.contains(&format!("{} not shown", tree.hidden)),
             tree.hidden > 0,
@@ -84,7 +84,7 @@ fn every_ray_is_drawn_or_counted_as_hidden() {
 
 #[test]
 fn sums_and_light_are_those_that_were_told() {
-    let mut sample = Sample::rays(Method::RayTracing, BALL, 5);
+    let mut fixture = Fixture::rays(Method::RayTracing, BALL, 5);
     let size = Vec2::new(900.0, 700.0);
     for (kind, name) in [
         ("BranchAdded", "I_sum"),
@@ -92,16 +92,16 @@ fn sums_and_light_are_those_that_were_told() {
         ("Returned", "I"),
     ] {
         for n in 0..5 {
-            sample.go_to(kind, n);
-            let walk = sample.walk();
-            let told = walk.own_fields(walk.position()).get(name).unwrap();
-            let Value::Rgb(told) = told else {
+            fixture.go_to(kind, n);
+            let walk = fixture.walk();
+            let recorded = walk.own_fields(walk.position()).get(name).unwrap();
+            let Value::Rgb(recorded) = recorded else {
                 panic!("{name} is a colour")
             };
-            let said = all_words(&draw(&sample.show(), size));
+            let said = all_words(&draw(&fixture.input(), size));
             assert!(
-                said.contains(&node::color(told)),
-                "{kind} {n}: {told:?} in {said}"
+                said.contains(&node::color(recorded)),
+                "{kind} {n}: {recorded:?} in {said}"
             );
         }
     }
@@ -111,16 +111,16 @@ fn sums_and_light_are_those_that_were_told() {
 fn the_way_of_the_light_is_an_equation_of_told_values() {
     let mut scene = rays_scene();
     scene.path_attenuation = [1.0, 0.5, 0.0];
-    let mut sample = Sample::rays_of(scene, Method::RayTracing, FLOOR, 5);
-    sample.go_to("BranchAdded", 0);
-    let fields = sample.walk().fields(sample.first("Attenuated"));
+    let mut fixture = Fixture::rays_of(scene, Method::RayTracing, FLOOR, 5);
+    fixture.go_to("BranchAdded", 0);
+    let fields = fixture.walk().fields(fixture.first("Attenuated"));
     let Some(Value::Number(divisor)) = fields.get("divisor") else {
         panic!("a divisor is told")
     };
     let size = Vec2::new(900.0, 700.0);
-    let said = all_words(&draw(&sample.show(), size)).replace('\n', " ");
-    let state = rays_of(&sample);
-    let speaker = Speaker {
+    let said = all_words(&draw(&fixture.input(), size)).replace('\n', " ");
+    let state = rays_of(&fixture);
+    let describer = Describer {
         state,
         language: Language::English,
     };
@@ -128,34 +128,34 @@ fn the_way_of_the_light_is_an_equation_of_told_values() {
     let light = node::bracketed(ball.returned.unwrap().0);
     let expected = format!("+ 0.2·{light}/{}", number(divisor));
     assert!(said.contains(&expected), "{expected} in {said}");
-    assert!(card::sum(&speaker, floor)[0].starts_with("floor → "));
+    assert!(card::sum(&describer, floor)[0].starts_with("floor → "));
     assert!(
-        said.contains(&card::sum(&speaker, ball).join(" ")),
+        said.contains(&card::sum(&describer, ball).join(" ")),
         "{said}"
     );
 }
 
 #[test]
 fn a_blocked_light_names_what_blocks_it() {
-    let mut sample = Sample::rays(Method::RayTracing, BALL, 5);
-    let blocked = (0..sample.walk().len())
+    let mut fixture = Fixture::rays(Method::RayTracing, BALL, 5);
+    let blocked = (0..fixture.walk().len())
         .find(|&step| {
-            let fields = sample.walk().own_fields(step);
-            sample.walk().kind(step) == "Shadow"
+            let fields = fixture.walk().own_fields(step);
+            fixture.walk().kind(step) == "Shadow"
                 && fields.get("blocked") == Some(Value::Truth(true))
         })
         .unwrap();
-    sample.seek(blocked);
-    let fields = sample.walk().own_fields(blocked);
+    fixture.seek(blocked);
+    let fields = fixture.walk().own_fields(blocked);
     let Some(Value::Number(t)) = fields.get("t") else {
         panic!("t is told")
     };
-    for (language, words) in Language::ALL.into_iter().zip(["blocked by", "terhalang"]) {
-        let picture = draw(&sample.show_in(language), Vec2::new(900.0, 700.0));
+    for (language, strings) in Language::ALL.into_iter().zip(["blocked by", "terhalang"]) {
+        let picture = draw(&fixture.show_in(language), Vec2::new(900.0, 700.0));
         let said = all_words(&picture);
-        let name = rays_of(&sample).stage.scene.objects[3].name.clone();
+        let name = rays_of(&fixture).prepared.scene.objects[3].name.clone();
         assert!(
-            said.contains(&format!("{words} {name}, t {}", number(t))),
+            said.contains(&format!("{strings} {name}, t {}", number(t))),
             "{said}"
         );
         assert!(picture.alt.contains(&name), "{}", picture.alt);
@@ -165,9 +165,9 @@ fn a_blocked_light_names_what_blocks_it() {
 
 #[test]
 fn total_internal_reflection_is_marked() {
-    let mut sample = Sample::rays(Method::RayTracing, BALL, 5);
-    sample.go_to("TotalInternalReflection", 0);
-    let picture = draw(&sample.show(), Vec2::new(1400.0, 900.0));
+    let mut fixture = Fixture::rays(Method::RayTracing, BALL, 5);
+    fixture.go_to("TotalInternalReflection", 0);
+    let picture = draw(&fixture.input(), Vec2::new(1400.0, 900.0));
     let said = all_words(&picture);
     assert!(
         said.contains("no transmitted ray") && said.contains("not traced yet"),
@@ -175,9 +175,9 @@ fn total_internal_reflection_is_marked() {
     );
     assert!(picture.alt.contains("total internal reflection"));
     // Its ray, once it is traced, hangs on an edge of its own kind.
-    let step = sample.walk().position() + 1;
-    sample.seek(step);
-    let picture = draw(&sample.show(), Vec2::new(900.0, 700.0));
+    let step = fixture.walk().position() + 1;
+    fixture.seek(step);
+    let picture = draw(&fixture.input(), Vec2::new(900.0, 700.0));
     let edge = picture.items.iter().find(|item| {
         let stroke = match &item.shape {
             Shape::Polyline { stroke, .. } => *stroke,
@@ -192,9 +192,9 @@ fn total_internal_reflection_is_marked() {
 #[test]
 fn leaves_say_why_they_end() {
     let said = |pixel, depth| {
-        let mut sample = Sample::rays(Method::RayTracing, pixel, depth);
-        let last = sample.walk().len() - 1;
-        all_words(&draw(&sample.seek(last).show(), Vec2::new(1400.0, 900.0)))
+        let mut fixture = Fixture::rays(Method::RayTracing, pixel, depth);
+        let last = fixture.walk().len() - 1;
+        all_words(&draw(&fixture.seek(last).input(), Vec2::new(1400.0, 900.0)))
     };
     assert!(said(BALL, 5).contains("depth reached"));
     assert!(said(BALL, 5).contains("leaves the scene"));
@@ -204,21 +204,21 @@ fn leaves_say_why_they_end() {
 
 #[test]
 fn a_collapsed_ray_hides_what_is_below_and_counts_it() {
-    let mut sample = Sample::rays(Method::RayTracing, BALL, 5);
-    let last = sample.walk().len() - 1;
-    sample.seek(last);
-    let root = rays_of(&sample).rays.get(0).unwrap().step;
+    let mut fixture = Fixture::rays(Method::RayTracing, BALL, 5);
+    let last = fixture.walk().len() - 1;
+    fixture.seek(last);
+    let root = rays_of(&fixture).rays.get(0).unwrap().step;
     let size = Vec2::new(690.0, 620.0);
-    let whole = draw(&sample.show(), size);
+    let whole = draw(&fixture.input(), size);
     assert_eq!(
         whole.hit(whole.tagged_bounds(Tag::Fold(root)).unwrap().center()),
         Some(Tag::Fold(root))
     );
     let tree = TreeView::WHOLE.toggled(root);
     let folded = draw(
-        &Show {
+        &PanelInput {
             tree: &tree,
-            ..sample.show()
+            ..fixture.input()
         },
         size,
     );
@@ -229,11 +229,11 @@ fn a_collapsed_ray_hides_what_is_below_and_counts_it() {
 
 #[test]
 fn a_node_and_its_edge_lead_to_the_step_that_opened_the_ray() {
-    let mut sample = Sample::rays(Method::RayTracing, BALL, 5);
-    let last = sample.walk().len() - 1;
-    sample.seek(last);
-    let picture = draw(&sample.show(), Vec2::new(690.0, 620.0));
-    for ray in rays_of(&sample).rays.iter() {
+    let mut fixture = Fixture::rays(Method::RayTracing, BALL, 5);
+    let last = fixture.walk().len() - 1;
+    fixture.seek(last);
+    let picture = draw(&fixture.input(), Vec2::new(690.0, 620.0));
+    for ray in rays_of(&fixture).rays.iter() {
         let tag = Tag::Scope(ray.step);
         let items = picture.items.iter().filter(|item| item.tag == Some(tag));
         // A primary ray has no edge.
@@ -243,7 +243,7 @@ fn a_node_and_its_edge_lead_to_the_step_that_opened_the_ray() {
 
 #[test]
 fn the_ray_in_hand_stays_in_view_until_the_viewer_looks_elsewhere() {
-    let mut sample = large();
+    let mut fixture = large();
     let size = Vec2::new(420.0, 320.0);
     let follow = TreeView::WHOLE.zoomed(6.0);
     let fixed = TreeView {
@@ -251,32 +251,32 @@ fn the_ray_in_hand_stays_in_view_until_the_viewer_looks_elsewhere() {
         ..follow.clone()
     };
     for n in (0..200).step_by(40) {
-        sample.go_to("Local", n);
-        let tag = Tag::Scope(rays_of(&sample).ray().unwrap().step);
+        fixture.go_to("Local", n);
+        let tag = Tag::Scope(rays_of(&fixture).ray().unwrap().step);
         let picture = draw(
-            &Show {
+            &PanelInput {
                 tree: &follow,
-                ..sample.show()
+                ..fixture.input()
             },
             size,
         );
         let node = picture.tagged_bounds(tag).unwrap();
         assert!(area(size).grown(1.0).encloses(&node), "{n}");
-        let show = Show {
+        let input = PanelInput {
             tree: &fixed,
-            ..sample.show()
+            ..fixture.input()
         };
-        assert!(middle(&show, size).unwrap().distance(Vec2::splat(0.1)) < 1e-3);
+        assert!(middle(&input, size).unwrap().distance(Vec2::splat(0.1)) < 1e-3);
     }
 }
 
 #[test]
 fn of_a_huge_tree_no_more_is_drawn_than_is_legible() {
-    let sample = Sample::rays(Method::RayTracing, BALL, 5);
-    let mut state = rays_of(&sample).clone();
-    let mut sample = sample;
-    sample.go_to("BranchAdded", 0);
-    let model = rays_of(&sample).rays.get(0).unwrap().clone();
+    let fixture = Fixture::rays(Method::RayTracing, BALL, 5);
+    let mut state = rays_of(&fixture).clone();
+    let mut fixture = fixture;
+    fixture.go_to("BranchAdded", 0);
+    let model = rays_of(&fixture).rays.get(0).unwrap().clone();
     state.rays = Default::default();
     // A full binary tree in level order.
     const COUNT: usize = 100_000;
@@ -297,6 +297,6 @@ fn of_a_huge_tree_no_more_is_drawn_than_is_legible() {
         let tree = drawn.tree;
         assert_eq!(tree.nodes.len() + tree.hidden, COUNT);
         assert!(tree.nodes.len() < 4000, "{} nodes", tree.nodes.len());
-        assert_eq!(tree.nodes[tree.in_hand].of, pick::Of::Ray(COUNT - 1));
+        assert_eq!(tree.nodes[tree.current].of, pick::Of::Ray(COUNT - 1));
     }
 }

@@ -2,10 +2,10 @@
 
 use super::super::labels::Labels;
 use super::super::names;
-use super::super::words::Words;
+use super::super::strings::Words;
 use super::outline;
 use super::view::View;
-use crate::panels::Show;
+use crate::panels::PanelInput;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::replay::rays::{State, Target};
 use crate::scene::Shape;
@@ -18,9 +18,9 @@ const MOST_RAYS: usize = 24;
 /// Where the picture plane is drawn, in distances from eye to target.
 const PICTURE_PLANE: f64 = 0.16;
 
-pub(super) struct Sheet<'a> {
+pub(super) struct Layout<'a> {
     pub picture: &'a mut Picture,
-    pub show: &'a Show<'a>,
+    pub input: &'a PanelInput<'a>,
     pub state: &'a State,
     pub view: &'a View,
     pub labels: Labels,
@@ -31,19 +31,25 @@ pub(super) struct Sheet<'a> {
     pub way: Option<Vec<usize>>,
 }
 
-pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &View, words: &str) {
+pub(super) fn draw(
+    picture: &mut Picture,
+    input: &PanelInput,
+    state: &State,
+    view: &View,
+    strings: &str,
+) {
     let frame = view.area;
     picture.rounded_rect(frame, 3.0, Ink::Rule.stroke(1.0));
     let mut labels = Labels::new(frame.grown(-3.0));
     let title_style = Style::Body.size(11.0).ink(Ink::Muted);
-    let title_place = view.title_place(&state.stage, title_style, words);
-    labels.keep_free(title_place);
+    let title_place = view.title_place(&state.prepared, title_style, strings);
+    labels.reserve(title_place);
     let text = (0.03 * frame.width.min(1.3 * frame.height))
         .clamp(11.0, 16.0)
         .round();
-    let mut sheet = Sheet {
+    let mut layout = Layout {
         picture,
-        show,
+        input,
         state,
         view,
         labels,
@@ -51,36 +57,36 @@ pub(super) fn draw(picture: &mut Picture, show: &Show, state: &State, view: &Vie
         called: None,
         way: (state.rays.len() > MOST_RAYS).then(|| state.way().collect()),
     };
-    sheet.objects();
-    sheet.camera();
-    sheet.shadow_rays();
-    sheet.rays();
-    sheet.search();
-    sheet.lights();
-    sheet.names();
+    layout.objects();
+    layout.camera();
+    layout.shadow_rays();
+    layout.rays();
+    layout.search();
+    layout.lights();
+    layout.names();
     picture.rect(title_place, Ink::Surface.fill().opacity(0.85));
-    picture.text_in(title_place, words, title_style);
+    picture.text_in(title_place, strings, title_style);
 }
 
-impl Sheet<'_> {
+impl Layout<'_> {
     fn objects(&mut self) {
-        let stage = &self.state.stage;
-        for object in 0..stage.scene.objects.len() {
-            if let Shape::Sphere { center, radius } = stage.scene.objects[object].shape {
+        let prepared = &self.state.prepared;
+        for object in 0..prepared.scene.objects.len() {
+            if let Shape::Sphere { center, radius } = prepared.scene.objects[object].shape {
                 let (at, radius) = (self.view.place(center), radius as f32 * self.view.scale());
                 if self.view.shows(at, radius) {
                     self.picture
                         .circle(at, radius, Ink::Faint.fill().opacity(0.7));
                 }
             }
-            let outline = outline::outline(stage, object, self.view);
+            let outline = outline::outline(prepared, object, self.view);
             for &[from, to] in &outline {
                 self.picture.line(from, to, Ink::Muted.stroke(1.25));
             }
             // The line of a plane strikes through a whole name.
             match outline[..] {
-                [[from, to]] => self.labels.spare_stroke(from, to, 3.0),
-                _ => self.labels.spare_outline(outline),
+                [[from, to]] => self.labels.avoid_stroke(from, to, 3.0),
+                _ => self.labels.avoid_outline(outline),
             }
         }
     }
@@ -96,11 +102,11 @@ impl Sheet<'_> {
 
     /// Names of objects last: rays and lights matter more.
     fn names(&mut self) {
-        let stage = &self.state.stage;
+        let prepared = &self.state.prepared;
         let style = Style::Label
             .size((self.text - 1.0).max(11.0))
             .ink(Ink::Muted);
-        for (number, object) in stage.scene.objects.iter().enumerate() {
+        for (number, object) in prepared.scene.objects.iter().enumerate() {
             if self.called == Some(number) || !self.is_met(number) {
                 continue;
             }
@@ -113,14 +119,14 @@ impl Sheet<'_> {
                     )
                 }
                 Shape::Plane { .. } => {
-                    let lines = outline::outline(stage, number, self.view);
+                    let lines = outline::outline(prepared, number, self.view);
                     let Some([from, to]) = lines.first() else {
                         continue;
                     };
                     (from.lerp(*to, 0.88), Vec2::Y)
                 }
                 _ => {
-                    let mesh = &stage.tessellation.meshes[number];
+                    let mesh = &prepared.tessellation.meshes[number];
                     let count = mesh.vertex_count();
                     if count == 0 {
                         continue;
@@ -140,8 +146,8 @@ impl Sheet<'_> {
 
     /// The eye, the picture plane with the pixel in it, and the borders of what the eye sees.
     fn camera(&mut self) {
-        let stage = &self.state.stage;
-        let (camera, scene) = (&stage.view, &stage.scene);
+        let prepared = &self.state.prepared;
+        let (camera, scene) = (&prepared.view, &prepared.scene);
         let distance = scene
             .camera
             .map_or(1.0, |scene| scene.eye.distance(scene.target));
@@ -167,7 +173,7 @@ impl Sheet<'_> {
         }
         if let Some([from, to]) = self.view.line(low, high) {
             self.picture.line(from, to, Ink::Text.stroke(2.5));
-            self.labels.spare(from, to);
+            self.labels.avoid(from, to);
         }
         let (eye, ends) = (
             self.view.place(camera.eye),
@@ -182,9 +188,9 @@ impl Sheet<'_> {
             Ink::Surface.fill().outlined(Ink::Text.stroke(2.0)),
         );
         self.picture.circle(eye, 2.0, Ink::Text);
-        let language = self.show.language;
+        let language = self.input.language;
         let style = Style::Label.size(self.text);
-        self.labels.keep_free(Rect::between(eye, eye).grown(6.0));
+        self.labels.reserve(Rect::between(eye, eye).grown(6.0));
         self.labels.put(
             self.picture,
             (eye, 5.0),
@@ -229,9 +235,9 @@ impl Sheet<'_> {
                 let name = match tested.target {
                     Target::Object(object) => {
                         self.called = Some(object as usize);
-                        names::object(&self.state.stage, object).to_string()
+                        names::object(&self.state.prepared, object).to_string()
                     }
-                    Target::Light(light) => names::light(light, self.show.language),
+                    Target::Light(light) => names::light(light, self.input.language),
                 };
                 let style = Style::LabelBold.size(self.text).ink(Ink::This);
                 self.labels
@@ -282,7 +288,7 @@ impl Sheet<'_> {
         self.picture.tagged(tag, |picture| {
             picture.line(from, to, stroke);
         });
-        self.labels.spare(from, to);
+        self.labels.avoid(from, to);
     }
 
     fn cross(&mut self, at: DVec3) {

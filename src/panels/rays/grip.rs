@@ -2,7 +2,7 @@
 
 use super::view::View;
 use super::views;
-use crate::panels::Show;
+use crate::panels::PanelInput;
 use crate::scene::Light;
 use glam::{DVec3, Vec2};
 
@@ -21,12 +21,12 @@ pub struct Grip {
 }
 
 /// The point light at `at` in the rays panel of that size.
-pub fn grip(show: &Show, size: Vec2, at: Vec2) -> Option<Grip> {
-    let state = show.run.rays()?;
+pub fn grip(input: &PanelInput, size: Vec2, at: Vec2) -> Option<Grip> {
+    let state = input.run.rays()?;
     let (view, _) = views(state, size)
         .into_iter()
         .find(|(view, _)| view.area.contains(at))?;
-    let lights = state.stage.scene.lights.iter().enumerate();
+    let lights = state.prepared.scene.lights.iter().enumerate();
     let grips = lights.filter_map(|(light, source)| match *source {
         Light::Point { position, .. } => {
             let offset = view.place(position) - at;

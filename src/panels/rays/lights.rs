@@ -2,19 +2,19 @@
 
 use super::super::labels::within;
 use super::super::names;
-use super::draw::Sheet;
+use super::draw::Layout;
 use crate::color::Rgb;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::scene::Light;
 use glam::Vec2;
 
-impl Sheet<'_> {
+impl Layout<'_> {
     /// Point lights where they are, or, beyond the view, at its border; directional ones as an arrow in a corner.
     pub fn lights(&mut self) {
-        let stage = &self.state.stage;
+        let prepared = &self.state.prepared;
         let mut corner = 0.0;
-        for (number, light) in stage.scene.lights.iter().enumerate() {
-            let name = names::light(number as u32, self.show.language);
+        for (number, light) in prepared.scene.lights.iter().enumerate() {
+            let name = names::light(number as u32, self.input.language);
             let style = Style::Label.size(self.text);
             match *light {
                 Light::Point {
@@ -28,7 +28,7 @@ impl Sheet<'_> {
                     if self.view.shows(at, size + 3.0) {
                         self.picture
                             .tagged(Tag::Light(number), |picture| sun(picture, at, size, color));
-                        self.labels.keep_free(Rect::between(at, at).grown(size));
+                        self.labels.reserve(Rect::between(at, at).grown(size));
                         self.labels
                             .put(self.picture, (at, size + 2.0), Vec2::X, &name, style);
                     } else {

@@ -1,7 +1,7 @@
 //! The outlines of objects in a parallel projection, and how much room they take.
 
 use super::view::View;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::scene::{Mesh, Shape};
 use glam::{DVec2, DVec3, Vec2};
 
@@ -11,17 +11,17 @@ const HULL_VERTICES: usize = 4_000;
 const CIRCLE: usize = 72;
 
 /// Lines, each within the view, of the outline of an object.
-pub fn outline(stage: &Stage, object: usize, view: &View) -> Vec<[Vec2; 2]> {
-    match &stage.scene.objects[object].shape {
+pub fn outline(prepared: &PreparedScene, object: usize, view: &View) -> Vec<[Vec2; 2]> {
+    match &prepared.scene.objects[object].shape {
         Shape::Sphere { center, radius } => closed(
             &circle(view.place(*center), *radius as f32 * view.scale()),
             view,
         ),
-        Shape::Plane { point, normal } => plane(*point, *normal, stage.view.eye, view)
+        Shape::Plane { point, normal } => plane(*point, *normal, prepared.view.eye, view)
             .into_iter()
             .collect(),
         _ => {
-            let mesh = &stage.tessellation.meshes[object];
+            let mesh = &prepared.tessellation.meshes[object];
             if mesh.face_count() > MOST_FACES {
                 closed(&hull(mesh, view), view)
             } else {
@@ -33,15 +33,20 @@ pub fn outline(stage: &Stage, object: usize, view: &View) -> Vec<[Vec2; 2]> {
 
 /// Corners of the room that eye, target and finite objects take, cut off `reach` times the distance from eye to target
 /// around the target.
-pub fn extent(stage: &Stage, reach: f64) -> Vec<DVec3> {
-    let eye = stage.view.eye;
-    let target = stage
+pub fn extent(prepared: &PreparedScene, reach: f64) -> Vec<DVec3> {
+    let eye = prepared.view.eye;
+    let target = prepared
         .scene
         .camera
-        .map_or(eye + stage.view.forward, |camera| camera.target);
+        .map_or(eye + prepared.view.forward, |camera| camera.target);
     let reach = DVec3::splat(reach * eye.distance(target));
     let mut places = vec![eye, target];
-    for (object, mesh) in stage.scene.objects.iter().zip(&stage.tessellation.meshes) {
+    for (object, mesh) in prepared
+        .scene
+        .objects
+        .iter()
+        .zip(&prepared.tessellation.meshes)
+    {
         let [low, high] = match &object.shape {
             Shape::Sphere { center, radius } => [*center - *radius, *center + *radius],
             Shape::Plane { .. } => continue,

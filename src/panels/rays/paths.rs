@@ -1,11 +1,11 @@
 //! The rays of the pixel in a view, with their letters.
 
 use super::super::names;
-use super::draw::Sheet;
+use super::draw::Layout;
 use crate::algorithms::ray_tree::RayKind;
-use crate::algorithms::visible::Met;
+use crate::algorithms::visible::Intersection;
 use crate::picture::{Ink, Stroke, Style, Tag};
-use crate::replay::rays::RayInHand;
+use crate::replay::rays::RayState;
 use glam::Vec2;
 
 /// Opacity of rays that are many and matter less.
@@ -33,7 +33,7 @@ fn color(kind: RayKind) -> Ink {
     }
 }
 
-impl Sheet<'_> {
+impl Layout<'_> {
     pub fn rays(&mut self) {
         let current = self.state.current;
         let mut drawn = Vec::new();
@@ -47,8 +47,8 @@ impl Sheet<'_> {
                 drawn.extend(self.ray(ray, false));
             }
         }
-        let in_hand = self.state.ray().and_then(|ray| self.ray(ray, true));
-        self.letters(in_hand, &drawn);
+        let current = self.state.ray().and_then(|ray| self.ray(ray, true));
+        self.letters(current, &drawn);
         for (index, ray) in self.state.rays.iter().enumerate() {
             if !self.is_near(index) {
                 continue;
@@ -69,12 +69,12 @@ impl Sheet<'_> {
     }
 
     /// Of many rays those that matter less.
-    fn faint(&mut self, ray: &RayInHand) {
+    fn faint(&mut self, ray: &RayState) {
         let far = self.view.beyond(ray.ray.direction);
         let length = match ray.met {
-            Some(Met::Object(hit)) => hit.t,
-            Some(Met::Light { t, .. }) => t,
-            Some(Met::Nothing) | None => far,
+            Some(Intersection::Object(hit)) => hit.t,
+            Some(Intersection::Light { t, .. }) => t,
+            Some(Intersection::Nothing) | None => far,
         };
         if let Some([from, to]) = self.view.line(ray.ray.origin, ray.ray.at(length)) {
             let stroke = color(ray.kind).stroke(1.0).opacity(FAINT);
@@ -84,13 +84,13 @@ impl Sheet<'_> {
         }
     }
 
-    fn ray(&mut self, ray: &RayInHand, in_hand: bool) -> Option<Drawn> {
+    fn ray(&mut self, ray: &RayState, current: bool) -> Option<Drawn> {
         let stroke = color(ray.kind).stroke(2.0);
         let stroke = match ray.kind {
             RayKind::TotalInternalReflection => stroke.dashed(),
             _ => stroke,
         };
-        let stroke = match (in_hand, ray.returned) {
+        let stroke = match (current, ray.returned) {
             (true, _) => Stroke {
                 ink: Ink::This,
                 width: 3.0,
@@ -101,9 +101,9 @@ impl Sheet<'_> {
         };
         let far = self.view.beyond(ray.ray.direction);
         let (end, ends) = match ray.met {
-            Some(Met::Object(hit)) => (ray.ray.at(hit.t), true),
-            Some(Met::Light { t, .. }) => (ray.ray.at(t), true),
-            Some(Met::Nothing) | None => (ray.ray.at(far), false),
+            Some(Intersection::Object(hit)) => (ray.ray.at(hit.t), true),
+            Some(Intersection::Light { t, .. }) => (ray.ray.at(t), true),
+            Some(Intersection::Nothing) | None => (ray.ray.at(far), false),
         };
         let [from, to] = self.view.line(ray.ray.origin, end)?;
         // A ray that is still looking for what it meets.
@@ -115,25 +115,25 @@ impl Sheet<'_> {
         self.picture.tagged(Tag::Scope(ray.step), |picture| {
             picture.arrow(from, to, stroke);
         });
-        self.labels.spare_stroke(from, to, stroke.width);
-        let (_, letters) = names::ray_kind(ray.kind.name(), self.show.language);
+        self.labels.avoid_stroke(from, to, stroke.width);
+        let (_, letters) = names::ray_kind(ray.kind.name(), self.input.language);
         Some(Drawn { from, to, letters })
     }
 
     /// The letters of the rays, that of the ray in hand first. Rays side by side, as between two mirrors, share theirs.
-    fn letters(&mut self, in_hand: Option<Drawn>, others: &[Drawn]) {
+    fn letters(&mut self, current: Option<Drawn>, others: &[Drawn]) {
         let mut lettered: Vec<&Drawn> = Vec::new();
-        for ray in in_hand.iter().chain(others) {
-            let is_in_hand = lettered.is_empty() && in_hand.is_some();
+        for ray in current.iter().chain(others) {
+            let is_current = lettered.is_empty() && current.is_some();
             let shared = |other: &&Drawn| {
                 other.letters == ray.letters
                     && other.middle().distance(ray.middle()) < 3.0 * self.text
             };
             let too_short = ray.from.distance(ray.to) <= 22.0;
-            if !is_in_hand && (too_short || lettered.iter().any(shared)) {
+            if !is_current && (too_short || lettered.iter().any(shared)) {
                 continue;
             }
-            let ink = if is_in_hand { Ink::This } else { Ink::Text };
+            let ink = if is_current { Ink::This } else { Ink::Text };
             let style = Style::LabelBold.size(self.text).ink(ink);
             let aside = (ray.to - ray.from).perp();
             let aside = if aside.y > 0.0 { -aside } else { aside };

@@ -3,7 +3,7 @@
 use super::super::fit::Fit;
 use super::super::labels::within;
 use super::outline;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::picture::{Rect, Text};
 use crate::scene::Light;
 use glam::{DVec2, DVec3, Vec2};
@@ -31,27 +31,27 @@ pub struct View {
 
 impl View {
     /// The direction in which the camera looks is to the right, up is up.
-    pub fn from_side(stage: &Stage, area: Rect) -> Self {
-        let (across, up) = axes(stage);
-        View::fitted(across, up, stage, area)
+    pub fn from_side(prepared: &PreparedScene, area: Rect) -> Self {
+        let (across, up) = axes(prepared);
+        View::fitted(across, up, prepared, area)
     }
 
     /// The direction in which the camera looks is to the right, its left is up.
-    pub fn from_above(stage: &Stage, area: Rect) -> Self {
-        let (across, up) = axes(stage);
-        View::fitted(across, up.cross(across), stage, area)
+    pub fn from_above(prepared: &PreparedScene, area: Rect) -> Self {
+        let (across, up) = axes(prepared);
+        View::fitted(across, up.cross(across), prepared, area)
     }
 
-    fn fitted(across: DVec3, up: DVec3, stage: &Stage, area: Rect) -> Self {
+    fn fitted(across: DVec3, up: DVec3, prepared: &PreparedScene, area: Rect) -> Self {
         let flat = |place: DVec3| DVec2::new(place.dot(across), -place.dot(up));
-        let places = outline::extent(stage, REACH).into_iter().map(flat);
+        let places = outline::extent(prepared, REACH).into_iter().map(flat);
         let (low, high) = places.fold(
             (DVec2::INFINITY, DVec2::NEG_INFINITY),
             |(low, high), place| (low.min(place), high.max(place)),
         );
         let size = (high - low).max_element();
         let (mut shown_low, mut shown_high) = (low, high);
-        for light in positions(stage).map(flat) {
+        for light in positions(prepared).map(flat) {
             let farthest = DVec2::splat(GROWTH[GROWTH.len() - 1] * size);
             if light.cmplt(low - farthest).any() || light.cmpgt(high + farthest).any() {
                 continue;
@@ -116,10 +116,10 @@ impl View {
     }
 
     /// In an upper corner: the left one, unless the eye or a light is there.
-    pub fn title_place(&self, stage: &Stage, style: Text, words: &str) -> Rect {
-        let left = style.bounds(self.area.min() + Vec2::new(6.0, 14.0), words);
+    pub fn title_place(&self, prepared: &PreparedScene, style: Text, strings: &str) -> Rect {
+        let left = style.bounds(self.area.min() + Vec2::new(6.0, 14.0), strings);
         let right = left.shifted(Vec2::new(self.area.width - left.width - 12.0, 0.0));
-        let places = std::iter::once(stage.view.eye).chain(positions(stage));
+        let places = std::iter::once(prepared.view.eye).chain(positions(prepared));
         let places: Vec<Vec2> = places.map(|place| self.place(place)).collect();
         let is_free = |corner: &Rect| !places.iter().any(|&at| corner.grown(8.0).contains(at));
         [left, right].into_iter().find(is_free).unwrap_or(left)
@@ -139,9 +139,9 @@ fn grown(beyond: f64, size: f64) -> f64 {
 }
 
 /// The horizontal direction in which the camera looks, and up.
-fn axes(stage: &Stage) -> (DVec3, DVec3) {
-    let view = &stage.view;
-    let up = stage
+fn axes(prepared: &PreparedScene) -> (DVec3, DVec3) {
+    let view = &prepared.view;
+    let up = prepared
         .scene
         .camera
         .map_or(view.up, |camera| camera.up.normalize());
@@ -149,9 +149,13 @@ fn axes(stage: &Stage) -> (DVec3, DVec3) {
     (across.unwrap_or(view.up), up)
 }
 
-fn positions(stage: &Stage) -> impl Iterator<Item = DVec3> {
-    stage.scene.lights.iter().filter_map(|light| match *light {
-        Light::Point { position, .. } => Some(position),
-        Light::Directional { .. } => None,
-    })
+fn positions(prepared: &PreparedScene) -> impl Iterator<Item = DVec3> {
+    prepared
+        .scene
+        .lights
+        .iter()
+        .filter_map(|light| match *light {
+            Light::Point { position, .. } => Some(position),
+            Light::Directional { .. } => None,
+        })
 }

@@ -1,8 +1,8 @@
 //! An interpolation as bars: how much weight each end has, the ramp from end to end, and the direct and the incremental value.
 //! The ramp of a colour is its shades, that of a normal a fan of arrows: how it turns, and how it grows shorter on the way.
 
+use super::super::strings::{Language, Words};
 use super::super::values::{difference, short, value_of};
-use super::super::words::{Language, Words};
 use crate::algorithms::scan_line::Carried;
 use crate::color::Rgb;
 use crate::numeric::interpolate;
@@ -63,7 +63,7 @@ pub(super) struct Interpolation {
 
 impl Interpolation {
     /// That of the pixel in hand on its span, or of the edge in hand on the scan line.
-    pub fn in_hand<A: Carried>(state: &State<A>) -> Option<Self> {
+    pub fn current<A: Carried>(state: &State<A>) -> Option<Self> {
         let names = A::NAMES?;
         let both = |(direct, incremental): (A, A)| {
             Some((
@@ -73,19 +73,19 @@ impl Interpolation {
         };
         if let (Some(pixel), Some(span)) = (&state.pixel, &state.span) {
             let (four, five) = span.ends?;
-            let told = pixel.values.and_then(both);
+            let recorded = pixel.values.and_then(both);
             return Some(Interpolation {
                 ends: [(names.four, value_of(four)?), (names.five, value_of(five)?)],
                 weights: weights(span.x_4, span.x_5, pixel.x_p),
                 names: [names.pixel, names.pixel_incremental],
-                values: told.map(|(values, _)| values),
-                difference: told.map(|(_, difference)| difference),
+                values: recorded.map(|(values, _)| values),
+                difference: recorded.map(|(_, difference)| difference),
             });
         }
         let edge = state.edges.get(state.edge?)?;
         let upper = state.corners.get(edge.upper as usize)?;
         let lower = state.corners.get(edge.lower as usize)?;
-        let told = edge.cut.as_ref().and_then(|cut| cut.values).and_then(both);
+        let recorded = edge.cut.as_ref().and_then(|cut| cut.values).and_then(both);
         Some(Interpolation {
             ends: [
                 (names.one, value_of(upper.value)?),
@@ -93,14 +93,14 @@ impl Interpolation {
             ],
             weights: weights(upper.y, lower.y, state.scan_line?.y_4),
             names: [names.four, names.four_incremental],
-            values: told.map(|(values, _)| values),
-            difference: told.map(|(_, difference)| difference),
+            values: recorded.map(|(values, _)| values),
+            difference: recorded.map(|(_, difference)| difference),
         })
     }
 
     pub fn draw(&self, picture: &mut Picture, area: Rect, language: Language) {
         let title = Style::Body.size(12.0).ink(Ink::Muted);
-        let titles = [WEIGHTS, RAMP].map(|words| words.in_language(language));
+        let titles = [WEIGHTS, RAMP].map(|strings| strings.in_language(language));
         // Titles only where the bars stay long.
         let left = if area.width >= 380.0 { 72.0 } else { 4.0 };
         let ramp = BAR + extra(self.ends[0].1);
@@ -115,9 +115,9 @@ impl Interpolation {
             1
         };
         if left > 4.0 {
-            for (bar, words) in bars.into_iter().zip(titles).take(rows) {
+            for (bar, strings) in bars.into_iter().zip(titles).take(rows) {
                 let place = Rect::new(area.x + 4.0, bar.y, left, bar.height);
-                picture.text_in(place, words, title);
+                picture.text_in(place, strings, title);
             }
         }
         self.draw_weights(picture, bars[0]);
@@ -215,7 +215,7 @@ impl Interpolation {
         ];
         let title = Style::Body.size(12.0).ink(Ink::Muted);
         let side_by_side = area.width + 12.0 >= WIDE;
-        for (i, (words, name, value)) in columns.into_iter().enumerate() {
+        for (i, (strings, name, value)) in columns.into_iter().enumerate() {
             let i = i as f32;
             let (words_at, value_at, room) = if side_by_side {
                 let width = area.width / 3.0;
@@ -228,7 +228,7 @@ impl Interpolation {
             let below = 0.5 * LINE + title.baseline_below_middle();
             picture.text(
                 (words_at.0, words_at.1 + below),
-                words.in_language(language),
+                strings.in_language(language),
                 title,
             );
             picture.tagged(Tag::Field(name), |picture| {

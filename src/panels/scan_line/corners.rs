@@ -18,42 +18,42 @@ pub(super) struct Corner {
     /// What is carried there, once it is known.
     pub value: Option<Value>,
     /// Whether it is what the step is about.
-    pub in_hand: bool,
+    pub current: bool,
 }
 
 /// The corners of the polygon in hand, as they were told; before that, as the stage has them.
 pub(super) fn corners<A: Carried>(state: &State<A>) -> Vec<Corner> {
     if !state.edges.is_empty() {
-        let told = state.corners.iter().enumerate();
-        return told
+        let recorded = state.corners.iter().enumerate();
+        return recorded
             .map(|(number, corner)| Corner {
                 place: DVec2::new(corner.x, corner.y),
                 tag: Tag::Corner(number),
                 value: value_of(corner.value),
-                in_hand: false,
+                current: false,
             })
             .collect();
     }
     let number = state.polygon.map(|polygon| polygon.polygon as usize);
-    let Some(polygon) = number.and_then(|number| state.stage.polygon(number)) else {
+    let Some(polygon) = number.and_then(|number| state.prepared.polygon(number)) else {
         return Vec::new();
     };
-    let in_hand = state.vertex.as_ref();
+    let current = state.vertex.as_ref();
     polygon
         .corners()
-        .filter(|(_, place)| place.camera.z >= state.stage.view.near)
+        .filter(|(_, place)| place.camera.z >= state.prepared.view.near)
         .enumerate()
         .map(|(number, (vertex, place))| {
             let lit = state.lit.iter().find(|(known, _)| *known == vertex);
-            let told = state.corners.get(number);
+            let recorded = state.corners.get(number);
             Corner {
                 place: place.screen,
                 tag: Tag::Vertex(vertex),
-                value: told
+                value: recorded
                     .and_then(|corner| value_of(corner.value))
                     .or(lit.map(|(_, intensity)| (*intensity).into())),
-                in_hand: in_hand.is_some_and(|known| known.vertex == vertex)
-                    || told.is_some() && number + 1 == state.corners.len(),
+                current: current.is_some_and(|known| known.vertex == vertex)
+                    || recorded.is_some() && number + 1 == state.corners.len(),
             }
         })
         .collect()
@@ -71,11 +71,11 @@ pub(super) fn draw_normal<A>(
     let Some(Value::Vector(normal)) = value else {
         return;
     };
-    let view = &state.stage.view;
+    let view = &state.prepared.view;
     let seen = DVec2::new(normal.dot(view.right), -normal.dot(view.up)).as_vec2();
     let tip = place + NORMAL * seen;
     if NORMAL * seen.length() > radius + 4.0 {
         picture.arrow(place, tip, stroke);
-        labels.spare(place, tip);
+        labels.avoid(place, tip);
     }
 }

@@ -38,12 +38,12 @@ pub(super) fn draw(
         }
         picture.line(fit.place(start), fit.place(end), Ink::Linked.stroke(2.0));
         let mut labels = Labels::new(area);
-        labels.spare(fit.place(start), fit.place(end));
+        labels.avoid(fit.place(start), fit.place(end));
         if let Some((x, y, exact)) = state.pixel {
             let square = fit.pixels(x, x + 1, y);
             picture.rect(square, Ink::This.stroke(2.5));
             picture.circle(fit.place(exact), 3.5, Ink::This);
-            labels.keep_free(square);
+            labels.reserve(square);
             let text = format!(
                 "({}, {})",
                 short(exact.x.into(), 2),
@@ -63,7 +63,7 @@ pub(super) fn draw(
                 4.0,
                 Ink::Surface.fill().outlined(Ink::Linked.stroke(2.0)),
             );
-            labels.keep_free(Rect::between(place, place).grown(4.0));
+            labels.reserve(Rect::between(place, place).grown(4.0));
             let [x, y] = [point.x, point.y].map(|v| short(v.into(), 2));
             let text = format!("{} = {x}, {} = {y}", names[0], names[1]);
             let set = Style::Label.size(12.0).ink(Ink::Muted);

@@ -7,7 +7,7 @@ use super::corners::{Corner, corners, draw_normal};
 use crate::algorithms::scan_line::Carried;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
 use crate::record::Value;
-use crate::replay::shading::{EdgeInHand, RowInHand, State};
+use crate::replay::shading::{ActiveEdge, CurrentRow, State};
 use glam::{DVec2, Vec2};
 
 /// Radius of a corner, with its number in it, and of a point on the scan line.
@@ -82,10 +82,10 @@ impl<A: Carried> Drawing<'_, A> {
         });
         for (number, &from) in places.iter().enumerate() {
             let to = places[(number + 1) % places.len()];
-            self.labels.spare(from, to);
-            let entered = |edge: &EdgeInHand<A>| edge.edge as usize == number;
-            let in_hand = self.state.edge.and_then(|edge| self.state.edges.get(edge));
-            let stroke = if in_hand.is_some_and(entered) {
+            self.labels.avoid(from, to);
+            let entered = |edge: &ActiveEdge<A>| edge.edge as usize == number;
+            let current = self.state.edge.and_then(|edge| self.state.edges.get(edge));
+            let stroke = if current.is_some_and(entered) {
                 Ink::Linked.stroke(4.0)
             } else if self
                 .state
@@ -104,10 +104,10 @@ impl<A: Carried> Drawing<'_, A> {
     }
 
     /// The line y_4 across the panel, the centres of its pixels, and the span.
-    fn draw_scan_line(&mut self, picture: &mut Picture, row: RowInHand) {
+    fn draw_scan_line(&mut self, picture: &mut Picture, row: CurrentRow) {
         let y = self.fit.y(row.y_4);
         let (left, right) = (self.area.x + 4.0, self.area.right() - 4.0);
-        self.labels.spare(Vec2::new(left, y), Vec2::new(right, y));
+        self.labels.avoid(Vec2::new(left, y), Vec2::new(right, y));
         picture.tagged(Tag::ScanLine(row.y as i32), |picture| {
             picture.line((left, y), (right, y), Ink::This.stroke(1.5).dashed());
         });
@@ -121,7 +121,7 @@ impl<A: Carried> Drawing<'_, A> {
             let places = || self.corners.iter().map(|corner| corner.place.x);
             let low = places().fold(f64::INFINITY, f64::min) - 1.0;
             let high = places().fold(f64::NEG_INFINITY, f64::max) + 1.0;
-            let width = f64::from(self.state.stage.view.width);
+            let width = f64::from(self.state.prepared.view.width);
             for x in low.clamp(0.0, width) as u32..high.clamp(0.0, width) as u32 {
                 let centre = Vec2::new(self.fit.x(f64::from(x) + 0.5), y);
                 let inside = span.is_some_and(|span| (span.first..span.end).contains(&x));
@@ -134,7 +134,7 @@ impl<A: Carried> Drawing<'_, A> {
         }
     }
 
-    fn label_scan_line(&mut self, picture: &mut Picture, row: RowInHand) {
+    fn label_scan_line(&mut self, picture: &mut Picture, row: CurrentRow) {
         let at = Vec2::new(self.area.right() - 4.0, self.fit.y(row.y_4));
         let value = Some(row.y_4.into());
         self.label(
@@ -148,7 +148,7 @@ impl<A: Carried> Drawing<'_, A> {
     }
 
     /// y_1 and y_2, the heights between which the edge in hand runs.
-    fn draw_ticks(&mut self, picture: &mut Picture, edge: &EdgeInHand<A>) {
+    fn draw_ticks(&mut self, picture: &mut Picture, edge: &ActiveEdge<A>) {
         for (name, corner) in [("y_1", edge.upper), ("y_2", edge.lower)] {
             let Some(corner) = self.corners.get(corner as usize) else {
                 continue;
@@ -177,7 +177,7 @@ impl<A: Carried> Drawing<'_, A> {
     fn draw_corners(&mut self, picture: &mut Picture) {
         for (number, corner) in self.corners.iter().enumerate() {
             let place = self.fit.place(corner.place);
-            let ring = if corner.in_hand {
+            let ring = if corner.current {
                 Ink::This.stroke(3.0)
             } else {
                 Ink::Text.stroke(1.5)
@@ -197,12 +197,12 @@ impl<A: Carried> Drawing<'_, A> {
                 picture.text_in(disc, (number + 1).to_string(), set);
             });
             self.labels
-                .keep_free(Rect::between(place - CORNER, place + CORNER));
+                .reserve(Rect::between(place - CORNER, place + CORNER));
         }
     }
 
     /// Where the scan line cuts the edges, and the pixel in hand, with what is carried there.
-    fn draw_cuts(&mut self, picture: &mut Picture, row: RowInHand) {
+    fn draw_cuts(&mut self, picture: &mut Picture, row: CurrentRow) {
         let state = self.state;
         let names = A::NAMES;
         let mut points = Vec::new();
@@ -255,7 +255,7 @@ impl<A: Carried> Drawing<'_, A> {
             );
             picture.circle(place, POINT, swatch(*value).fill().outlined(ring));
             self.labels
-                .keep_free(Rect::between(place, place).grown(POINT));
+                .reserve(Rect::between(place, place).grown(POINT));
         }
         let middle = self.fit.x(self.middle().x);
         for (x, x_name, name, value, calm) in points {
@@ -298,7 +298,7 @@ impl<A: Carried> Drawing<'_, A> {
         else {
             return;
         };
-        let view = &self.state.stage.view;
+        let view = &self.state.prepared.view;
         let camera = view.to_camera(point.position);
         if camera.z < view.near {
             return;
@@ -308,7 +308,7 @@ impl<A: Carried> Drawing<'_, A> {
         let paint = swatch(value).fill().outlined(Ink::This.stroke(3.0));
         picture.circle(place, CORNER, paint);
         self.labels
-            .keep_free(Rect::between(place, place).grown(CORNER));
+            .reserve(Rect::between(place, place).grown(CORNER));
         let name = if value.is_some() { "I" } else { "P" };
         self.label(
             picture,
@@ -335,7 +335,7 @@ impl<A: Carried> Drawing<'_, A> {
             } else {
                 names.corner
             };
-            let set = if corner.in_hand { this() } else { plain() };
+            let set = if corner.current { this() } else { plain() };
             let place = self.fit.place(corner.place);
             let away = (corner.place - middle).as_vec2();
             match corner.value {

@@ -1,5 +1,5 @@
-use super::super::crowd::{self, SIZES, assert_legible};
-use super::super::sample::Sample;
+use super::super::fixture::Fixture;
+use super::super::fixtures::{self, SIZES, assert_legible};
 use super::*;
 use crate::record::{Recorder, Recording, RecordingLimit};
 use crate::render::Method;
@@ -7,14 +7,14 @@ use crate::render::Method;
 #[test]
 fn every_step_is_legible_and_bars_never_overlap() {
     for method in Method::ALL {
-        let mut sample = crowd::crowd(method);
-        for step in sample.some_steps(997) {
-            sample.seek(step);
+        let mut fixture = fixtures::fixtures(method);
+        for step in fixture.some_steps(997) {
+            fixture.seek(step);
             for size in SIZES {
-                let what = format!("{} {step} at {size}", sample.walk().kind(step));
-                let picture = draw(&sample.show_in(Language::Indonesian), size);
+                let what = format!("{} {step} at {size}", fixture.walk().kind(step));
+                let picture = draw(&fixture.show_in(Language::Indonesian), size);
                 assert_legible(&picture, &what);
-                let rows = rows(sample.walk(), size);
+                let rows = rows(fixture.walk(), size);
                 assert!(!rows.is_empty(), "{what}");
                 for row in &rows {
                     assert!(row.bars.len() as f64 <= f64::from(size.x) / NARROWEST);
@@ -30,8 +30,8 @@ fn every_step_is_legible_and_bars_never_overlap() {
 
 #[test]
 fn every_scope_lies_in_exactly_one_bar_of_its_row() {
-    let sample = Sample::triangle(Method::Gouraud);
-    let outline = sample.walk().outline();
+    let fixture = Fixture::triangle(Method::Gouraud);
+    let outline = fixture.walk().outline();
     for width in [200.0, 900.0, 1e5] {
         let span = Span::new(0..outline.len(), Rect::new(0.0, 0.0, width, 20.0));
         for depth in 0..5 {
@@ -52,18 +52,18 @@ fn every_scope_lies_in_exactly_one_bar_of_its_row() {
 
 #[test]
 fn a_click_at_the_cursor_stays() {
-    let mut sample = Sample::triangle(Method::Gouraud);
+    let mut fixture = Fixture::triangle(Method::Gouraud);
     let size = Vec2::new(900.0, 140.0);
-    for step in 0..sample.walk().len() {
-        sample.seek(step);
-        let show = sample.show();
-        let span = Span::new(0..sample.walk().len(), track(size));
-        assert_eq!(step_at(&show, size, span.middle(step)), step);
+    for step in 0..fixture.walk().len() {
+        fixture.seek(step);
+        let input = fixture.input();
+        let span = Span::new(0..fixture.walk().len(), track(size));
+        assert_eq!(step_at(&input, size, span.middle(step)), step);
     }
-    let last = sample.walk().len() - 1;
-    assert_eq!(step_at(&sample.show(), size, -50.0), 0);
-    assert_eq!(step_at(&sample.show(), size, 5000.0), last);
-    assert_eq!(step_at(&crowd::nothing().show(), size, 300.0), 0);
+    let last = fixture.walk().len() - 1;
+    assert_eq!(step_at(&fixture.input(), size, -50.0), 0);
+    assert_eq!(step_at(&fixture.input(), size, 5000.0), last);
+    assert_eq!(step_at(&fixtures::nothing().input(), size, 300.0), 0);
 }
 
 #[test]
@@ -94,8 +94,8 @@ fn marks_keep_their_distance() {
 
 #[test]
 fn nothing_recorded_is_said() {
-    let sample = crowd::nothing();
+    let fixture = fixtures::nothing();
     for language in Language::ALL {
-        assert_legible(&draw(&sample.show_in(language), SIZES[0]), "empty");
+        assert_legible(&draw(&fixture.show_in(language), SIZES[0]), "empty");
     }
 }

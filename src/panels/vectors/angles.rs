@@ -1,8 +1,8 @@
 //! The angles with the normal, and what each light's shadow ray found, as a list.
 
 use super::super::names;
+use super::super::strings::{Language, Words};
 use super::super::values::short;
-use super::super::words::{Language, Words};
 use super::met::SurfaceInSight;
 use crate::color::Rgb;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide};
@@ -78,7 +78,7 @@ pub(super) fn height(scene: &Scene, text: f32, columns: usize) -> f32 {
 
 impl Angles {
     pub fn of(surface: &SurfaceInSight, language: Language) -> Self {
-        let words = |words: Words| words.in_language(language);
+        let strings = |strings: Words| strings.in_language(language);
         let mut rows = Vec::new();
         if let Some((_, cosine, _)) = surface.surface.facing {
             rows.push(row(
@@ -96,9 +96,9 @@ impl Angles {
             if refraction.eta_i > refraction.eta_r {
                 let angle = (refraction.eta_r / refraction.eta_i).asin();
                 let note = if refraction.radicand < 0.0 {
-                    words(TOTAL)
+                    strings(TOTAL)
                 } else {
-                    words(CRITICAL)
+                    strings(CRITICAL)
                 };
                 rows.push(Row {
                     notes: vec![note.to_string()],
@@ -111,7 +111,7 @@ impl Angles {
         Angles {
             lights: first_light,
             name: surface.name().to_string(),
-            title: format!("{} · {}", surface.name(), words(ANGLES)),
+            title: format!("{} · {}", surface.name(), strings(ANGLES)),
             rows,
         }
     }
@@ -194,14 +194,14 @@ fn note_start(row: &Row, style: Text) -> f32 {
 
 /// What blocks a light, from the longest form to the shortest.
 fn blocked(surface: &SurfaceInSight, verdict: &Verdict, language: Language) -> Vec<String> {
-    let words = BLOCKED.in_language(language);
+    let strings = BLOCKED.in_language(language);
     let Some(hit) = verdict.by else {
-        return vec![words.to_string()];
+        return vec![strings.to_string()];
     };
-    let name = names::object(&surface.state.stage, hit.object);
+    let name = names::object(&surface.state.prepared, hit.object);
     let t = short(Value::Number(hit.t), 2);
     vec![
-        format!("{words} {name}, t {t}"),
+        format!("{strings} {name}, t {t}"),
         format!("{name}, t {t}"),
         name.to_string(),
     ]
@@ -209,10 +209,10 @@ fn blocked(surface: &SurfaceInSight, verdict: &Verdict, language: Language) -> V
 
 /// Each light: the angle of L with N, N·L, what the shadow ray found; then H or R of the light in hand.
 fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
-    let words = |words: Words| words.in_language(language);
+    let strings = |strings: Words| strings.in_language(language);
     let lean = |vector: DVec3| match surface.lean(vector) {
         lean if lean < 0.05 => String::new(),
-        lean => format!(", {}° {}", short(Value::Number(lean), 1), words(LEANS)),
+        lean => format!(", {}° {}", short(Value::Number(lean), 1), strings(LEANS)),
     };
     let Some(lit) = surface.lit() else {
         return Vec::new();
@@ -224,15 +224,15 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
         };
         let verdict = surface.verdict(light.light);
         let (mark, found, ink) = match verdict {
-            _ if cosine <= 0.0 => ("✕", vec![words(AWAY).to_string()], Ink::Muted),
+            _ if cosine <= 0.0 => ("✕", vec![strings(AWAY).to_string()], Ink::Muted),
             Some(verdict) if verdict.blocked => {
                 ("✕", blocked(surface, verdict, language), Ink::Bad)
             }
-            Some(_) => ("✓", vec![words(ARRIVES).to_string()], Ink::Good),
+            Some(_) => ("✓", vec![strings(ARRIVES).to_string()], Ink::Good),
             None => ("", Vec::new(), Ink::Muted),
         };
         let newest = surface
-            .light_in_hand()
+            .current_light()
             .is_some_and(|last| last.light == light.light);
         let n_dot_l = short(Value::Number(cosine), 3);
         let first = found.first().map_or("", String::as_str);
@@ -260,7 +260,7 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
             )
         });
     }
-    if let Some(light) = surface.light_in_hand() {
+    if let Some(light) = surface.current_light() {
         if let Some((halfway, cosine)) = light.halfway {
             let n_dot_h = short(Value::Number(cosine), 3);
             rows.push(Row {

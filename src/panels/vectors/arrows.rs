@@ -1,12 +1,12 @@
 //! The drawing: the surface, the media, the vectors and the arcs of their angles.
 
 use super::super::labels::Labels;
-use super::super::words::{Language, Words};
+use super::super::strings::{Language, Words};
 use super::met::SurfaceInSight;
 use super::plane::Plane;
 use crate::algorithms::ray_tree::RayKind;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
-use crate::replay::rays::{BranchInHand, Outcome};
+use crate::replay::rays::{CurrentBranch, Outcome};
 use glam::{DVec3, Vec2};
 
 const NO_T: Words = Words::new("no T", "tanpa T");
@@ -81,10 +81,10 @@ pub(super) fn draw(
     let left = Vec2::new(area.x, middle.y);
     drawing
         .labels
-        .spare(left, Vec2::new(area.right(), middle.y));
+        .avoid(left, Vec2::new(area.right(), middle.y));
     drawing
         .labels
-        .keep_free(Rect::between(middle, middle).grown(POINT));
+        .reserve(Rect::between(middle, middle).grown(POINT));
 
     drawing.rays(surface, kind, language);
     drawing.lights(surface, kind);
@@ -109,7 +109,7 @@ impl Drawing<'_> {
                 let tip = self.middle - POINT * u;
                 picture.arrow(self.middle - self.unit * u, tip, stroke);
             });
-        self.spare_arrow(self.middle - self.unit * u, self.middle - POINT * u, 3.0);
+        self.avoid_arrow(self.middle - self.unit * u, self.middle - POINT * u, 3.0);
         let normal = match surface.surface.facing {
             Some((normal, ..)) => ("N", normal, kind == "Faced"),
             None => ("N_g", surface.surface.geometric, kind == "SurfaceMet"),
@@ -138,14 +138,14 @@ impl Drawing<'_> {
             self.picture.tagged(Tag::Step(refraction.step), |picture| {
                 picture.line(self.middle, end, Ink::Muted.stroke(2.5).dashed());
             });
-            self.labels.spare(self.middle, end);
+            self.labels.avoid(self.middle, end);
             let style = self.style(kind == "Refraction");
             let name = NO_T.in_language(language);
             self.labels.put(self.picture, (end, 3.0), u, name, style);
         }
     }
 
-    fn branch(&mut self, surface: &SurfaceInSight, branch: &BranchInHand, kind: &str) {
+    fn branch(&mut self, surface: &SurfaceInSight, branch: &CurrentBranch, kind: &str) {
         let Some(sent) = branch.branch else { return };
         let (name, stroke, told_by) = match branch.kind {
             RayKind::Primary | RayKind::Reflected => {
@@ -159,7 +159,7 @@ impl Drawing<'_> {
             ),
         };
         // The branch goes on as a ray of its own, once it is traced.
-        let (tag, in_hand) = match branch.outcome {
+        let (tag, current) = match branch.outcome {
             Outcome::Ray(ray) => {
                 let step = surface
                     .state
@@ -170,7 +170,7 @@ impl Drawing<'_> {
             }
             Outcome::Open | Outcome::Ended(_) => (Tag::Step(branch.step), false),
         };
-        let here = kind == told_by || in_hand;
+        let here = kind == told_by || current;
         self.arrow(
             surface.project(sent.direction),
             stroke,
@@ -181,12 +181,12 @@ impl Drawing<'_> {
     /// L of each light, and V, H and R of the light in hand.
     fn lights(&mut self, surface: &SurfaceInSight, kind: &str) {
         let Some(lit) = surface.lit() else { return };
-        let in_hand = surface.light_in_hand();
+        let current = surface.current_light();
         for light in &lit.lights {
             let Some((to_light, _)) = light.to_light else {
                 continue;
             };
-            let newest = in_hand.is_some_and(|last| last.light == light.light);
+            let newest = current.is_some_and(|last| last.light == light.light);
             let here =
                 newest && matches!(kind, "ToLight" | "ShadowRay" | "Shadow" | "BetweenTested");
             let name = format!("L_{}", light.light);
@@ -208,8 +208,8 @@ impl Drawing<'_> {
         if lit.intensity.is_some() {
             return;
         }
-        let halfway = in_hand.and_then(|light| light.halfway);
-        let mirrored = in_hand.and_then(|light| light.mirrored);
+        let halfway = current.and_then(|light| light.halfway);
+        let mirrored = current.and_then(|light| light.mirrored);
         let vectors: [(&str, Option<DVec3>, &str, Ink); 3] = [
             ("V", lit.to_eye, "Viewer", Ink::Series(4)),
             ("H", halfway.map(|(v, _)| v), "Halfway", Ink::Series(2)),
@@ -269,7 +269,7 @@ impl Drawing<'_> {
             let end = self.middle + 0.8 * self.unit * toward;
             self.picture
                 .line(self.middle, end, Ink::Muted.stroke(1.25).dotted());
-            self.labels.spare(self.middle, end);
+            self.labels.avoid(self.middle, end);
             let style = Style::Label.size(self.text).ink(Ink::Muted);
             self.labels
                 .put(self.picture, (end, 2.0), toward, "θ_c", style);
@@ -349,7 +349,7 @@ impl Drawing<'_> {
         self.picture.tagged(named.tag, |picture| {
             picture.arrow(start, tip, stroke);
         });
-        self.spare_arrow(start, tip, stroke.width);
+        self.avoid_arrow(start, tip, stroke.width);
         let style = self.style(named.here);
         self.labels
             .put(self.picture, (tip, 2.0), along, named.name, style);
@@ -357,10 +357,10 @@ impl Drawing<'_> {
     }
 
     /// No label on the shaft, nor on the wider head.
-    fn spare_arrow(&mut self, start: Vec2, tip: Vec2, width: f32) {
-        self.labels.spare_stroke(start, tip, width + 2.0);
+    fn avoid_arrow(&mut self, start: Vec2, tip: Vec2, width: f32) {
+        self.labels.avoid_stroke(start, tip, width + 2.0);
         let head = HEAD.min(0.4 * start.distance(tip)) * (start - tip).normalize_or_zero();
-        self.labels.spare_stroke(tip + head, tip, HEAD);
+        self.labels.avoid_stroke(tip + head, tip, HEAD);
     }
 
     /// Where a light is blocked.

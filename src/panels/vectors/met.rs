@@ -1,13 +1,13 @@
 //! The surface in sight, its plane of incidence, and the media on both sides.
 
 use super::super::names;
-use super::super::words::{Language, Words};
+use super::super::strings::{Language, Words};
 use super::arrows::V_LENGTH;
 use super::plane::{Held, Plane, Tip};
 use crate::algorithms::ray_tree::RayKind;
 use crate::color::Rgb;
-use crate::replay::rays::{RayInHand, State, SurfaceInHand, Verdict};
-use crate::replay::shading::{LightInHand, PointInHand};
+use crate::replay::rays::{CurrentSurface, RayState, State, Verdict};
+use crate::replay::shading::{CurrentLight, CurrentPoint};
 use glam::{DVec3, Vec2};
 
 const AIR: Words = Words::new("air", "udara");
@@ -15,8 +15,8 @@ const AIR: Words = Words::new("air", "udara");
 /// The surface that the ray in hand met, or, while it has met none yet, the surface that it leaves.
 pub struct SurfaceInSight<'a> {
     pub state: &'a State,
-    pub ray: &'a RayInHand,
-    pub surface: SurfaceInHand,
+    pub ray: &'a RayState,
+    pub surface: CurrentSurface,
     /// Of the ray in [`State::rays`].
     index: usize,
     /// Unit, in the plane and along the surface, the way u goes.
@@ -47,7 +47,7 @@ impl<'a> SurfaceInSight<'a> {
 
     /// The plane of incidence, as it is drawn.
     pub fn plane(&self, middle: Vec2, unit: f32) -> Plane {
-        let SurfaceInHand {
+        let CurrentSurface {
             position,
             geometric,
             ..
@@ -57,7 +57,7 @@ impl<'a> SurfaceInSight<'a> {
 
     /// What can be moved: the lights told so far, and the eye where the ray comes from it.
     pub fn tips(&self) -> Vec<Tip> {
-        let eye = self.state.stage.view.eye;
+        let eye = self.state.prepared.view.eye;
         // At the start of u, and at the tip of V.
         let lengths = [1.0, V_LENGTH].into_iter();
         let primary = lengths.filter(|_| self.ray.parent.is_none());
@@ -101,14 +101,14 @@ impl<'a> SurfaceInSight<'a> {
     }
 
     /// What was told of the light that the surface sends on.
-    pub fn lit(&self) -> Option<&PointInHand> {
+    pub fn lit(&self) -> Option<&CurrentPoint> {
         let current = self.state.current == Some(self.index);
-        let in_hand = self.state.point.as_ref().filter(|_| current);
-        in_hand.or(self.ray.lit.as_deref())
+        let current = self.state.point.as_ref().filter(|_| current);
+        current.or(self.ray.lit.as_deref())
     }
 
     /// The light in hand, while the surface is being lit.
-    pub fn light_in_hand(&self) -> Option<&LightInHand> {
+    pub fn current_light(&self) -> Option<&CurrentLight> {
         let lit = self.lit()?;
         lit.lights.last().filter(|_| lit.intensity.is_none())
     }
@@ -121,7 +121,7 @@ impl<'a> SurfaceInSight<'a> {
     }
 
     pub fn name(&self) -> &str {
-        names::object(&self.state.stage, self.surface.object)
+        names::object(&self.state.prepared, self.surface.object)
     }
 
     /// Whether light passes the surface at all.
@@ -130,7 +130,7 @@ impl<'a> SurfaceInSight<'a> {
     }
 
     fn transmits(&self, object: u32) -> bool {
-        let scene = &self.state.stage.scene;
+        let scene = &self.state.prepared.scene;
         let material = scene.objects[object as usize].material;
         scene.materials[material].transmission != Rgb::BLACK
     }
@@ -143,7 +143,7 @@ impl<'a> SurfaceInSight<'a> {
     /// What lies above and below the surface: names, and η where it was told.
     pub fn media(&self, language: Language) -> [String; 2] {
         let named = |object: Option<&u32>| match object {
-            Some(&object) => names::object(&self.state.stage, object).to_string(),
+            Some(&object) => names::object(&self.state.prepared, object).to_string(),
             None => AIR.in_language(language).to_string(),
         };
         let around = self.media_around();
@@ -177,7 +177,7 @@ impl<'a> SurfaceInSight<'a> {
             state.rays.get(index).and_then(|ray| ray.parent)
         })
         .collect();
-        let mut media = state.stage.solids().around(state.stage.view.eye);
+        let mut media = state.prepared.primitives().around(state.prepared.view.eye);
         media.retain(|&object| self.transmits(object));
         for pair in path.windows(2).rev() {
             let (Some(child), Some(parent)) = (state.rays.get(pair[0]), state.rays.get(pair[1]))

@@ -5,7 +5,7 @@ use super::super::values::short;
 use super::plane::{Held, Plane, Tip};
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::record::Value;
-use crate::replay::shading::PointInHand;
+use crate::replay::shading::CurrentPoint;
 use glam::{DVec3, Vec2};
 
 const POINT: f32 = 4.0;
@@ -23,7 +23,7 @@ struct Named {
 }
 
 /// The vectors told so far: N and V, L of each light, R or H of the light in hand.
-fn vectors(point: &PointInHand, eye: DVec3) -> Vec<Named> {
+fn vectors(point: &CurrentPoint, eye: DVec3) -> Vec<Named> {
     let field = |name: &'static str, vector, told_by, ink| Named {
         name: name.to_owned(),
         vector,
@@ -66,7 +66,7 @@ fn text(size: Vec2) -> f32 {
 }
 
 /// The plane of N and V at the point, and where in the panel it lies: what is left of the list.
-pub(super) fn plane(point: &PointInHand, eye: DVec3, size: Vec2) -> Plane {
+pub(super) fn plane(point: &CurrentPoint, eye: DVec3, size: Vec2) -> Plane {
     let text = text(size);
     let (drawing, _) = areas(size);
     let to_eye = (eye - point.position).normalize_or_zero();
@@ -82,7 +82,7 @@ pub(super) fn plane(point: &PointInHand, eye: DVec3, size: Vec2) -> Plane {
 }
 
 /// What the pointer can take hold of.
-pub(super) fn tips(point: &PointInHand, eye: DVec3) -> Vec<Tip> {
+pub(super) fn tips(point: &CurrentPoint, eye: DVec3) -> Vec<Tip> {
     let tips = vectors(point, eye).into_iter().filter_map(|named| {
         let (held, distance) = named.held?;
         Some(Tip {
@@ -109,7 +109,7 @@ fn areas(size: Vec2) -> (Rect, Rect) {
 /// Draws the vectors, and lists their angles with N; returns the list in words.
 pub(super) fn draw(
     picture: &mut Picture,
-    point: &PointInHand,
+    point: &CurrentPoint,
     eye: DVec3,
     kind: &str,
     size: Vec2,
@@ -126,8 +126,8 @@ pub(super) fn draw(
     ];
     picture.line(surface[0], surface[1], Ink::Text.stroke(1.5));
     let mut labels = Labels::new(drawing);
-    labels.spare(surface[0], surface[1]);
-    labels.keep_free(Rect::between(middle, middle).grown(POINT));
+    labels.avoid(surface[0], surface[1]);
+    labels.reserve(Rect::between(middle, middle).grown(POINT));
     let vectors = vectors(point, eye);
     let below = (ground.height - 1.4 * text).max(1.0);
     for named in &vectors {
@@ -140,7 +140,7 @@ pub(super) fn draw(
         picture.tagged(named.tag, |picture| {
             picture.arrow(middle, tip, ink.stroke(3.0));
         });
-        labels.spare_stroke(middle, tip, 5.0);
+        labels.avoid_stroke(middle, tip, 5.0);
         let style = Style::LabelBold
             .size(1.2 * text)
             .ink(if here { Ink::This } else { Ink::Text });
@@ -149,12 +149,12 @@ pub(super) fn draw(
     let disc = Ink::Surface.fill().outlined(Ink::Text.stroke(2.0));
     picture.circle(middle, POINT, disc);
 
-    let mut words = Vec::new();
+    let mut strings = Vec::new();
     let fitting = (list.height / (LINE * text)) as usize;
     for (i, named) in vectors.iter().skip(1).enumerate() {
         let cosine = point.normal.dot(named.vector).clamp(-1.0, 1.0);
         let angle = format!("{}°", short(Value::Number(cosine.acos().to_degrees()), 1));
-        words.push(format!("{} {angle}", named.name));
+        strings.push(format!("{} {angle}", named.name));
         if i >= fitting {
             continue;
         }
@@ -176,5 +176,5 @@ pub(super) fn draw(
             picture.text_in(row, angle, number);
         });
     }
-    words.join("; ")
+    strings.join("; ")
 }

@@ -1,8 +1,8 @@
-use super::super::crowd::{self, SIZES, assert_legible, texts};
+use super::super::fixture::{self, Fixture};
+use super::super::fixtures::{self, SIZES, assert_legible, texts};
 use super::super::names;
-use super::super::sample::{self, Sample};
+use super::super::strings::Language;
 use super::super::values::short;
-use super::super::words::Language;
 use super::*;
 use crate::picture::Tag;
 use crate::record::Value;
@@ -16,19 +16,19 @@ fn printed(picture: &Picture) -> Vec<&str> {
 
 #[test]
 fn every_step_is_legible_at_every_size() {
-    for mut sample in [
-        Sample::rays(Method::RayTracing, sample::BALL, 5),
-        Sample::rays(Method::RayTracing, sample::SPARK, 5),
-        crowd::rays(Method::RayTracing, 1),
-        crowd::rays(Method::RayCasting, 1),
-        crowd::crowd(Method::Gouraud),
-        crowd::nothing(),
+    for mut fixture in [
+        Fixture::rays(Method::RayTracing, fixture::BALL, 5),
+        Fixture::rays(Method::RayTracing, fixture::SPARK, 5),
+        fixtures::rays(Method::RayTracing, 1),
+        fixtures::rays(Method::RayCasting, 1),
+        fixtures::fixtures(Method::Gouraud),
+        fixtures::nothing(),
     ] {
-        for step in sample.some_steps(251) {
-            sample.seek(step);
+        for step in fixture.some_steps(251) {
+            fixture.seek(step);
             for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                let picture = draw(&sample.show_in(language), size);
-                let what = format!("{} {step} at {size}", sample.walk().kind(step));
+                let picture = draw(&fixture.show_in(language), size);
+                let what = format!("{} {step} at {size}", fixture.walk().kind(step));
                 assert_legible(&picture, &what);
                 assert!(!picture.items.is_empty(), "{what}");
             }
@@ -38,19 +38,22 @@ fn every_step_is_legible_at_every_size() {
 
 #[test]
 fn angles_are_those_that_the_steps_tell() {
-    let mut sample = Sample::rays(Method::RayTracing, sample::BALL, 5);
+    let mut fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
     for (kind, n, name) in [
         ("Faced", 0, "theta_i_degrees"),
         ("Refraction", 0, "theta_r_degrees"),
         ("Refraction", 1, "theta_c_degrees"),
     ] {
-        sample.go_to(kind, n);
-        let told = sample.walk().own_fields(sample.walk().position()).get(name);
-        let Some(Value::Number(angle)) = told else {
+        fixture.go_to(kind, n);
+        let recorded = fixture
+            .walk()
+            .own_fields(fixture.walk().position())
+            .get(name);
+        let Some(Value::Number(angle)) = recorded else {
             panic!("{kind} {n} tells {name}")
         };
         let shown = format!("{}°", short(Value::Number(angle), 1));
-        let picture = draw(&sample.show(), LARGE);
+        let picture = draw(&fixture.input(), LARGE);
         assert!(
             printed(&picture).contains(&shown.as_str()),
             "{name} = {shown}"
@@ -61,9 +64,9 @@ fn angles_are_those_that_the_steps_tell() {
 
 #[test]
 fn where_nothing_passes_there_is_no_transmitted_ray() {
-    let mut sample = Sample::rays(Method::RayTracing, sample::BALL, 5);
-    sample.go_to("TotalInternalReflection", 0);
-    let picture = draw(&sample.show(), LARGE);
+    let mut fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
+    fixture.go_to("TotalInternalReflection", 0);
+    let picture = draw(&fixture.input(), LARGE);
     let printed = printed(&picture);
     assert!(printed.contains(&"no T") && printed.contains(&"TIR"));
     assert!(!printed.contains(&"T"));
@@ -76,9 +79,9 @@ fn where_nothing_passes_there_is_no_transmitted_ray() {
 
 #[test]
 fn a_mirrored_direction_leaves_at_the_angle_at_which_the_ray_came() {
-    let mut sample = Sample::rays(Method::RayTracing, sample::FLOOR, 5);
-    sample.go_to("Reflection", 0);
-    let state = sample.run.rays().expect("a ray tracer's run");
+    let mut fixture = Fixture::rays(Method::RayTracing, fixture::FLOOR, 5);
+    fixture.go_to("Reflection", 0);
+    let state = fixture.run.rays().expect("a ray tracer's run");
     let surface = SurfaceInSight::of(state).expect("the floor");
     let u = surface.project(surface.ray.ray.direction);
     let sent = surface.ray.branches[0]
@@ -92,10 +95,10 @@ fn a_mirrored_direction_leaves_at_the_angle_at_which_the_ray_came() {
 
 #[test]
 fn media_are_named_outside_and_inside() {
-    let mut sample = Sample::rays(Method::RayTracing, sample::BALL, 5);
+    let mut fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
     for n in [0, 1] {
-        sample.go_to("Refraction", n);
-        let picture = draw(&sample.show(), LARGE);
+        fixture.go_to("Refraction", n);
+        let picture = draw(&fixture.input(), LARGE);
         let printed = printed(&picture);
         assert!(printed.contains(&"air  η 1"), "{printed:?}");
         assert!(printed.contains(&"glass ball  η 1.5"), "{printed:?}");
@@ -104,8 +107,8 @@ fn media_are_named_outside_and_inside() {
 
 #[test]
 fn a_blocked_light_says_by_what() {
-    let mut sample = crowd::rays(Method::RayTracing, 1);
-    let walk = sample.walk();
+    let mut fixture = fixtures::rays(Method::RayTracing, 1);
+    let walk = fixture.walk();
     let blocked = (0..walk.len())
         .find(|&step| walk.own_fields(step).get("blocked") == Some(Value::Truth(true)))
         .expect("a shadow");
@@ -113,9 +116,9 @@ fn a_blocked_light_says_by_what() {
     let Some(Value::Integer(object)) = fields.get("blocker") else {
         panic!("a blocker")
     };
-    sample.seek(blocked);
-    let stage = names::stage(&sample.run);
-    let name = names::object(stage, object as u32).to_string();
-    let alt = draw(&sample.show(), LARGE).alt;
+    fixture.seek(blocked);
+    let prepared = names::prepared(&fixture.run);
+    let name = names::object(prepared, object as u32).to_string();
+    let alt = draw(&fixture.input(), LARGE).alt;
     assert!(alt.contains(&format!("blocked by {name}")), "{alt}");
 }

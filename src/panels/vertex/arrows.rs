@@ -5,7 +5,7 @@ use super::super::labels::Labels;
 use super::super::values::swatch;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::record::Value;
-use crate::replay::shading::{LightInHand, PointInHand, State, VertexInHand};
+use crate::replay::shading::{CurrentLight, CurrentPoint, CurrentVertex, State};
 use glam::{DVec2, DVec3, Vec2};
 
 /// How high above the surface it is looked at from, in degrees.
@@ -62,8 +62,8 @@ pub(super) fn draw<A>(picture: &mut Picture, state: &State<A>, kind: &str, area:
     let Some(at) = position(state) else { return };
     let faces = faces(state);
     let normal = faces.iter().map(|face| face.normal).sum::<DVec3>();
-    let to_eye = state.stage.view.eye - at;
-    let normal = normal.try_normalize().unwrap_or(state.stage.view.up);
+    let to_eye = state.prepared.view.eye - at;
+    let normal = normal.try_normalize().unwrap_or(state.prepared.view.up);
     // The panel shows the side that the eye sees.
     let normal = if normal.dot(to_eye) < 0.0 {
         -normal
@@ -107,7 +107,7 @@ pub(super) fn draw<A>(picture: &mut Picture, state: &State<A>, kind: &str, area:
         let place = drawing.place(at);
         drawing
             .labels
-            .keep_free(Rect::between(place, place).grown(POINT));
+            .reserve(Rect::between(place, place).grown(POINT));
         match (&state.point, &state.vertex) {
             (Some(point), _) => drawing.draw_vectors(picture, at, point, kind),
             (None, Some(vertex)) => drawing.draw_normals(picture, at, &faces, vertex, kind),
@@ -133,7 +133,7 @@ fn position<A>(state: &State<A>) -> Option<DVec3> {
 /// The faces around the vertex in hand, or the polygon in hand alone.
 fn faces<A>(state: &State<A>) -> Vec<Face> {
     let number = state.polygon.map(|polygon| polygon.polygon as usize);
-    let Some(polygon) = number.and_then(|number| state.stage.polygon(number)) else {
+    let Some(polygon) = number.and_then(|number| state.prepared.polygon(number)) else {
         return Vec::new();
     };
     let around = match &state.vertex {
@@ -166,7 +166,7 @@ impl Drawing {
         &self,
         picture: &mut Picture,
         faces: &[Face],
-        vertex: Option<&VertexInHand>,
+        vertex: Option<&CurrentVertex>,
         lit: bool,
     ) {
         for face in faces {
@@ -193,7 +193,7 @@ impl Drawing {
         picture: &mut Picture,
         at: DVec3,
         faces: &[Face],
-        vertex: &VertexInHand,
+        vertex: &CurrentVertex,
         kind: &str,
     ) {
         let last = vertex.faces.len();
@@ -230,9 +230,9 @@ impl Drawing {
     }
 
     /// N, V, and of the light in hand L and H or R.
-    fn draw_vectors(&mut self, picture: &mut Picture, at: DVec3, point: &PointInHand, kind: &str) {
+    fn draw_vectors(&mut self, picture: &mut Picture, at: DVec3, point: &CurrentPoint, kind: &str) {
         let light = point.lights.last();
-        let of_light = |vector: fn(&LightInHand) -> Option<(DVec3, f64)>| {
+        let of_light = |vector: fn(&CurrentLight) -> Option<(DVec3, f64)>| {
             light.and_then(vector).map(|(vector, _)| vector)
         };
         let vectors = [
@@ -285,7 +285,7 @@ impl Drawing {
         let along = self.turned.project(vector) * scale * self.fit.scale;
         let to = from + along.as_vec2();
         picture.arrow(from, to, stroke);
-        self.labels.spare(from, to);
+        self.labels.avoid(from, to);
         let set = if here {
             Style::LabelBold.size(14.0).ink(Ink::This)
         } else {
@@ -301,7 +301,7 @@ impl Drawing {
 }
 
 /// When the normal of a face was added, counted from 0.
-fn order(vertex: &VertexInHand, face: &Face) -> Option<usize> {
+fn order(vertex: &CurrentVertex, face: &Face) -> Option<usize> {
     vertex
         .faces
         .iter()

@@ -1,11 +1,11 @@
 //! The values of the point in hand, and its intensity as a sum of terms.
 
+use super::super::strings::{Language, Words};
 use super::super::values::short;
-use super::super::words::{Language, Words};
 use crate::color::Rgb;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, measure, symbol};
 use crate::record::Value;
-use crate::replay::shading::{PointInHand, State};
+use crate::replay::shading::{CurrentPoint, State};
 
 const SIZE: f32 = 12.0;
 const ROW: f32 = 17.0;
@@ -93,9 +93,9 @@ fn draw_row(picture: &mut Picture, row: &Row, place: Rect) {
             let paint = ink.fill().outlined(Ink::Muted.stroke(1.0));
             picture.rect(Rect::new(place.x, y, side, side), paint);
         }
-        let words = Rect::new(place.x + 14.0, place.y, NAMES, place.height);
-        picture.text_in(words, row.shown.clone(), name);
-        let start = words.x + NAMES.max(name.width(&row.shown) + 6.0);
+        let strings = Rect::new(place.x + 14.0, place.y, NAMES, place.height);
+        picture.text_in(strings, row.shown.clone(), name);
+        let start = strings.x + NAMES.max(name.width(&row.shown) + 6.0);
         let room = place.right() - start;
         // The most decimals that fit, in the widest face that does.
         let faces = [(Style::Mono, SIZE), (Style::Body, 11.0)];
@@ -112,7 +112,7 @@ fn draw_row(picture: &mut Picture, row: &Row, place: Rect) {
 }
 
 /// What is known of the point, the light in hand at the end.
-fn rows_of_point(point: &PointInHand, language: Language) -> Vec<Row> {
+fn rows_of_point(point: &CurrentPoint, language: Language) -> Vec<Row> {
     let mut rows = Vec::new();
     rows.extend(
         point
@@ -166,7 +166,7 @@ fn rows_of_normals<A>(state: &State<A>) -> Vec<Row> {
 }
 
 /// The terms told so far, light by light, with their inks.
-fn parts(point: &PointInHand) -> Vec<(Rgb, Term)> {
+fn parts(point: &CurrentPoint) -> Vec<(Rgb, Term)> {
     let mut parts: Vec<(Rgb, Term)> = point
         .ambient
         .map(|term| (term, TERMS[0]))

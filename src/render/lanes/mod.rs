@@ -11,8 +11,8 @@ mod triangle;
 
 use super::Method;
 use crate::algorithms::focus::{Focus, Region};
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::scan_line::{Corner, clip_near};
-use crate::algorithms::stage::Stage;
 use crate::color::Rgb;
 use crate::scene::{Light, View};
 use shades::{FastPhong, Flat, Gouraud, Phong, Surface};
@@ -58,25 +58,25 @@ enum Shading {
 
 impl LanePainter {
     /// None where the method fills no spans, or the scene has more than triangles, diffuse surfaces and directional lights.
-    pub fn new(stage: &Stage, method: Method) -> Option<Self> {
-        if !is_simple(stage) {
+    pub fn new(prepared: &PreparedScene, method: Method) -> Option<Self> {
+        if !is_simple(prepared) {
             return None;
         }
         let (method, values) = match method {
-            Method::Flat => (Shading::Flat, shades::middles(stage)),
-            Method::Gouraud => (Shading::Gouraud, shades::lit_vertices(stage)),
-            Method::Phong => (Shading::Phong, shades::normals(stage)),
-            Method::FastPhong => (Shading::FastPhong, shades::normals(stage)),
+            Method::Flat => (Shading::Flat, shades::middles(prepared)),
+            Method::Gouraud => (Shading::Gouraud, shades::lit_vertices(prepared)),
+            Method::Phong => (Shading::Phong, shades::normals(prepared)),
+            Method::FastPhong => (Shading::FastPhong, shades::normals(prepared)),
             _ => return None,
         };
-        let View { width, height, .. } = stage.view;
-        let triangles = triangles(stage, &values);
+        let View { width, height, .. } = prepared.view;
+        let triangles = triangles(prepared, &values);
         Some(LanePainter {
-            background: stage.scene.background,
-            view: stage.view,
+            background: prepared.scene.background,
+            view: prepared.view,
             bins: bins(&triangles, height, frame::band_rows(width)),
             triangles,
-            surfaces: shades::surfaces(stage),
+            surfaces: shades::surfaces(prepared),
             method,
         })
     }
@@ -94,9 +94,9 @@ impl LanePainter {
     }
 }
 
-fn is_simple(stage: &Stage) -> bool {
+fn is_simple(prepared: &PreparedScene) -> bool {
     let is_far = |light: &Light| matches!(light, Light::Directional { .. });
-    let (scene, mut meshes) = (&stage.scene, stage.tessellation.meshes.iter());
+    let (scene, mut meshes) = (&prepared.scene, prepared.tessellation.meshes.iter());
     let materials = &scene.materials;
     scene.lights.iter().all(is_far)
         && materials
@@ -107,14 +107,14 @@ fn is_simple(stage: &Stage) -> bool {
 }
 
 /// What lies before the eye, in its order, with `values` at the corners.
-fn triangles(stage: &Stage, values: &shades::Values) -> Vec<Triangle> {
-    let view = &stage.view;
+fn triangles(prepared: &PreparedScene, values: &shades::Values) -> Vec<Triangle> {
+    let view = &prepared.view;
     let region = Region {
         columns: 0..view.width,
         rows: 0..view.height,
     };
     let (mut pieces, mut triangles) = (Vec::new(), Vec::new());
-    for polygon in stage.polygons(Focus::Frame, &region) {
+    for polygon in prepared.polygons(Focus::Frame, &region) {
         let corners = polygon.corners().map(|(vertex, place)| Corner {
             position: place.camera,
             value: values.at(&polygon, vertex),

@@ -5,7 +5,7 @@ use super::{LANES, Lanes, Shade};
 use crate::algorithms::fast_phong::{ExpandedNormal, middle_of};
 use crate::algorithms::gouraud::Event;
 use crate::algorithms::illumination::{SurfacePoint, illuminate, incidence};
-use crate::algorithms::stage::{Polygon, Stage};
+use crate::algorithms::prepared_scene::{Polygon, PreparedScene};
 use crate::algorithms::vertex_normal::vertex_normal;
 use crate::color::Rgb;
 use crate::numeric::{Plane, Quadratic};
@@ -30,32 +30,32 @@ impl Values {
 }
 
 /// The intensity of each polygon, at the mean of its vertices.
-pub fn middles(stage: &Stage) -> Values {
+pub fn middles(prepared: &PreparedScene) -> Values {
     let intensity = |polygon: Polygon| {
         let positions = polygon.corners().map(|(v, _)| polygon.mesh.position(v));
         let middle = positions.sum::<DVec3>() / 3.0;
         let normal = polygon.mesh.normal(polygon.face);
-        lit(stage, polygon.object, middle, normal)
+        lit(prepared, polygon.object, middle, normal)
     };
-    let polygons = (0..stage.tessellation.polygon_count()).filter_map(|i| stage.polygon(i));
+    let polygons = (0..prepared.tessellation.polygon_count()).filter_map(|i| prepared.polygon(i));
     Values::OnePolygon(polygons.map(intensity).collect())
 }
 
 /// The intensity at each vertex.
-pub fn lit_vertices(stage: &Stage) -> Values {
-    at_vertices(stage, |object, position, normal| {
-        lit(stage, object, position, normal)
+pub fn lit_vertices(prepared: &PreparedScene) -> Values {
+    at_vertices(prepared, |object, position, normal| {
+        lit(prepared, object, position, normal)
     })
 }
 
 /// The normal at each vertex.
-pub fn normals(stage: &Stage) -> Values {
-    at_vertices(stage, |_, _, normal| normal)
+pub fn normals(prepared: &PreparedScene) -> Values {
+    at_vertices(prepared, |_, _, normal| normal)
 }
 
 /// What `find` says of each vertex: its object, its position and the normal there.
-fn at_vertices(stage: &Stage, find: impl Fn(usize, DVec3, DVec3) -> DVec3) -> Values {
-    let meshes = stage.tessellation.meshes.iter().enumerate();
+fn at_vertices(prepared: &PreparedScene, find: impl Fn(usize, DVec3, DVec3) -> DVec3) -> Values {
+    let meshes = prepared.tessellation.meshes.iter().enumerate();
     let values = meshes.map(|(object, mesh)| {
         let found = |vertex| {
             let normal = vertex_normal::<Event>(mesh, vertex, &mut Unrecorded);
@@ -67,16 +67,16 @@ fn at_vertices(stage: &Stage, find: impl Fn(usize, DVec3, DVec3) -> DVec3) -> Va
 }
 
 /// The intensity at a point of an object.
-fn lit(stage: &Stage, object: usize, position: DVec3, normal: DVec3) -> DVec3 {
-    let material = &stage.scene.materials[stage.scene.objects[object].material];
+fn lit(prepared: &PreparedScene, object: usize, position: DVec3, normal: DVec3) -> DVec3 {
+    let material = &prepared.scene.materials[prepared.scene.objects[object].material];
     let point = SurfacePoint {
         position,
         normal,
-        to_eye: (stage.view.eye - position).normalize_or_zero(),
+        to_eye: (prepared.view.eye - position).normalize_or_zero(),
         material,
         diffuse: material.diffuse,
     };
-    let (lighting, recorder) = (stage.lighting(), &mut Unrecorded);
+    let (lighting, recorder) = (prepared.lighting(), &mut Unrecorded);
     vector(illuminate::<Event, _>(&point, &lighting, recorder, |_, _| true).whole)
 }
 
@@ -142,8 +142,8 @@ struct Arriving {
 }
 
 /// By object.
-pub fn surfaces(stage: &Stage) -> Vec<Surface> {
-    let scene = &stage.scene;
+pub fn surfaces(prepared: &PreparedScene) -> Vec<Surface> {
+    let scene = &prepared.scene;
     let surface = |object: &Object| {
         let material = &scene.materials[object.material];
         let f32s = |color: Rgb| vector(color).as_vec3().to_array();

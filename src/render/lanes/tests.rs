@@ -27,7 +27,7 @@ fn torus(along: u32, across: u32) -> String {
 }
 
 /// The torus under two lights, before a floor that reaches behind the eye.
-fn stage(material: &str, light: &str) -> Stage {
+fn prepared(material: &str, light: &str) -> PreparedScene {
     let json = format!(
         r#"{{ "schema": 1, "background": [0.1, 0.2, 0.3],
         "camera": {{ "eye": [0.6, -2.2, 2.4], "target": [0, 0, 0], "up": [0, 0, 1], "fov_x_degrees": 50 }},
@@ -39,7 +39,7 @@ fn stage(material: &str, light: &str) -> Stage {
     let mut files = |_: &str| Ok(torus(32, 16).into_bytes());
     let scene = scene::read(json.as_bytes(), &Limits::default(), &mut files).unwrap();
     let view = View::new(&scene.camera.unwrap(), 203, 151);
-    Stage::new(scene, view)
+    PreparedScene::new(scene, view)
 }
 
 const FAR: &str = r#"{ "directional": { "toward": [-1, 0.1, -0.3], "color": [0.1, 0.2, 0.3] } }"#;
@@ -55,11 +55,13 @@ const METHODS: [Method; 4] = [
 /// Where depths are equal but for rounding, on the outline between two triangles, either may be drawn.
 #[test]
 fn lanes_draw_the_textbooks_picture_to_the_digits_of_f32() {
-    let stage = stage("", FAR);
+    let prepared = prepared("", FAR);
     for method in METHODS {
-        let textbook = render(&stage, method, NonZeroUsize::MIN, &|_, _| {});
+        let textbook = render(&prepared, method, NonZeroUsize::MIN, &|_, _| {});
         let mut lanes = LaneFrame::new(203, 151);
-        LanePainter::new(&stage, method).unwrap().draw(&mut lanes);
+        LanePainter::new(&prepared, method)
+            .unwrap()
+            .draw(&mut lanes);
         let mut drawn = 0;
         let mut largest = 0_f64;
         for (x, y) in (0..151).flat_map(|y| (0..203).map(move |x| (x, y))) {
@@ -67,7 +69,7 @@ fn lanes_draw_the_textbooks_picture_to_the_digits_of_f32() {
             for (found, exact) in lanes.pixel(x, y).into_iter().zip(exact.channels()) {
                 largest = largest.max((f64::from(found) - exact).abs());
             }
-            drawn += u32::from(exact != stage.scene.background);
+            drawn += u32::from(exact != prepared.scene.background);
         }
         assert!(drawn > 15_000);
         assert!(largest < 2e-6, "{}: {largest:e}", method.name());
@@ -84,7 +86,7 @@ fn what_lanes_do_not_know_is_refused() {
             FAR,
         ),
     ] {
-        assert!(LanePainter::new(&stage(material, light), Method::Phong).is_none());
+        assert!(LanePainter::new(&prepared(material, light), Method::Phong).is_none());
     }
-    assert!(LanePainter::new(&stage("", FAR), Method::RayCasting).is_none());
+    assert!(LanePainter::new(&prepared("", FAR), Method::RayCasting).is_none());
 }

@@ -221,7 +221,7 @@ fn is_name(text: &str) -> bool {
 mod tests {
     use super::*;
     use crate::color::Rgb;
-    use crate::replay::traces::{Heard, trace};
+    use crate::replay::generators::{Heard, trace};
     use crate::replay::{Replay, Timeline};
     use glam::DVec3;
     use proptest::prelude::*;

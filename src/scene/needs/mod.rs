@@ -26,11 +26,11 @@ pub struct Needs {
     /// Secondary rays lose light on their way.
     pub path_attenuation: bool,
     /// What is done although the scene does not need it.
-    anyway: Parts,
+    forced: Parts,
     /// By light, then by object: whether anything may stand between a lit point of the object and the light.
     shadows: Vec<Vec<bool>>,
     /// What the scene does not need.
-    pub left_out: Vec<LeftOut>,
+    pub skipped: Vec<LeftOut>,
 }
 
 /// Something that a scene does not need.
@@ -62,22 +62,22 @@ impl Needs {
                 .iter()
                 .any(|light| matches!(light, Light::Point { radius, .. } if *radius > 0.0)),
             path_attenuation: scene.path_attenuation != [1.0, 0.0, 0.0],
-            anyway: Parts::NONE,
+            forced: Parts::NONE,
             shadows: shadows(scene),
-            left_out: Vec::new(),
+            skipped: Vec::new(),
         };
-        needs.left_out = needs.list();
+        needs.skipped = needs.list();
         needs
     }
 
     /// All parts, needed or not: the picture that leaving out is measured against.
     pub fn everything(scene: &Scene) -> Self {
-        Needs::of(scene).doing(Parts::ALL)
+        Needs::of(scene).with_forced(Parts::ALL)
     }
 
     /// The same, with some parts done although they are not needed: on every surface, also where the scene needs them on others.
-    pub fn doing(mut self, anyway: Parts) -> Self {
-        self.anyway = anyway;
+    pub fn with_forced(mut self, forced: Parts) -> Self {
+        self.forced = forced;
         for (needed, part) in [
             (&mut self.reflection, Part::ReflectedRays),
             (&mut self.transmission, Part::TransmittedRays),
@@ -86,9 +86,9 @@ impl Needs {
             (&mut self.light_balls, Part::LightBalls),
             (&mut self.path_attenuation, Part::PathAttenuation),
         ] {
-            *needed |= anyway.has(part);
+            *needed |= forced.has(part);
         }
-        if anyway.has(Part::ShadowRays) {
+        if forced.has(Part::ShadowRays) {
             let all = self.shadows.iter_mut().flatten();
             all.for_each(|shadow| *shadow = true);
         }
@@ -97,19 +97,19 @@ impl Needs {
 
     /// Whether a mirrored ray is sent from such a surface.
     pub fn reflects(&self, material: &Material) -> bool {
-        let anyway = self.anyway.has(Part::ReflectedRays);
-        self.reflection && (anyway || material.reflection != Rgb::BLACK)
+        let forced = self.forced.has(Part::ReflectedRays);
+        self.reflection && (forced || material.reflection != Rgb::BLACK)
     }
 
     /// Whether a refracted ray is sent into such a surface.
     pub fn transmits(&self, material: &Material) -> bool {
-        let anyway = self.anyway.has(Part::TransmittedRays);
-        self.transmission && (anyway || material.transmission != Rgb::BLACK)
+        let forced = self.forced.has(Part::TransmittedRays);
+        self.transmission && (forced || material.transmission != Rgb::BLACK)
     }
 
     /// What is looked up on such a surface.
     pub fn texture(&self, material: &Material) -> Option<Texture> {
-        let white = self.anyway.has(Part::TextureCoordinates);
+        let white = self.forced.has(Part::TextureCoordinates);
         let texture = material.texture.or(white.then_some(Texture::WHITE));
         texture.filter(|_| self.textures)
     }
@@ -132,7 +132,7 @@ impl Needs {
                 "path_attenuation",
             ),
         ];
-        let mut left_out: Vec<LeftOut> = parts
+        let mut skipped: Vec<LeftOut> = parts
             .into_iter()
             .filter(|(needed, ..)| !needed)
             .map(|(_, part, place)| LeftOut {
@@ -144,14 +144,14 @@ impl Needs {
         for (light, objects) in self.shadows.iter().enumerate() {
             let clear = objects.iter().filter(|&&shadowed| !shadowed).count();
             if clear > 0 {
-                left_out.push(LeftOut {
+                skipped.push(LeftOut {
                     part: Part::ShadowRays,
                     place: format!("lights[{light}]"),
                     share: (clear < objects.len()).then_some([clear, objects.len()]),
                 });
             }
         }
-        left_out
+        skipped
     }
 }
 

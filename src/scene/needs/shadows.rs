@@ -125,7 +125,7 @@ fn apart(light: &Light, lit: &Extent, blocker: &Extent) -> bool {
             .into_iter()
             .filter(|end| end.is_finite())
             .fold(0.0, |largest: f64, end| largest.max(end.abs()));
-        let room = 1e-9 * magnitude;
-        low > to + room || high < from - room
+        let enclosure = 1e-9 * magnitude;
+        low > to + enclosure || high < from - enclosure
     })
 }

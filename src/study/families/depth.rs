@@ -11,7 +11,7 @@ use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Shared, Study};
+use crate::study::form::{Axes, Curve, Reference, Request, Shared, Study, Sweep};
 use std::rc::Rc;
 use web_time::Instant;
 
@@ -20,7 +20,7 @@ pub static STUDY: Study = Study {
     title: "Ray tracing by depth",
     about: "How deep must rays be followed, and what does each level cost? The tracer has no adaptive cut: `path_attenuation` changes \
             the picture, and makes a cut by depth harmless sooner.",
-    ladders,
+    sweeps,
 };
 
 const DEPTHS: [u32; 15] = [
@@ -41,14 +41,14 @@ const DEPTHS: [u32; 15] = [
     Settings::DEEPEST,
 ];
 
-fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let attenuations = match request.scene {
         Some(scene) => vec![scene.path_attenuation],
         None => vec![[1.0, 0.0, 0.0], [1.0, 0.1, 0.0], [1.0, 0.5, 0.0]],
     };
     let size = request.either([64, 48], [240, 180]);
     let longest = request.either(0.08, 1.0);
-    let ladder = |attenuation| {
+    let sweep = |attenuation| {
         let scene = Scene {
             path_attenuation: attenuation,
             ..request
@@ -61,27 +61,27 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
                 "nothing in the scene reflects or transmits, so that no ray is sent on".into(),
             );
         }
-        let stage = Shared::new(scenes::stage(scene, &camera, size));
-        Ok(ladder(attenuation, &stage, longest))
+        let prepared = Shared::new(scenes::prepared(scene, &camera, size));
+        Ok(sweep(attenuation, &prepared, longest))
     };
-    attenuations.into_iter().map(ladder).collect()
+    attenuations.into_iter().map(sweep).collect()
 }
 
 /// Deeper and deeper pictures, and the deepest to compare them with.
-fn ladder([a0, a1, a2]: [f64; 3], stage: &Shared, longest: f64) -> Ladder {
-    let depths = affordable(stage, longest);
+fn sweep([a0, a1, a2]: [f64; 3], prepared: &Shared, longest: f64) -> Sweep {
+    let depths = affordable(prepared, longest);
     let deepest = depths.last().copied().unwrap_or(1);
-    let at = |depth: u32| picture(stage, Method::RayTracing, settings(depth, 1));
+    let at = |depth: u32| picture(prepared, Method::RayTracing, settings(depth, 1));
     let truth: Rc<[f64]> = at(deepest).into();
     let before = depths.len().checked_sub(2).map(|index| at(depths[index]));
     let change = before.and_then(|before| Errors::of(&before, &truth));
-    let rungs = depths.iter().filter(|&&depth| depth < deepest);
-    let rungs = rungs.map(|&depth| {
+    let sweep_settings = depths.iter().filter(|&&depth| depth < deepest);
+    let sweep_settings = sweep_settings.map(|&depth| {
         let setting = format!("depth {depth}");
         let rays = settings(depth, 1);
-        pictures::rung(setting, depth.into(), stage, Method::RayTracing, rays)
+        pictures::sweep_setting(setting, depth.into(), prepared, Method::RayTracing, rays)
     });
-    Ladder {
+    Sweep {
         title: format!("path attenuation [{a0}, {a1}, {a2}]"),
         axes: Axes::ErrorOverTime,
         size: "levels",
@@ -93,13 +93,13 @@ fn ladder([a0, a1, a2]: [f64; 3], stage: &Shared, longest: f64) -> Ladder {
             known_by: "what the last step to it changed: an upper bound where each step changes half as much as the one before, or less".into(),
         },
         memory: MEMORY,
-        curves: vec![Curve::against(&truth, "ray-tracing", rungs.collect())],
+        curves: vec![Curve::against(&truth, "ray-tracing", sweep_settings.collect())],
     }
 }
 
 /// Depths as far as a picture stays quicker than `longest` seconds: rays may double from level to level. No deeper than changes
 /// anything.
-fn affordable(stage: &Shared, longest: f64) -> Vec<u32> {
+fn affordable(prepared: &Shared, longest: f64) -> Vec<u32> {
     let mut depths: Vec<u32> = Vec::new();
     let (mut last, mut seconds) = (Vec::new(), 0.0_f64);
     for depth in DEPTHS {
@@ -111,7 +111,7 @@ fn affordable(stage: &Shared, longest: f64) -> Vec<u32> {
             }
         }
         let start = Instant::now();
-        let now = picture(stage, Method::RayTracing, settings(depth, 1));
+        let now = picture(prepared, Method::RayTracing, settings(depth, 1));
         seconds = start.elapsed().as_secs_f64();
         depths.push(depth);
         if now == last || seconds > longest {

@@ -11,7 +11,7 @@ use crate::scene::patches::Patches;
 use crate::study::count::operations;
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
 use crate::study::machine::SEED;
 use std::rc::Rc;
@@ -20,7 +20,7 @@ pub static STUDY: Study = Study {
     name: "form-factors",
     title: "Form-factor methods by samples",
     about: "Which way to a form factor is cheapest for a given error, where patches face each other, and where they touch? Of adaptive methods 1/tolerance counts as samples.",
-    ladders,
+    sweeps,
 };
 
 /// Pairs of unit squares: title, corners of the second one, and F to 17 digits, from the closed forms.
@@ -44,9 +44,9 @@ const PAIRS: [(&str, [[f64; 3]; 4], f64); 3] = [
 
 const FIRST: [[f64; 3]; 4] = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]];
 
-fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     match request.scene {
-        Some(scene) => whole_scene(scene, request).map(|ladder| vec![ladder]),
+        Some(scene) => whole_scene(scene, request).map(|sweep| vec![sweep]),
         None => PAIRS.iter().map(|pair| of_pair(pair, request)).collect(),
     }
 }
@@ -54,7 +54,7 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
 fn of_pair(
     (title, second, f): &(&str, [[f64; 3]; 4], f64),
     request: &Request,
-) -> Result<Ladder, String> {
+) -> Result<Sweep, String> {
     let squares = super::scenes::polygons(&[FIRST, *second]);
     let patches = Rc::new(Patches::of(&squares, 2).map_err(|error| error.to_string())?);
     let truth: Rc<[f64]> = Rc::new([*f]);
@@ -73,7 +73,7 @@ fn of_pair(
             Box::new(move || Ok(run())) as _,
         )
     });
-    Ok(ladder(
+    Ok(sweep(
         title,
         Reference {
             what: format!("F = {f:.15}, the closed form"),
@@ -85,7 +85,7 @@ fn of_pair(
     ))
 }
 
-fn whole_scene(scene: &Scene, request: &Request) -> Result<Ladder, String> {
+fn whole_scene(scene: &Scene, request: &Request) -> Result<Sweep, String> {
     let patches = Patches::of(scene, 100_000).map_err(|error| error.to_string())?;
     let n = patches.len();
     let most = request.either(200, 500);
@@ -112,7 +112,7 @@ fn whole_scene(scene: &Scene, request: &Request) -> Result<Ladder, String> {
         error: 1e-10,
         known_by: "its tolerance".into(),
     };
-    Ok(ladder(
+    Ok(sweep(
         "All form factors of the scene, unobstructed",
         reference,
         curves,
@@ -120,10 +120,10 @@ fn whole_scene(scene: &Scene, request: &Request) -> Result<Ladder, String> {
     ))
 }
 
-fn ladder(title: &str, reference: Reference, curves: Vec<Unfinished>, truth: &Rc<[f64]>) -> Ladder {
+fn sweep(title: &str, reference: Reference, curves: Vec<Unfinished>, truth: &Rc<[f64]>) -> Sweep {
     let curves = curves.into_iter();
-    let curves = curves.map(|(name, rungs)| Curve::against(truth, name, rungs));
-    Ladder {
+    let curves = curves.map(|(name, sweep_settings)| Curve::against(truth, name, sweep_settings));
+    Sweep {
         title: title.into(),
         axes: Axes::ErrorOverTime,
         size: "samples",
@@ -136,7 +136,7 @@ fn ladder(title: &str, reference: Reference, curves: Vec<Unfinished>, truth: &Rc
 }
 
 /// A curve without what is right.
-type Unfinished = (&'static str, Vec<Rung>);
+type Unfinished = (&'static str, Vec<Setting>);
 
 /// Operations, bytes, and the work.
 type Work = (Vec<Operations>, u64, Box<crate::study::form::Run>);
@@ -148,9 +148,9 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
         request.either(&[2, 4, 6, 8, 10], &[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
     let rays: &[u32] = request.either(&[6, 8, 10, 12, 14], &[6, 8, 10, 12, 14, 16, 18]);
     let pixels: &[u32] = request.either(&[16, 32, 64, 128], &[16, 32, 64, 128, 256, 512]);
-    let rung = |setting: String, size: f64, method: Method| {
+    let sweep_setting = |setting: String, size: f64, method: Method| {
         let (operations, bytes, run) = work(method);
-        Rung {
+        Setting {
             setting,
             size,
             bytes,
@@ -163,7 +163,7 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
     let gauss = |n: usize| n as f64;
     let area = points.iter().map(|&points| {
         let setting = format!("{points}⁴ pairs");
-        rung(
+        sweep_setting(
             setting,
             gauss(points).powi(4),
             Method::AreaToArea { points },
@@ -171,7 +171,7 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
     });
     let element = points.iter().map(|&points| {
         let setting = format!("{points}² points");
-        rung(
+        sweep_setting(
             setting,
             gauss(points).powi(2),
             Method::ElementToPolygon { points },
@@ -181,33 +181,33 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
     let contour = tolerances.iter().map(|&exponent| {
         let tolerance = tolerance(exponent);
         let setting = format!("tolerance {tolerance:e}");
-        rung(setting, 1.0 / tolerance, Method::Contour { tolerance })
+        sweep_setting(setting, 1.0 / tolerance, Method::Contour { tolerance })
     });
     let auto = tolerances.iter().map(|&exponent| {
         let tolerance = tolerance(exponent);
         let setting = format!("tolerance {tolerance:e}");
-        rung(setting, 1.0 / tolerance, Method::Auto { tolerance })
+        sweep_setting(setting, 1.0 / tolerance, Method::Auto { tolerance })
     });
     let monte_carlo = rays.iter().map(|&power| {
         let (rays, seed) = (1 << power, SEED);
-        rung(
+        sweep_setting(
             format!("{rays} rays"),
             rays.into(),
             Method::MonteCarlo { rays, seed },
         )
     });
     let hemicube = |points: u32| {
-        let rung = &rung;
-        let rungs = pixels.iter().map(move |&resolution| {
+        let sweep_setting = &sweep_setting;
+        let sweep_settings = pixels.iter().map(move |&resolution| {
             let hemicubes = Hemicubes { resolution, points };
             let size = 3.0 * f64::from(resolution * points).powi(2);
-            rung(
+            sweep_setting(
                 format!("{resolution} pixels"),
                 size,
                 Method::Hemicube(hemicubes),
             )
         });
-        rungs.collect()
+        sweep_settings.collect()
     };
     vec![
         ("area to area", area.collect()),

@@ -7,15 +7,15 @@ use crate::algorithms::focus::Focus;
 use crate::algorithms::form_factor::{self, FormFactors};
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud::{self, gouraud};
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
-use crate::algorithms::stage::Stage;
 use crate::record::{Mark, Outline, Recording, RecordingLimit, Unrecorded};
 use crate::render::Method;
 use crate::scene::patches::Patches;
 use crate::scene::{Scene, Shape, sphere_mesh};
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Shared, Study, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Shared, Study, Sweep, Values,
 };
 use glam::DVec3;
 use std::cell::RefCell;
@@ -25,10 +25,10 @@ pub static STUDY: Study = Study {
     name: "growth",
     title: "How work grows",
     about: "What does twice the pixels, triangles, levels, patches or events cost?",
-    ladders,
+    sweeps,
 };
 
-fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     if let Some(scene) = request.scene {
         // Of a scene that is given only the picture and the depth can be varied.
         let mut parts = vec![pixels(scene, request)?];
@@ -58,8 +58,8 @@ fn part(
     size: &'static str,
     memory: &'static str,
     curves: impl IntoIterator<Item = Curve>,
-) -> Ladder {
-    Ladder {
+) -> Sweep {
+    Sweep {
         title: title.into(),
         axes: Axes::TimeOverSize,
         size,
@@ -77,7 +77,7 @@ fn methods() -> impl Iterator<Item = Method> {
     Method::ALL.into_iter().filter(draws)
 }
 
-fn pixels(scene: &Scene, request: &Request) -> Result<Ladder, String> {
+fn pixels(scene: &Scene, request: &Request) -> Result<Sweep, String> {
     let camera = scenes::camera(scene)?;
     let doublings = request.either(4, 6);
     let stages: Vec<_> = (0..doublings)
@@ -85,25 +85,25 @@ fn pixels(scene: &Scene, request: &Request) -> Result<Ladder, String> {
         .map(|size| {
             (
                 size,
-                Shared::new(scenes::stage(scene.clone(), &camera, size)),
+                Shared::new(scenes::prepared(scene.clone(), &camera, size)),
             )
         })
         .collect();
     let curves = methods().map(|method| {
-        let rungs = stages.iter().map(|([width, height], stage)| {
+        let sweep_settings = stages.iter().map(|([width, height], prepared)| {
             let pixels = f64::from(width * height);
             let setting = format!("{width}×{height}");
-            pictures::rung(setting, pixels, stage, method, Settings::default())
+            pictures::sweep_setting(setting, pixels, prepared, method, Settings::default())
         });
         Curve {
             name: method.name().into(),
-            rungs: rungs.collect(),
+            sweep_settings: sweep_settings.collect(),
         }
     });
     Ok(part("pixels", "pixels", MEMORY, curves))
 }
 
-fn triangles(request: &Request) -> Result<Ladder, String> {
+fn triangles(request: &Request) -> Result<Sweep, String> {
     let steps = request.either(5, 7);
     let mut stages = Vec::new();
     for step in 0..steps {
@@ -113,25 +113,25 @@ fn triangles(request: &Request) -> Result<Ladder, String> {
         scene.objects.truncate(1);
         scene.objects[0].shape = Shape::Mesh(mesh);
         let camera = scenes::camera(&scene)?;
-        let stage = scenes::stage(scene, &camera, [160, 120]);
-        stages.push((longitudes, Shared::new(stage)));
+        let prepared = scenes::prepared(scene, &camera, [160, 120]);
+        stages.push((longitudes, Shared::new(prepared)));
     }
     let curves = methods().map(|method| {
-        let rungs = stages.iter().map(|(longitudes, stage)| {
+        let sweep_settings = stages.iter().map(|(longitudes, prepared)| {
             // Quadrilaterals, but for the triangles at the poles
             let triangles = longitudes * (longitudes - 2);
             let setting = format!("{triangles} triangles");
-            pictures::rung(
+            pictures::sweep_setting(
                 setting,
                 triangles.into(),
-                stage,
+                prepared,
                 method,
                 Settings::default(),
             )
         });
         Curve {
             name: method.name().into(),
-            rungs: rungs.collect(),
+            sweep_settings: sweep_settings.collect(),
         }
     });
     Ok(part(
@@ -142,33 +142,33 @@ fn triangles(request: &Request) -> Result<Ladder, String> {
     ))
 }
 
-fn depth(scenes: &[(&str, &Scene)], request: &Request) -> Result<Ladder, String> {
+fn depth(scenes: &[(&str, &Scene)], request: &Request) -> Result<Sweep, String> {
     let size = request.either([40, 30], [160, 120]);
     let deepest = request.either(8, 12);
     let mut curves = Vec::new();
     for (name, scene) in scenes {
         let camera = scenes::camera(scene)?;
-        let stage = scenes::stage((*scene).clone(), &camera, size);
-        let stage = Shared::new(stage);
-        let rungs = (1..=deepest).map(|depth| {
+        let prepared = scenes::prepared((*scene).clone(), &camera, size);
+        let prepared = Shared::new(prepared);
+        let sweep_settings = (1..=deepest).map(|depth| {
             let setting = format!("depth {depth}");
-            pictures::rung(
+            pictures::sweep_setting(
                 setting,
                 depth.into(),
-                &stage,
+                &prepared,
                 Method::RayTracing,
                 settings(depth, 1),
             )
         });
         curves.push(Curve {
             name: (*name).into(),
-            rungs: rungs.collect(),
+            sweep_settings: sweep_settings.collect(),
         });
     }
     Ok(part("depth of rays", "levels", MEMORY, curves))
 }
 
-fn form_factors(request: &Request) -> Result<Ladder, String> {
+fn form_factors(request: &Request) -> Result<Sweep, String> {
     let most = request.either(4, 8);
     let mut rooms = Vec::new();
     for n in 1..=most {
@@ -190,10 +190,10 @@ fn form_factors(request: &Request) -> Result<Ladder, String> {
             }
             method => method,
         };
-        let rungs = rooms.iter().map(|patches| matrix_rung(patches, method));
+        let sweep_settings = rooms.iter().map(|patches| matrix_rung(patches, method));
         Some(Curve {
             name: name.into(),
-            rungs: rungs.collect(),
+            sweep_settings: sweep_settings.collect(),
         })
     });
     Ok(part(
@@ -204,10 +204,10 @@ fn form_factors(request: &Request) -> Result<Ladder, String> {
     ))
 }
 
-fn matrix_rung(patches: &Rc<Patches>, method: form_factor::Method) -> Rung {
+fn matrix_rung(patches: &Rc<Patches>, method: form_factor::Method) -> Setting {
     let n = patches.len();
     let shared = patches.clone();
-    Rung {
+    Setting {
         setting: format!("{n} patches"),
         size: n as f64,
         bytes: (n * n * size_of::<f64>()) as u64,
@@ -224,17 +224,17 @@ fn matrix_rung(patches: &Rc<Patches>, method: form_factor::Method) -> Rung {
     }
 }
 
-fn solving(request: &Request) -> Result<Ladder, String> {
+fn solving(request: &Request) -> Result<Sweep, String> {
     let sides: &[u32] = request.either(&[2, 3, 4, 6], &[2, 3, 4, 6, 8, 12]);
     let mut problems = Vec::new();
     for &n in sides {
         problems.push(Rc::new(Problem::of(&scenes::cube(n), usize::MAX)?));
     }
     let curves = solvers().map(|solver| {
-        let rungs = problems.iter().map(|problem| {
+        let sweep_settings = problems.iter().map(|problem| {
             let n = problem.patches();
             let shared = problem.clone();
-            Rung {
+            Setting {
                 setting: format!("{n} patches"),
                 size: n as f64,
                 bytes: problem.bytes(),
@@ -249,7 +249,7 @@ fn solving(request: &Request) -> Result<Ladder, String> {
         });
         Curve {
             name: solver.name().into(),
-            rungs: rungs.collect(),
+            sweep_settings: sweep_settings.collect(),
         }
     });
     Ok(part(
@@ -261,18 +261,18 @@ fn solving(request: &Request) -> Result<Ladder, String> {
 }
 
 /// A Gouraud frame, recorded whole into memory that is used again, and unrecorded.
-fn events(request: &Request) -> Result<Ladder, String> {
+fn events(request: &Request) -> Result<Sweep, String> {
     let steps = request.either(4, 5);
     let scene = scenes::own(scenes::BALLS);
     let camera = scenes::camera(&scene)?;
     let (mut recorded, mut unrecorded) = (Vec::new(), Vec::new());
     for step in 0..steps {
         let size = [40 << step, 30 << step];
-        let stage = Rc::new(scenes::stage(scene.clone(), &camera, size));
+        let prepared = Rc::new(scenes::prepared(scene.clone(), &camera, size));
         let recording = Rc::new(RefCell::new(Recording::new(RecordingLimit::default())));
-        draw(&stage, &mut *recording.borrow_mut());
+        draw(&prepared, &mut *recording.borrow_mut());
         let events = recording.borrow().len();
-        let rung = |bytes: u64, run: Box<crate::study::form::Run>| Rung {
+        let sweep_setting = |bytes: u64, run: Box<crate::study::form::Run>| Setting {
             setting: format!("{events} events"),
             size: events as f64,
             bytes,
@@ -286,8 +286,8 @@ fn events(request: &Request) -> Result<Ladder, String> {
         };
         let an_event = size_of::<gouraud::Event>() + size_of::<Mark>() + Outline::BYTES_AN_EVENT;
         let frame = memory::frame(size);
-        let of_recorded = stage.clone();
-        recorded.push(rung(
+        let of_recorded = prepared.clone();
+        recorded.push(sweep_setting(
             frame + (events * an_event) as u64,
             Box::new(move || {
                 let mut recording = recording.borrow_mut();
@@ -296,18 +296,18 @@ fn events(request: &Request) -> Result<Ladder, String> {
                 Ok(Values::Numbers(Vec::new()))
             }),
         ));
-        unrecorded.push(rung(
+        unrecorded.push(sweep_setting(
             frame,
             Box::new(move || {
-                draw(&stage, &mut Unrecorded);
+                draw(&prepared, &mut Unrecorded);
                 Ok(Values::Numbers(Vec::new()))
             }),
         ));
     }
     let curves = [("recorded", recorded), ("unrecorded", unrecorded)];
-    let curves = curves.map(|(name, rungs)| Curve {
+    let curves = curves.map(|(name, sweep_settings)| Curve {
         name: name.into(),
-        rungs,
+        sweep_settings,
     });
     Ok(part(
         "events of a Gouraud frame",
@@ -317,8 +317,8 @@ fn events(request: &Request) -> Result<Ladder, String> {
     ))
 }
 
-fn draw(stage: &Stage, recorder: &mut impl crate::record::Recorder<gouraud::Event>) {
-    let view = &stage.view;
-    let mut frame = Frame::new(view.width, 0..view.height, stage.scene.background);
-    gouraud(stage, Focus::Frame, &mut frame, recorder);
+fn draw(prepared: &PreparedScene, recorder: &mut impl crate::record::Recorder<gouraud::Event>) {
+    let view = &prepared.view;
+    let mut frame = Frame::new(view.width, 0..view.height, prepared.scene.background);
+    gouraud(prepared, Focus::Frame, &mut frame, recorder);
 }

@@ -3,7 +3,7 @@
 use crate::numeric::{Linear, Ramp, interpolate};
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
 use std::ops::{Add, Mul, Sub};
 
@@ -11,7 +11,7 @@ pub static STUDY: Study = Study {
     name: "interpolation",
     title: "Incremental against direct interpolation",
     about: "One addition a step, or the formula anew at every step: what does the addition save, and what does it lose?",
-    ladders,
+    sweeps,
 };
 
 /// A number of 32 bits that is interpolated.
@@ -72,7 +72,7 @@ fn direct<A: Linear>(zero: A, one: A, steps: u32, number: fn(A) -> f64) -> Vec<f
     (1..=steps).map(|i| number(at(i))).collect()
 }
 
-fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     if request.scene.is_some() {
         return Err("it is about a formula, whatever the scene".into());
     }
@@ -80,9 +80,12 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     let sizes: Vec<u32> = powers.map(|power| 10_u32.pow(power)).collect();
     let curves = WAYS.map(|(name, way)| Curve {
         name: name.into(),
-        rungs: sizes.iter().map(|&steps| rung(steps, way)).collect(),
+        sweep_settings: sizes
+            .iter()
+            .map(|&steps| sweep_setting(steps, way))
+            .collect(),
     });
-    Ok(vec![Ladder {
+    Ok(vec![Sweep {
         title: "Steps".into(),
         axes: Axes::ErrorOverSize,
         size: "steps",
@@ -98,9 +101,9 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     }])
 }
 
-fn rung(steps: u32, way: Way) -> Rung {
+fn sweep_setting(steps: u32, way: Way) -> Setting {
     let right = (1..=steps).map(|i| f64::from(i) / f64::from(steps));
-    Rung {
+    Setting {
         setting: format!("{steps} steps"),
         size: steps.into(),
         bytes: u64::from(steps) * size_of::<f64>() as u64,

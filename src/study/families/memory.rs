@@ -1,6 +1,6 @@
 //! Bytes of the structures that a run needs, counted from their sizes and numbers; what an allocator adds is not counted.
 
-use crate::algorithms::stage::{Stage, StageVertex};
+use crate::algorithms::prepared_scene::{PreparedScene, PreparedVertex};
 use crate::color::Rgb;
 use crate::scene::Mesh;
 use glam::DVec3;
@@ -11,8 +11,8 @@ pub fn frame([width, height]: [u32; 2]) -> u64 {
 }
 
 /// Vertices in the world and on the screen, faces with their normals, corners, and the faces around each vertex.
-pub fn polygons(stage: &Stage) -> u64 {
-    let meshes = stage.tessellation.meshes.iter();
+pub fn polygons(prepared: &PreparedScene) -> u64 {
+    let meshes = prepared.tessellation.meshes.iter();
     meshes.map(of_mesh).sum()
 }
 
@@ -20,7 +20,7 @@ fn of_mesh(mesh: &Mesh) -> u64 {
     let corners: usize = (0..mesh.face_count())
         .map(|face| mesh.face(face).len())
         .sum();
-    let vertex = size_of::<DVec3>() + size_of::<StageVertex>() + size_of::<u32>();
+    let vertex = size_of::<DVec3>() + size_of::<PreparedVertex>() + size_of::<u32>();
     let face = size_of::<DVec3>() + size_of::<u32>();
     // A corner, and that the face is around its vertex
     let corner = 2 * size_of::<u32>();

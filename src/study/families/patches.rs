@@ -1,16 +1,16 @@
 //! Radiosity by patches a wall: how far constant patches are off the light of finer ones, from dividing to solving.
 
 use super::scenes;
+use crate::algorithms::enclosure::{self, Enclosure};
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::form_factor::hemicube::Hemicubes;
-use crate::algorithms::radiosity::Watch;
-use crate::algorithms::room::{self, Room};
+use crate::algorithms::radiosity::RecordFilter;
 use crate::record::Unrecorded;
 use crate::scene::{Scene, Shape};
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
 use std::rc::Rc;
 
@@ -18,10 +18,10 @@ pub static STUDY: Study = Study {
     name: "patches",
     title: "Radiosity by patches a wall",
     about: "How finely must walls be divided, and how exact must form factors be for that?",
-    ladders,
+    sweeps,
 };
 
-fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let scene = request.scene.map_or_else(|| scenes::cube(1), Scene::clone);
     let is_quadrilateral =
         |shape: &Shape| matches!(shape, Shape::Polygon { vertices } if vertices.len() == 4);
@@ -37,7 +37,7 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     // So that the finest matrix has a few million entries
     let walls = scene.objects.len() as u32;
     let afford = |n: u32| walls * n * n <= request.either(700, 4000);
-    let ladder: &[u32] = request.either(&[1, 2, 4], &[1, 2, 4, 8]);
+    let sweep: &[u32] = request.either(&[1, 2, 4], &[1, 2, 4, 8]);
     let finest = request.either(8, 16);
     if !afford(finest) {
         return Err(format!(
@@ -70,17 +70,17 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
         ),
     ];
     let curves = methods.map(|(name, form_factors)| {
-        let rungs = ladder.iter().map(|&n| {
+        let sweep_settings = sweep.iter().map(|&n| {
             let work = Work {
                 scene: scene.clone(),
                 n,
                 form_factors,
             };
-            work.rung(finest)
+            work.sweep_setting(finest)
         });
-        Curve::against(&truth, name, rungs.collect())
+        Curve::against(&truth, name, sweep_settings.collect())
     });
-    Ok(vec![Ladder {
+    Ok(vec![Sweep {
         title: "Walls of n×n patches".into(),
         axes: Axes::ErrorOverTime,
         size: "patches along a wall",
@@ -115,24 +115,24 @@ impl Work {
         for object in &mut scene.objects {
             object.patches = [self.n; 2];
         }
-        let settings = room::Settings {
+        let settings = enclosure::Settings {
             form_factors: self.form_factors,
-            ..room::Settings::default()
+            ..enclosure::Settings::default()
         };
-        let room = Room::of(&scene, settings).map_err(|error| error.to_string())?;
-        let matrix = room.form_factors().matrix();
-        let light = room.solve(&matrix, &Watch::default(), &mut Unrecorded);
+        let enclosure = Enclosure::of(&scene, settings).map_err(|error| error.to_string())?;
+        let matrix = enclosure.form_factors().matrix();
+        let light = enclosure.solve(&matrix, &RecordFilter::default(), &mut Unrecorded);
         let light = light.map_err(|why| why.to_string())?;
         let patches = light.radiosity.iter();
         Ok(patches.flat_map(|b| b.channels()).collect())
     }
 
     /// What it finds at the centres of `finest`² patches a wall.
-    fn rung(self, finest: u32) -> Rung {
+    fn sweep_setting(self, finest: u32) -> Setting {
         let n = self.n;
         let walls = self.scene.objects.len() as u64;
         let patches = walls * u64::from(n).pow(2);
-        Rung {
+        Setting {
             setting: format!("{n}×{n}"),
             size: n.into(),
             bytes: patches * patches * size_of::<f64>() as u64,

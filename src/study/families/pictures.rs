@@ -5,7 +5,7 @@ use crate::algorithms::primary::Settings;
 use crate::color::Rgb;
 use crate::render::{Method, RayCounts, render, render_counted};
 use crate::scene::Scene;
-use crate::study::form::{Drawn, Operations, Rung, Shared, Values};
+use crate::study::form::{Drawn, Operations, Setting, Shared, Values};
 use std::num::{NonZeroU32, NonZeroUsize};
 
 /// How far ray methods go. Both must be positive.
@@ -18,61 +18,61 @@ pub fn settings(depth: u32, samples: u32) -> Settings {
 }
 
 /// The picture, its channels in a row.
-pub fn picture(stage: &Shared, method: Method, settings: Settings) -> Vec<f64> {
-    let mut stage = stage.lock();
-    stage.settings = settings;
-    let frame = render(&stage, method, NonZeroUsize::MIN, &|_, _| ());
+pub fn picture(prepared: &Shared, method: Method, settings: Settings) -> Vec<f64> {
+    let mut prepared = prepared.lock();
+    prepared.settings = settings;
+    let frame = render(&prepared, method, NonZeroUsize::MIN, &|_, _| ());
     Values::Picture(frame).numbers()
 }
 
 /// A setting that draws a whole picture on one thread. Its rays are counted at once.
-pub fn rung(
+pub fn sweep_setting(
     setting: String,
     size: f64,
-    stage: &Shared,
+    prepared: &Shared,
     method: Method,
     settings: Settings,
-) -> Rung {
-    let operations = operations(stage, method, settings);
+) -> Setting {
+    let operations = operations(prepared, method, settings);
     let bytes = {
-        let stage = stage.lock();
-        let view = &stage.view;
+        let prepared = prepared.lock();
+        let view = &prepared.view;
         let scene = match method.follows_rays() {
-            true => stage.solids().bytes(),
+            true => prepared.primitives().bytes(),
             false => 0,
         };
-        memory::frame([view.width, view.height]) + memory::polygons(&stage) + scene
+        memory::frame([view.width, view.height]) + memory::polygons(&prepared) + scene
     };
-    let shared = stage.clone();
-    Rung {
+    let shared = prepared.clone();
+    Setting {
         setting,
         size,
         bytes,
         operations,
         truth: None,
         drawn: Some(Drawn {
-            stage: stage.clone(),
+            prepared: prepared.clone(),
             method,
             settings,
         }),
         run: Box::new(move || {
-            let mut stage = shared.lock();
-            stage.settings = settings;
-            let frame = render(&stage, method, NonZeroUsize::MIN, &|_, _| ());
+            let mut prepared = shared.lock();
+            prepared.settings = settings;
+            let frame = render(&prepared, method, NonZeroUsize::MIN, &|_, _| ());
             Ok(Values::Picture(frame))
         }),
     }
 }
 
 /// Rays by kind, or the polygons of a method that follows none.
-fn operations(stage: &Shared, method: Method, settings: Settings) -> Vec<Operations> {
-    let mut stage = stage.lock();
-    stage.settings = settings;
-    let pixels = u64::from(stage.view.width) * u64::from(stage.view.height);
-    let mut told = vec![("pixels", pixels)];
+fn operations(prepared: &Shared, method: Method, settings: Settings) -> Vec<Operations> {
+    let mut prepared = prepared.lock();
+    prepared.settings = settings;
+    let pixels = u64::from(prepared.view.width) * u64::from(prepared.view.height);
+    let mut recorded = vec![("pixels", pixels)];
     if method.follows_rays() {
         let one = NonZeroUsize::MIN;
-        let (_, rays) = render_counted(&stage, method, stage.needs(), one, &|_, _| ());
+        let (_, rays) = render_counted(&prepared, method, prepared.needs(), one, &|_, _| ());
         let RayCounts {
             primary,
             shadow,
@@ -80,7 +80,7 @@ fn operations(stage: &Shared, method: Method, settings: Settings) -> Vec<Operati
             transmitted,
             total_internal_reflection,
         } = rays;
-        told.extend([
+        recorded.extend([
             ("primary_rays", primary),
             ("shadow_rays", shadow),
             ("reflected_rays", reflected),
@@ -88,10 +88,12 @@ fn operations(stage: &Shared, method: Method, settings: Settings) -> Vec<Operati
             ("total_internal_reflections", total_internal_reflection),
         ]);
     } else {
-        told.push(("polygons", stage.tessellation.polygon_count() as u64));
+        recorded.push(("polygons", prepared.tessellation.polygon_count() as u64));
     }
-    let told = told.into_iter().filter(|(_, count)| *count > 0);
-    told.map(|(of, count)| Operations { of, count }).collect()
+    let recorded = recorded.into_iter().filter(|(_, count)| *count > 0);
+    recorded
+        .map(|(of, count)| Operations { of, count })
+        .collect()
 }
 
 /// Whether any ray of the scene has children.

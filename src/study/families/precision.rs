@@ -3,7 +3,7 @@
 use crate::numeric::sphere_roots;
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
 use glam::{DVec3, Vec3};
 use num_traits::Float;
@@ -13,7 +13,7 @@ pub static STUDY: Study = Study {
     name: "precision",
     title: "f32 against f64: hits on a far unit sphere",
     about: "Does the formula matter more than the precision? Rays come to a unit sphere from farther and farther away.",
-    ladders,
+    sweeps,
 };
 
 const RAYS: u32 = 512;
@@ -33,7 +33,7 @@ const WAYS: [(&str, Way); 3] = [
     ("plain roots, f64", |rays| in_f64(rays, plain_roots)),
 ];
 
-fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     if request.scene.is_some() {
         return Err("it is about a formula, whatever the scene".into());
     }
@@ -41,12 +41,12 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     let bundles: Vec<(i32, Rays)> = (1..=farthest).map(|power| (power, rays(power))).collect();
     let curves = WAYS.map(|(name, way)| Curve {
         name: name.into(),
-        rungs: bundles
+        sweep_settings: bundles
             .iter()
-            .map(|(power, rays)| rung(*power, rays, way))
+            .map(|(power, rays)| sweep_setting(*power, rays, way))
             .collect(),
     });
-    Ok(vec![Ladder {
+    Ok(vec![Sweep {
         title: "Distances".into(),
         axes: Axes::ErrorOverSize,
         size: "distance, in radii",
@@ -62,14 +62,14 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     }])
 }
 
-fn rung(power: i32, rays: &Rays, way: Way) -> Rung {
+fn sweep_setting(power: i32, rays: &Rays, way: Way) -> Setting {
     let shared = rays.clone();
     let distance = 10_f64.powi(power);
     let shares = move |mut hits: Vec<f64>| {
         hits.iter_mut().for_each(|t| *t /= distance);
         hits
     };
-    Rung {
+    Setting {
         setting: format!("distance 1e{power}"),
         size: distance,
         bytes: (rays.len() * size_of::<(Vec3, Vec3)>()) as u64,

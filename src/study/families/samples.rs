@@ -6,20 +6,20 @@ use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Shared, Study};
+use crate::study::form::{Axes, Curve, Reference, Request, Shared, Study, Sweep};
 use std::rc::Rc;
 
 pub static STUDY: Study = Study {
     name: "ray-samples",
     title: "Ray methods by samples a pixel",
     about: "How many rays a pixel are enough against jagged edges?",
-    ladders,
+    sweeps,
 };
 
 const DEPTH: u32 = 3;
 const METHODS: [Method; 2] = [Method::RayCasting, Method::RayTracing];
 
-fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let scene = request
         .scene
         .map_or_else(|| scenes::own(scenes::BALLS), Scene::clone);
@@ -27,16 +27,16 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     let size = request.either([32, 24], [120, 90]);
     let (sides, finest): (&[u32], u32) =
         request.either((&[1, 2, 3, 4, 6, 8], 32), (&[1, 2, 3, 4, 6, 8, 12, 16], 64));
-    let stage = Shared::new(scenes::stage(scene, &camera, size));
-    let ladder = |method: Method| {
-        let truth: Rc<[f64]> = picture(&stage, method, settings(DEPTH, finest)).into();
-        let half = picture(&stage, method, settings(DEPTH, finest / 2));
+    let prepared = Shared::new(scenes::prepared(scene, &camera, size));
+    let sweep = |method: Method| {
+        let truth: Rc<[f64]> = picture(&prepared, method, settings(DEPTH, finest)).into();
+        let half = picture(&prepared, method, settings(DEPTH, finest / 2));
         let change = Errors::of(&half, &truth);
-        let rungs = sides.iter().map(|&n| {
+        let sweep_settings = sides.iter().map(|&n| {
             let setting = format!("{n}×{n}");
-            pictures::rung(setting, n.into(), &stage, method, settings(DEPTH, n))
+            pictures::sweep_setting(setting, n.into(), &prepared, method, settings(DEPTH, n))
         });
-        Ladder {
+        Sweep {
             title: method.name().into(),
             axes: Axes::ErrorOverTime,
             size: "rays along a pixel's side",
@@ -48,8 +48,8 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
                 known_by: "how far it is from half as many along each side: right where errors halve with that, else too large".into(),
             },
             memory: MEMORY,
-            curves: vec![Curve::against(&truth, method.name(), rungs.collect())],
+            curves: vec![Curve::against(&truth, method.name(), sweep_settings.collect())],
         }
     };
-    Ok(METHODS.map(ladder).into())
+    Ok(METHODS.map(sweep).into())
 }

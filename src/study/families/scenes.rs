@@ -1,6 +1,6 @@
 //! The scenes that studies bring, and pictures of scenes.
 
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::scene::{self, Camera, Limits, Object, Scene, Shape, View};
 use glam::DVec3;
 
@@ -17,8 +17,8 @@ pub fn camera(scene: &Scene) -> Result<Camera, String> {
 }
 
 /// `scene` in front of its own camera.
-pub fn stage(scene: Scene, camera: &Camera, [width, height]: [u32; 2]) -> Stage {
-    Stage::new(scene, View::new(camera, width, height))
+pub fn prepared(scene: Scene, camera: &Camera, [width, height]: [u32; 2]) -> PreparedScene {
+    PreparedScene::new(scene, View::new(camera, width, height))
 }
 
 /// A ball between two mirrors that face each other: every level of rays brings another image.
@@ -99,17 +99,17 @@ const CUBE: &str = r#"{ "schema": 1, "objects": [],
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::algorithms::room::{self, Room};
+    use crate::algorithms::enclosure::{self, Enclosure};
 
     #[test]
     fn the_scenes_are_right_and_the_cube_is_closed() {
         assert_eq!(own(MIRRORS).objects.len(), 4);
         assert_eq!(own(BALLS).objects.len(), 3);
-        let room = Room::of(&cube(2), room::Settings::default()).unwrap();
-        let matrix = room.form_factors().matrix();
+        let enclosure = Enclosure::of(&cube(2), enclosure::Settings::default()).unwrap();
+        let matrix = enclosure.form_factors().matrix();
         for row in matrix.chunks(24) {
             assert!((row.iter().sum::<f64>() - 1.0).abs() < 1e-6);
         }
-        assert_eq!(room.emission.iter().filter(|e| e.r > 0.0).count(), 4);
+        assert_eq!(enclosure.emission.iter().filter(|e| e.r > 0.0).count(), 4);
     }
 }

@@ -1,14 +1,14 @@
 //! The nearest hit, object by object or by the hierarchy: the same picture, bit for bit, in another time.
 
 use super::{memory, scenes};
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::ray_casting::RayCaster;
-use crate::algorithms::stage::Stage;
-use crate::algorithms::visible::{Hierarchy, InTurn, Search};
+use crate::algorithms::visible::{BruteForce, Bvh, Search};
 use crate::record::Unrecorded;
 use crate::scene::{Object, Scene, Shape};
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Ladder, Operations, Reference, Request, Rung, Study, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
 use glam::DVec3;
 use std::rc::Rc;
@@ -17,10 +17,10 @@ pub static STUDY: Study = Study {
     name: "search",
     title: "Every object in turn against the hierarchy",
     about: "From how many objects on is a hierarchy worth it? Both ways find the same, so that there is no error.",
-    ladders,
+    sweeps,
 };
 
-fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let size = request.either([32, 24], [80, 60]);
     let scenes: Vec<Scene> = match request.scene {
         Some(scene) => vec![scene.clone()],
@@ -32,9 +32,9 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
     let mut stages = Vec::new();
     for scene in scenes {
         let camera = scenes::camera(&scene)?;
-        stages.push(Rc::new(scenes::stage(scene, &camera, size)));
+        stages.push(Rc::new(scenes::prepared(scene, &camera, size)));
     }
-    Ok(vec![Ladder {
+    Ok(vec![Sweep {
         title: "Objects".into(),
         axes: Axes::TimeOverSize,
         size: "objects",
@@ -43,20 +43,20 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
         reference: Reference::none(),
         memory: "the objects with their hierarchy, and colour and depth of every pixel, counted by their sizes",
         curves: vec![
-            curve("every object in turn", &stages, InTurn),
-            curve("hierarchy", &stages, Hierarchy),
+            curve("every object in turn", &stages, BruteForce),
+            curve("hierarchy", &stages, Bvh),
         ],
     }])
 }
 
-fn curve<S: Search + 'static>(name: &str, stages: &[Rc<Stage>], search: S) -> Curve {
-    let rungs = stages.iter().map(|stage| {
-        let objects = stage.scene.objects.len() as u64;
-        let size = [stage.view.width, stage.view.height];
+fn curve<S: Search + 'static>(name: &str, stages: &[Rc<PreparedScene>], search: S) -> Curve {
+    let sweep_settings = stages.iter().map(|prepared| {
+        let objects = prepared.scene.objects.len() as u64;
+        let size = [prepared.view.width, prepared.view.height];
         let pixels = u64::from(size[0]) * u64::from(size[1]);
-        let bytes = stage.solids().bytes() + memory::frame(size);
-        let stage = stage.clone();
-        Rung {
+        let bytes = prepared.primitives().bytes() + memory::frame(size);
+        let prepared = prepared.clone();
+        Setting {
             setting: format!("{objects} objects"),
             size: objects as f64,
             bytes,
@@ -66,19 +66,20 @@ fn curve<S: Search + 'static>(name: &str, stages: &[Rc<Stage>], search: S) -> Cu
             }],
             truth: None,
             drawn: None,
-            run: Box::new(move || Ok(Values::Numbers(cast(&stage, search)))),
+            run: Box::new(move || Ok(Values::Numbers(cast(&prepared, search)))),
         }
     });
     Curve {
         name: name.into(),
-        rungs: rungs.collect(),
+        sweep_settings: sweep_settings.collect(),
     }
 }
 
 /// The picture by ray casting.
-fn cast(stage: &Stage, search: impl Search) -> Vec<f64> {
-    let caster = RayCaster::new(stage, stage.needs(), search);
-    let pixels = (0..stage.view.height).flat_map(|y| (0..stage.view.width).map(move |x| (x, y)));
+fn cast(prepared: &PreparedScene, search: impl Search) -> Vec<f64> {
+    let caster = RayCaster::new(prepared, prepared.needs(), search);
+    let pixels =
+        (0..prepared.view.height).flat_map(|y| (0..prepared.view.width).map(move |x| (x, y)));
     pixels
         .flat_map(|(x, y)| caster.pixel(x, y, &mut Unrecorded).channels())
         .collect()
@@ -121,7 +122,7 @@ mod tests {
     fn both_ways_find_the_same_to_the_bit() {
         let scene = spheres(40);
         let camera = scenes::camera(&scene).unwrap();
-        let stage = scenes::stage(scene, &camera, [16, 12]);
-        assert_eq!(cast(&stage, InTurn), cast(&stage, Hierarchy));
+        let prepared = scenes::prepared(scene, &camera, [16, 12]);
+        assert_eq!(cast(&prepared, BruteForce), cast(&prepared, Bvh));
     }
 }

@@ -5,17 +5,17 @@
 
 use super::pictures::{self, MEMORY};
 use super::scenes;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::{self, Settings};
 use crate::algorithms::ray_casting::RayCaster;
-use crate::algorithms::stage::Stage;
-use crate::algorithms::visible::Hierarchy;
+use crate::algorithms::visible::Bvh;
 use crate::color::Rgb;
 use crate::record::Unrecorded;
 use crate::render::Method;
-use crate::scene::solids::Ray;
+use crate::scene::primitives::Ray;
 use crate::scene::{Camera, Light, Scene, Shape, sphere_mesh};
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Shared, Study};
+use crate::study::form::{Axes, Curve, Reference, Request, Shared, Study, Sweep};
 use std::num::NonZeroU32;
 use std::rc::Rc;
 
@@ -23,7 +23,7 @@ pub static STUDY: Study = Study {
     name: "shading",
     title: "Shading methods by tessellation",
     about: "How many polygons does each shading method need, and how long does it take, until a ball looks as smooth as it is?",
-    ladders,
+    sweeps,
 };
 
 const BALL: &str = r#"{ "schema": 1, "background": [0.1, 0.1, 0.1],
@@ -35,7 +35,7 @@ const BALL: &str = r#"{ "schema": 1, "background": [0.1, 0.1, 0.1],
 /// Of N·V: seen less steeply than this, a pixel is compared.
 const FACING: f64 = 0.6;
 
-fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let scene = match request.scene {
         Some(scene) => scene.clone(),
         None => scenes::own(BALL),
@@ -55,14 +55,14 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
         .map(|n| (n, Shared::new(tessellated(&scene, &camera, size, n))))
         .collect();
     let curves = methods().map(|method| {
-        let rungs = divided.iter().map(|(n, stage)| {
+        let sweep_settings = divided.iter().map(|(n, prepared)| {
             let setting = format!("{n}×{}", n / 2);
             let size = f64::from(*n);
-            pictures::rung(setting, size, stage, method, Settings::default())
+            pictures::sweep_setting(setting, size, prepared, method, Settings::default())
         });
-        Curve::against(&truth, method.name(), rungs.collect())
+        Curve::against(&truth, method.name(), sweep_settings.collect())
     });
-    Ok(vec![Ladder {
+    Ok(vec![Sweep {
         title: "Spheres as polygons".into(),
         axes: Axes::ErrorOverTime,
         size: "longitudes of a sphere",
@@ -87,27 +87,27 @@ fn methods() -> impl Iterator<Item = Method> {
 }
 
 /// The same scene with every sphere as a mesh of so many longitudes, and half as many latitudes.
-fn tessellated(scene: &Scene, camera: &Camera, size: [u32; 2], longitudes: u32) -> Stage {
+fn tessellated(scene: &Scene, camera: &Camera, size: [u32; 2], longitudes: u32) -> PreparedScene {
     let mut scene = scene.clone();
     for object in &mut scene.objects {
         if let Shape::Sphere { center, radius } = object.shape {
             object.shape = Shape::Mesh(sphere_mesh(center, radius, [longitudes, longitudes / 2]));
         }
     }
-    scenes::stage(scene, camera, size)
+    scenes::prepared(scene, camera, size)
 }
 
 /// The picture of the true spheres; NaN in pixels that are not compared. Errors: no pixel is.
 fn truth(scene: &Scene, camera: &Camera, size: [u32; 2]) -> Result<Rc<[f64]>, String> {
-    let stage = scenes::stage(scene.clone(), camera, size);
-    let caster = RayCaster::new(&stage, stage.needs(), Hierarchy);
+    let prepared = scenes::prepared(scene.clone(), camera, size);
+    let caster = RayCaster::new(&prepared, prepared.needs(), Bvh);
     let mut truth = Vec::new();
     for y in 0..size[1] {
         for x in 0..size[0] {
             let mut compared = false;
-            let mut look = |ray: &Ray| compared = faces_the_eye(&stage, ray);
+            let mut look = |ray: &Ray| compared = faces_the_eye(&prepared, ray);
             primary::pixel::<primary::Event, _>(
-                &stage.view,
+                &prepared.view,
                 NonZeroU32::MIN,
                 (x, y),
                 &mut Unrecorded,
@@ -127,11 +127,11 @@ fn truth(scene: &Scene, camera: &Camera, size: [u32; 2]) -> Result<Rc<[f64]>, St
 }
 
 /// Whether the ray meets a sphere where N·V is large enough.
-fn faces_the_eye(stage: &Stage, ray: &Ray) -> bool {
-    let solids = stage.solids();
-    solids.nearest(ray).is_some_and(|hit| {
-        let shape = &stage.scene.objects[hit.object as usize].shape;
-        let normal = solids.surface(ray, &hit).normal;
+fn faces_the_eye(prepared: &PreparedScene, ray: &Ray) -> bool {
+    let primitives = prepared.primitives();
+    primitives.nearest(ray).is_some_and(|hit| {
+        let shape = &prepared.scene.objects[hit.object as usize].shape;
+        let normal = primitives.surface(ray, &hit).normal;
         matches!(shape, Shape::Sphere { .. }) && -normal.dot(ray.direction) >= FACING
     })
 }
@@ -211,7 +211,7 @@ mod tests {
             scene: Some(&scene),
             quick: true,
         };
-        let why = ladders(&request).err().unwrap();
+        let why = sweeps(&request).err().unwrap();
         assert!(why.contains("no sphere"), "{why}");
     }
 }

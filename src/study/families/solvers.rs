@@ -1,17 +1,17 @@
 //! Solvers of the radiosity system by iterations: how far B is off when a solver stops, against elimination (LU).
 
 use super::scenes;
+use crate::algorithms::enclosure::{self, Enclosure};
 use crate::algorithms::radiosity::{
-    Event, Matrix, Patches, Solution, Solver, Stop, System, Watch, solve,
+    Event, Matrix, Patches, RecordFilter, Solution, Solver, Stop, System, solve,
 };
-use crate::algorithms::room::{self, Room};
 use crate::color::Rgb;
 use crate::record::Counter;
 use crate::record::{Recorder, Unrecorded};
 use crate::scene::Scene;
 use crate::study::count::operations;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Ladder, Reference, Request, Rung, Study, Values};
+use crate::study::form::{Axes, Curve, Reference, Request, Setting, Study, Sweep, Values};
 use std::rc::Rc;
 use web_time::Instant;
 
@@ -19,7 +19,7 @@ pub static STUDY: Study = Study {
     name: "solvers",
     title: "Solvers of the radiosity system",
     about: "Which solver comes to a given error of B first? A sweep is an iteration, or as many shots as there are patches.",
-    ladders,
+    sweeps,
 };
 
 /// One channel of a room, which the settings share.
@@ -33,8 +33,9 @@ pub struct Problem {
 impl Problem {
     /// The channel in which the scene emits most. Errors: it cannot be divided, has too many patches, or emits nothing.
     pub fn of(scene: &Scene, most_patches: usize) -> Result<Problem, String> {
-        let room = Room::of(scene, room::Settings::default()).map_err(|error| error.to_string())?;
-        let n = room.patches.len();
+        let enclosure = Enclosure::of(scene, enclosure::Settings::default())
+            .map_err(|error| error.to_string())?;
+        let n = enclosure.patches.len();
         if n > most_patches {
             return Err(format!(
                 "the scene has {n} patches; at most {most_patches} are measured"
@@ -43,17 +44,21 @@ impl Problem {
         let in_channel = |channel: usize, of: &[Rgb]| -> Vec<f64> {
             of.iter().map(|color| color.channels()[channel]).collect()
         };
-        let emitted = |channel: &usize| in_channel(*channel, &room.emission).iter().sum::<f64>();
+        let emitted = |channel: &usize| {
+            in_channel(*channel, &enclosure.emission)
+                .iter()
+                .sum::<f64>()
+        };
         let by_emission = |a: &usize, b: &usize| emitted(b).total_cmp(&emitted(a));
         let brightest = (0..3).min_by(by_emission).unwrap_or(0);
         if emitted(&brightest) == 0.0 {
             return Err("nothing in the scene emits light".into());
         }
         Ok(Problem {
-            f: room.form_factors().matrix(),
-            area: room.patches.areas(),
-            rho: in_channel(brightest, &room.reflectance),
-            emission: in_channel(brightest, &room.emission),
+            f: enclosure.form_factors().matrix(),
+            area: enclosure.patches.areas(),
+            rho: in_channel(brightest, &enclosure.reflectance),
+            emission: in_channel(brightest, &enclosure.emission),
         })
     }
 
@@ -80,8 +85,8 @@ impl Problem {
         let patches = Patches::new(&self.area, &self.rho, &self.emission);
         let matrix = Matrix::new(&self.f, self.patches()).map_err(|why| why.to_string())?;
         let system = patches.and_then(|patches| System::new(&matrix, patches));
-        let solution =
-            system.and_then(|system| solve(&system, solver, stop, &Watch::default(), recorder));
+        let solution = system
+            .and_then(|system| solve(&system, solver, stop, &RecordFilter::default(), recorder));
         solution.map_err(|why| why.to_string())
     }
 }
@@ -92,7 +97,7 @@ pub fn solvers() -> impl Iterator<Item = Solver> {
     Solver::ALL.into_iter().filter(differs)
 }
 
-fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
+fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let most = request.either(600, 4000);
     let problem = match request.scene {
         Some(scene) => Problem::of(scene, most)?,
@@ -112,10 +117,10 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
         Curve::against(
             &truth,
             solver.name(),
-            rungs(&problem, solver, finest, longest),
+            sweep_settings(&problem, solver, finest, longest),
         )
     });
-    Ok(vec![Ladder {
+    Ok(vec![Sweep {
         title: "One channel; a sweep is an iteration, or as many shots as patches".into(),
         axes: Axes::ErrorOverTime,
         size: "sweeps",
@@ -128,8 +133,13 @@ fn ladders(request: &Request) -> Result<Vec<Ladder>, String> {
 }
 
 /// Smaller and smaller residuals, as far as the solver needs more iterations for them, and no more than `longest` seconds.
-fn rungs(problem: &Rc<Problem>, solver: Solver, finest: i32, longest: f64) -> Vec<Rung> {
-    let mut rungs: Vec<Rung> = Vec::new();
+fn sweep_settings(
+    problem: &Rc<Problem>,
+    solver: Solver,
+    finest: i32,
+    longest: f64,
+) -> Vec<Setting> {
+    let mut sweep_settings: Vec<Setting> = Vec::new();
     for exponent in 1..=finest {
         let tolerance = 10_f64.powi(-exponent);
         let start = Instant::now();
@@ -145,7 +155,10 @@ fn rungs(problem: &Rc<Problem>, solver: Solver, finest: i32, longest: f64) -> Ve
         } else {
             iterations
         };
-        if rungs.last().is_some_and(|last| last.size == sweeps) {
+        if sweep_settings
+            .last()
+            .is_some_and(|last| last.size == sweeps)
+        {
             continue;
         }
         let counted = &mut Counter::default();
@@ -153,7 +166,7 @@ fn rungs(problem: &Rc<Problem>, solver: Solver, finest: i32, longest: f64) -> Ve
         debug_assert!(again.is_ok(), "told or not, the result is the same");
         let matrices = if solver == Solver::Direct { 2 } else { 1 };
         let shared = problem.clone();
-        rungs.push(Rung {
+        sweep_settings.push(Setting {
             setting: match (solver.shoots(), solution.iterations) {
                 (true, shots) => format!("{shots} shots"),
                 (false, 1) => "1 iteration".into(),
@@ -177,5 +190,5 @@ fn rungs(problem: &Rc<Problem>, solver: Solver, finest: i32, longest: f64) -> Ve
             }),
         });
     }
-    rungs
+    sweep_settings
 }

@@ -5,7 +5,7 @@ use crate::panels::labels::Labels;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style};
 use crate::study::form::Axes;
 use crate::study::harness::{Line, Part, Point};
-use crate::study::report::words;
+use crate::study::report::strings;
 use glam::Vec2;
 
 /// Colour, shape of the marks and dash, so that curves are told apart without colours too.
@@ -54,7 +54,7 @@ impl Look {
     pub(super) fn curve(&self, picture: &mut Picture, labels: &mut Labels, places: &[Vec2]) {
         for pair in places.windows(2) {
             picture.line(pair[0], pair[1], self.stroke());
-            labels.spare(pair[0], pair[1]);
+            labels.avoid(pair[0], pair[1]);
         }
     }
 
@@ -68,7 +68,7 @@ impl Look {
     ) {
         if let Some([from, to]) = bar {
             picture.line(from, to, self.ink.stroke(1.0));
-            labels.spare(from, to);
+            labels.avoid(from, to);
         }
         let r = RADIUS;
         let corner = |x: f32, y: f32| at + r * Vec2::new(x, y);
@@ -93,7 +93,7 @@ impl Look {
                 self.ink,
             ),
         };
-        labels.keep_free(Rect::between(at - r, at + r));
+        labels.reserve(Rect::between(at - r, at + r));
     }
 }
 
@@ -142,5 +142,5 @@ fn law(axes: Axes, line: &Line) -> Option<String> {
         Axes::TimeOverSize => line.growth,
         Axes::ErrorOverTime | Axes::ErrorOverSize => line.convergence,
     };
-    words::law(&fit?)
+    strings::law(&fit?)
 }

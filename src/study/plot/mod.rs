@@ -6,7 +6,7 @@ pub mod curve;
 
 use super::form::Axes;
 use super::harness::{Findings, Part, Point};
-use super::report::words;
+use super::report::strings;
 use crate::panels::labels::Labels;
 use crate::picture::{Ink, Picture, Rect, Style};
 use axis::{Axis, Named, Span};
@@ -121,7 +121,7 @@ fn plot_part(title: &str, several: bool, part: &Part) -> Picture {
 
 fn heading(picture: &mut Picture, title: &str, part: &Part) {
     picture.text((20.0, 28.0), title, Style::Bold.size(16.0));
-    let told = match part.axes {
+    let recorded = match part.axes {
         Axes::TimeOverSize => {
             "Bars: quartiles. Exponents are those of the larger half of the sizes.".to_string()
         }
@@ -131,7 +131,7 @@ fn heading(picture: &mut Picture, title: &str, part: &Part) {
             part.reference.what
         ),
     };
-    let lines = crate::picture::wrap(&told, Style::Body, SMALL, SIZE.x - 40.0);
+    let lines = crate::picture::wrap(&recorded, Style::Body, SMALL, SIZE.x - 40.0);
     for (row, line) in lines.into_iter().take(2).enumerate() {
         let y = 46.0 + 14.0 * row as f32;
         picture.text((20.0, y), line, Style::Body.size(SMALL).ink(Ink::Muted));
@@ -156,11 +156,11 @@ fn up_name(part: &Part) -> String {
 fn own_error(picture: &mut Picture, labels: &mut Labels, place: Rect, y: f32) {
     let ends = [Vec2::new(place.x, y), Vec2::new(place.right(), y)];
     picture.line(ends[0], ends[1], Ink::Muted.stroke(1.0).dashed());
-    labels.spare(ends[0], ends[1]);
+    labels.avoid(ends[0], ends[1]);
     let set = Style::Body.size(SMALL).ink(Ink::Muted);
-    let told = "the reference's own error";
+    let recorded = "the reference's own error";
     let corner = Vec2::new(place.x + 6.0, y - 16.0);
-    labels.put_at(picture, corner, told, set, true);
+    labels.put_at(picture, corner, recorded, set, true);
 }
 
 /// The steps between what is reached: to the right and then down.
@@ -184,18 +184,18 @@ fn front(picture: &mut Picture, part: &Part, at: &dyn Fn(&Point) -> Option<Vec2>
 fn in_words(title: &str, part: &Part) -> String {
     let lines = part.lines.iter().filter_map(|line| {
         let (first, last) = (line.points.first()?, line.points.last()?);
-        let told = |point: &Point| {
-            let time = words::seconds(point.seconds.median);
-            let error = point.errors.map(|errors| words::error(errors.rms));
+        let recorded = |point: &Point| {
+            let time = strings::seconds(point.seconds.median);
+            let error = point.errors.map(|errors| strings::error(errors.rms));
             error.map_or(time.clone(), |error| format!("error {error} in {time}"))
         };
         Some(format!(
             "{}: {} {}, {} {}",
             line.name,
             first.setting,
-            told(first),
+            recorded(first),
             last.setting,
-            told(last)
+            recorded(last)
         ))
     });
     format!("{title}. {}", lines.collect::<Vec<_>>().join(". "))
@@ -224,10 +224,10 @@ mod tests {
         let texts = texts(&picture);
         for (i, (place, text)) in texts.iter().enumerate() {
             assert!(picture.bounds().encloses(place), "{text}");
-            for (other, told) in &texts[..i] {
+            for (other, recorded) in &texts[..i] {
                 // Ascenders of one line may lie in the gap below another.
                 let common = place.grown(-2.0).intersection(&other.grown(-2.0));
-                assert!(common.is_empty(), "{text:?} covers {told:?}");
+                assert!(common.is_empty(), "{text:?} covers {recorded:?}");
             }
         }
         for name in ["rough", "fine"] {

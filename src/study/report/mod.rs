@@ -2,8 +2,8 @@
 
 mod csv;
 mod json;
+pub mod strings;
 mod summary;
-pub mod words;
 
 pub use csv::csv;
 pub use json::json;

@@ -1,16 +1,16 @@
 //! All studies of a run in words: which method to pick for which error, or how work grows.
 
-use super::words::{bytes, error, seconds};
+use super::strings::{bytes, error, seconds};
 use crate::study::fit::{Fit, Law};
 use crate::study::form::Axes;
 use crate::study::harness::{Choice, Findings, Line, Part, Point};
 use crate::study::machine::Machine;
 use std::fmt::Write;
 
-/// A Markdown file. `left_out` names studies that say nothing about the scene, with the reason.
-pub fn summary(found: &[Findings], left_out: &[(&str, String)], machine: &Machine) -> String {
+/// A Markdown file. `skipped` names studies that say nothing about the scene, with the reason.
+pub fn summary(found: &[Findings], skipped: &[(&str, String)], machine: &Machine) -> String {
     let mut text = String::from("# Error against run time\n\n");
-    text += &format!("Measured on {}, one thread. ", machine.words());
+    text += &format!("Measured on {}, one thread. ", machine.strings());
     text += "A time is the median of runs in alternating order after a warm-up; two settings tie where their quartiles overlap. \
              Errors are root mean squares unless said otherwise.\n";
     if !machine.optimised {
@@ -19,9 +19,9 @@ pub fn summary(found: &[Findings], left_out: &[(&str, String)], machine: &Machin
     for findings in found {
         study(&mut text, findings);
     }
-    if !left_out.is_empty() {
+    if !skipped.is_empty() {
         text += "\n## Left out\n\n";
-        for (name, why) in left_out {
+        for (name, why) in skipped {
             text += &format!("- `{name}`: {why}\n");
         }
     }
@@ -87,7 +87,7 @@ fn picks(text: &mut String, part: &Part) {
         let Some((best, ties)) = part.pick(bound) else {
             break;
         };
-        rows.pop_if(|(_, told, _)| std::ptr::eq(told.1, best.1));
+        rows.pop_if(|(_, recorded, _)| std::ptr::eq(recorded.1, best.1));
         rows.push((bound, best, ties));
     }
     let short = in_short(&rows, part.lines.len() > 1);
@@ -124,15 +124,15 @@ fn in_short(rows: &[Row], several: bool) -> String {
         false => point.setting.clone(),
     };
     let same = |a: &Row, b: &Row| name(&a.1) == name(&b.1);
-    let told = rows.chunk_by(same).filter_map(|rows| {
+    let recorded = rows.chunk_by(same).filter_map(|rows| {
         let (_, choice, _) = rows.last()?;
         let reached = error(choice.1.errors?.rms);
         Some(format!("{} down to an error of {reached}", name(choice)))
     });
-    let told: Vec<String> = told.collect();
-    match told.is_empty() {
+    let recorded: Vec<String> = recorded.collect();
+    match recorded.is_empty() {
         true => "No setting has an error of 1 or less.".into(),
-        false => format!("In short, take {}.", told.join("; then ")),
+        false => format!("In short, take {}.", recorded.join("; then ")),
     }
 }
 
@@ -143,13 +143,13 @@ fn tied(ties: &[Choice]) -> String {
     let mut ties = ties.to_vec();
     ties.sort_by(|a, b| rms(a).total_cmp(&rms(b)));
     let names = ties.iter().take(NAMED);
-    let mut told: Vec<String> = names.map(|(line, point)| named(line, point)).collect();
+    let mut recorded: Vec<String> = names.map(|(line, point)| named(line, point)).collect();
     match ties.len().saturating_sub(NAMED) {
-        0 if told.is_empty() => return "–".into(),
+        0 if recorded.is_empty() => return "–".into(),
         0 => {}
-        more => told.push(format!("{more} more")),
+        more => recorded.push(format!("{more} more")),
     }
-    told.join("; ")
+    recorded.join("; ")
 }
 
 fn most_exact(part: &Part) -> Option<(&Line, &Point)> {
@@ -279,9 +279,9 @@ mod tests {
     #[test]
     fn the_summary_picks_the_quickest_setting_that_is_exact_enough_and_names_ties() {
         let machine = Machine::this(None);
-        let left_out = [("shading", "the scene has no sphere".to_string())];
-        let text = summary(&[findings()], &left_out, &machine);
-        for told in [
+        let skipped = [("shading", "the scene has no sphere".to_string())];
+        let text = summary(&[findings()], &skipped, &machine);
+        for recorded in [
             "| 1.0e0 | rough, n = 2 |",
             "rough, n = 4",
             "| 1.0e-4 | fine, n = 4 |",
@@ -290,7 +290,7 @@ mod tests {
             "its own error is 1.0e-16",
             "In short, take rough down to an error of 6.2e-2; then fine down to an error of 4.8e-7.",
         ] {
-            assert!(text.contains(told), "{told:?} is not in\n{text}");
+            assert!(text.contains(recorded), "{recorded:?} is not in\n{text}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::case::{Measured, Ran};
 use super::random::Random;
 use super::scenes::alone;
-use crate::scene::solids::{Ray, Solids, Surface, leaving};
+use crate::scene::primitives::{Primitives, Ray, Surface, leaving};
 use crate::scene::{Mesh, Shape};
 use glam::DVec3;
 use num_traits::Float;
@@ -60,7 +60,7 @@ fn at_ball<F: Float>(distance: f64, is_wrong: impl Fn([F; 3], [F; 3]) -> bool) -
     Measured::share(wrong.count(), COUNT)
 }
 
-pub fn ball(center: DVec3, radius: f64) -> Solids {
+pub fn ball(center: DVec3, radius: f64) -> Primitives {
     alone(Shape::Sphere { center, radius })
 }
 
@@ -85,18 +85,18 @@ pub fn self_hits(balls: &[(DVec3, f64)], leave: impl Fn(&Surface, DVec3) -> Ray)
     let mut random = Random(4);
     let mut wrong = 0;
     for &(center, radius) in balls {
-        let solids = ball(center, radius);
+        let primitives = ball(center, radius);
         for _ in 0..EACH {
             let from = center + 5.0 * radius * random.direction();
             let ray = toward(from, center + 0.9 * radius * random.direction());
-            let Some(hit) = solids.nearest(&ray) else {
+            let Some(hit) = primitives.nearest(&ray) else {
                 wrong += 1;
                 continue;
             };
-            let surface = solids.surface(&ray, &hit);
+            let surface = primitives.surface(&ray, &hit);
             let direction = random.direction();
             let outward = direction * direction.dot(surface.normal).signum();
-            wrong += usize::from(solids.nearest(&leave(&surface, outward)).is_some());
+            wrong += usize::from(primitives.nearest(&leave(&surface, outward)).is_some());
         }
     }
     Measured::share(wrong, balls.len() * EACH)
@@ -110,7 +110,7 @@ pub fn polygon_self_hits() -> Measured {
     for (place, size) in BALLS {
         let (u, v) = (size * random.direction(), size * random.direction());
         let vertices = vec![place, place + u, place + u + v, place + v];
-        let solids = alone(Shape::Polygon { vertices });
+        let primitives = alone(Shape::Polygon { vertices });
         let normal = u.cross(v).normalize();
         for _ in 0..EACH {
             let [s, t] = [(); 2].map(|()| 0.5 + 0.49 * random.number());
@@ -119,13 +119,13 @@ pub fn polygon_self_hits() -> Measured {
                 aimed_at + size * (normal + 0.3 * random.direction()),
                 aimed_at,
             );
-            let Some(hit) = solids.nearest(&ray) else {
+            let Some(hit) = primitives.nearest(&ray) else {
                 wrong += 1;
                 continue;
             };
-            let surface = solids.surface(&ray, &hit);
+            let surface = primitives.surface(&ray, &hit);
             let left = leaving(&surface, random.direction());
-            wrong += usize::from(solids.nearest(&left).is_some());
+            wrong += usize::from(primitives.nearest(&left).is_some());
         }
     }
     Measured::share(wrong, BALLS.len() * EACH)
@@ -140,12 +140,12 @@ pub fn edge_leaks() -> Measured {
         let (a, u, v) = (random.point(), random.point(), random.point());
         let vertices = vec![a, a + u, a + u + v, a + v];
         let [from, to] = [vertices[0], vertices[2]];
-        let solids = alone(Shape::Polygon { vertices });
+        let primitives = alone(Shape::Polygon { vertices });
         for i in 0..each {
             let share = (f64::from(i) + 0.5) / f64::from(each);
             let origin = 5.0 * u.cross(v).normalize() + random.point();
             let ray = toward(origin, from + share * (to - from));
-            leaked += usize::from(solids.nearest(&ray).is_none());
+            leaked += usize::from(primitives.nearest(&ray).is_none());
         }
     }
     Measured::share(leaked, quadrilaterals * each as usize)
@@ -161,11 +161,11 @@ pub fn corner_leaks() -> Measured {
     });
     let positions: Vec<DVec3> = std::iter::once(center).chain(rim).collect();
     let faces = (0..7_u32).map(|i| [0, i + 1, (i + 1) % 7 + 1]);
-    let solids = alone(Shape::Mesh(Mesh::new(&positions, faces, &[])));
+    let primitives = alone(Shape::Mesh(Mesh::new(&positions, faces, &[])));
     let mut random = Random(7);
     let leaked = (0..COUNT).filter(|_| {
         let origin = center + DVec3::new(random.number(), random.number(), 3.0);
-        solids.nearest(&toward(origin, center)).is_none()
+        primitives.nearest(&toward(origin, center)).is_none()
     });
     Measured::share(leaked.count(), COUNT)
 }

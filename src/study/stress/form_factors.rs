@@ -2,8 +2,8 @@
 
 use super::case::{Case, Measured, Ran, degrades, holds};
 use super::squares::{
-    ADJACENT, EXACT, OPPOSITE, X, Y, Z, between, by, discs, far, fold, folded, hemicube, parallel,
-    perpendicular, relative, room, square, textbook,
+    ADJACENT, EXACT, OPPOSITE, X, Y, Z, between, by, discs, enclosure, far, fold, folded, hemicube,
+    parallel, perpendicular, relative, square, textbook,
 };
 use crate::algorithms::form_factor::{
     Blockers, FormFactors, Method, Report, area_to_area, contour, element_to_polygon,
@@ -227,7 +227,7 @@ pub const CASES: &[Case] = &[
         because: "Σ_j F_ij = 1",
         run: || {
             let patches =
-                Patches::of(&room("", 3, 1e7)?, 1000).map_err(|error| error.to_string())?;
+                Patches::of(&enclosure("", 3, 1e7)?, 1000).map_err(|error| error.to_string())?;
             let method = Method::Auto { tolerance: EXACT };
             let matrix = FormFactors::new(&patches, method, None).matrix();
             let [low, high] = Report::of(&patches, &matrix).row_sums;
@@ -242,7 +242,7 @@ pub const CASES: &[Case] = &[
         because: "no line of sight passes an unbroken screen",
         run: || {
             let screen = r#", { "name": "screen", "material": "m", "polygon": { "vertices": [[0,0,0.5],[1,0,0.5],[1,1,0.5],[0,1,0.5]] } }"#;
-            let scene = room(screen, 1, 0.0)?;
+            let scene = enclosure(screen, 1, 0.0)?;
             let patches = Patches::of(&scene, 1000).map_err(|error| error.to_string())?;
             let blockers = Blockers::of(&scene, &patches);
             let method = Method::Auto { tolerance: 1e-6 };

@@ -5,7 +5,7 @@ use super::systems::{
     answer, by, cavity, furnace, furnace_by, plates, slit, small_residual, stiff, with,
 };
 use crate::algorithms::radiosity::cube::{cube, lamp};
-use crate::algorithms::radiosity::{Solver, Stop, Watch, chebyshev_on};
+use crate::algorithms::radiosity::{RecordFilter, Solver, Stop, chebyshev_on};
 use crate::record::Unrecorded;
 use std::iter::zip;
 
@@ -74,7 +74,7 @@ pub const CASES: &[Case] = &[
         run: || {
             let (f, rho) = ([0.0, 1.0, 1.0, 0.0], [0.9; 2]);
             with(&f, &[1.0; 2], &rho, &[1.0, 0.0], |system| {
-                let (stop, watch) = (Stop::default(), Watch::default());
+                let (stop, watch) = (Stop::default(), RecordFilter::default());
                 let found = chebyshev_on(system, [0.0, 0.9], stop, &watch, &mut Unrecorded);
                 answer(found.map_err(|why| why.to_string()))
             })

@@ -9,7 +9,7 @@ use super::scenes::{ROOM, alone, differing, look, moved, picture, scene, staged}
 use crate::numeric::{plain_sphere_roots, sphere_roots};
 use crate::render::Method;
 use crate::scene::Shape;
-use crate::scene::solids::{Ray, leaving};
+use crate::scene::primitives::{Ray, leaving};
 use glam::DVec3;
 
 const SIZE: [u32; 2] = [48, 36];
@@ -77,8 +77,8 @@ pub const CASES: &[Case] = &[
         expects: "t = 9·10⁷⁴",
         because: "D − r; squares are 10¹⁵⁰, and no fourth power is taken",
         run: || {
-            let solids = ball(1e75 * DVec3::Z, 1e74);
-            let hit = solids.nearest(&Ray {
+            let primitives = ball(1e75 * DVec3::Z, 1e74);
+            let hit = primitives.nearest(&Ray {
                 origin: DVec3::ZERO,
                 direction: DVec3::Z,
             });
@@ -148,13 +148,13 @@ pub const CASES: &[Case] = &[
         because: "a ray is aimed to 10⁻¹⁶ at distance 1",
         run: || {
             let corners = [DVec3::ZERO, DVec3::X, DVec3::new(0.5, 1e-12, 0.0)];
-            let solids = alone(Shape::Polygon {
+            let primitives = alone(Shape::Polygon {
                 vertices: corners.to_vec(),
             });
             let lost = (0..1000).filter(|&i| {
                 let aimed_at = DVec3::new(0.4 + 2e-4 * f64::from(i), 3e-13, 0.0);
                 let origin = DVec3::new(0.5, 0.2, -1.0);
-                solids.nearest(&toward(origin, aimed_at)).is_none()
+                primitives.nearest(&toward(origin, aimed_at)).is_none()
             });
             Ok(Measured::share(lost.count(), 1000).into())
         },
@@ -201,8 +201,8 @@ pub const CASES: &[Case] = &[
         run: || {
             let by = DVec3::new(1e7, -1e7, 1e7);
             let [near, far] = [DVec3::ZERO, by].map(|by| {
-                let stage = staged(moved(scene(ROOM)?, 1.0, by), SIZE, 6)?;
-                Ok::<_, String>(picture(&stage, Method::RayTracing))
+                let prepared = staged(moved(scene(ROOM)?, 1.0, by), SIZE, 6)?;
+                Ok::<_, String>(picture(&prepared, Method::RayTracing))
             });
             let (near, far) = (near?, far?);
             Ok(Measured::share(differing(&near, &far, 1e-5), near.len()).into())

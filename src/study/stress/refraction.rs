@@ -133,9 +133,10 @@ pub const CASES: &[Case] = &[
                      "materials": {{ "m": {{ "emission": [1, 1, 1], "reflection": 0.5, "transmission": 0.5 }} }}, "objects": [ {} ] }}"#,
                 plates.join(",")
             );
-            let stage = staged(scene(&text)?, [1, 1], 20)?;
+            let prepared = staged(scene(&text)?, [1, 1], 20)?;
             let (method, one) = (Method::RayTracing, NonZeroUsize::MIN);
-            let (frame, rays) = render_counted(&stage, method, stage.needs(), one, &|_, _| {});
+            let (frame, rays) =
+                render_counted(&prepared, method, prepared.needs(), one, &|_, _| {});
             if frame.color[0].r != 20.0 {
                 return Err(format!("the rays carry {}", frame.color[0].r));
             }
@@ -232,6 +233,6 @@ fn bubble(height: f64) -> Result<f64, String> {
              "objects": [ {{ "name": "glass", "material": "glass", "sphere": {{ "center": [0, 0, 0], "radius": 2 }} }},
                           {{ "name": "bubble", "material": "air", "sphere": {{ "center": [0, 0, 0], "radius": 1 }} }} ] }}"#
     );
-    let stage = staged(scene(&text)?, [1, 1], 5)?;
-    Ok(picture(&stage, Method::RayTracing)[0].r)
+    let prepared = staged(scene(&text)?, [1, 1], 5)?;
+    Ok(picture(&prepared, Method::RayTracing)[0].r)
 }

@@ -1,10 +1,10 @@
 //! Scenes that cases look at.
 
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
-use crate::algorithms::stage::Stage;
 use crate::color::Rgb;
 use crate::render::{Method, render};
-use crate::scene::solids::Solids;
+use crate::scene::primitives::Primitives;
 use crate::scene::{Light, Limits, Material, Object, Scene, Shape, Tessellation, View, read};
 use glam::DVec3;
 use std::num::{NonZeroU32, NonZeroUsize};
@@ -16,17 +16,21 @@ pub fn scene(text: &str) -> Result<Scene, String> {
 }
 
 /// In front of its camera, rays going on for `depth` levels.
-pub fn staged(scene: Scene, [width, height]: [u32; 2], depth: u32) -> Result<Stage, String> {
+pub fn staged(
+    scene: Scene,
+    [width, height]: [u32; 2],
+    depth: u32,
+) -> Result<PreparedScene, String> {
     let camera = scene.camera.ok_or("the scene has no camera")?;
     let depth = NonZeroU32::new(depth).ok_or("there is no level 0")?;
     let samples = NonZeroU32::MIN;
-    let stage = Stage::new(scene, View::new(&camera, width, height));
-    Ok(stage.with_settings(Settings { depth, samples }))
+    let prepared = PreparedScene::new(scene, View::new(&camera, width, height));
+    Ok(prepared.with_settings(Settings { depth, samples }))
 }
 
 /// Its colours, pixel by pixel.
-pub fn picture(stage: &Stage, method: Method) -> Vec<Rgb> {
-    render(stage, method, NonZeroUsize::MIN, &|_, _| {}).color
+pub fn picture(prepared: &PreparedScene, method: Method) -> Vec<Rgb> {
+    render(prepared, method, NonZeroUsize::MIN, &|_, _| {}).color
 }
 
 /// What the middle pixel of a ray-traced picture sees along +z from the origin.
@@ -35,12 +39,12 @@ pub fn look(objects: &str, materials: &str, more: &str, depth: u32) -> Result<Rg
         r#"{{ "schema": 1, {more} "camera": {{ "eye": [0, 0, 0], "target": [0, 0, 1], "up": [0, 1, 0], "fov_x_degrees": 1 }},
              "materials": {{ {materials} }}, "objects": [ {objects} ] }}"#
     );
-    let stage = staged(scene(&text)?, [1, 1], depth)?;
-    Ok(picture(&stage, Method::RayTracing)[0])
+    let prepared = staged(scene(&text)?, [1, 1], depth)?;
+    Ok(picture(&prepared, Method::RayTracing)[0])
 }
 
 /// One object alone, as rays meet it.
-pub fn alone(shape: Shape) -> Solids {
+pub fn alone(shape: Shape) -> Primitives {
     let material = Material {
         name: String::new(),
         ambient: Rgb::BLACK,
@@ -72,7 +76,7 @@ pub fn alone(shape: Shape) -> Solids {
         objects: vec![object],
         lights: Vec::new(),
     };
-    Solids::of(&scene, &Tessellation::of(&scene))
+    Primitives::of(&scene, &Tessellation::of(&scene))
 }
 
 /// The scene with every length multiplied by `factor`, and then everything moved by `by`.

@@ -133,7 +133,7 @@ pub fn discs(n: u32) -> f64 {
 }
 
 /// A closed unit cube seen from inside, its walls divided n × n: the first two are opposite ones, at z = 0 and 1.
-pub fn room(more: &str, n: u32, by: f64) -> Result<Scene, String> {
+pub fn enclosure(more: &str, n: u32, by: f64) -> Result<Scene, String> {
     let walls = [
         [0, 1, 3, 2],
         [5, 4, 6, 7],
@@ -156,7 +156,7 @@ pub fn room(more: &str, n: u32, by: f64) -> Result<Scene, String> {
 }
 
 pub fn hemicube(resolution: u32, points: u32) -> Result<Ran, String> {
-    let patches = Patches::of(&room("", 1, 0.0)?, 1000).map_err(|error| error.to_string())?;
+    let patches = Patches::of(&enclosure("", 1, 0.0)?, 1000).map_err(|error| error.to_string())?;
     let method = Method::Hemicube(Hemicubes { resolution, points });
     let found = FormFactors::new(&patches, method, None).pair(0, 1, &mut Unrecorded);
     relative(found, OPPOSITE)

@@ -2,7 +2,9 @@
 
 use super::case::{Measured, Ran};
 use crate::algorithms::radiosity::cube::{cube, lamp};
-use crate::algorithms::radiosity::{Matrix, Patches, Solution, Solver, Stop, System, Watch, solve};
+use crate::algorithms::radiosity::{
+    Matrix, Patches, RecordFilter, Solution, Solver, Stop, System, solve,
+};
 use crate::record::Unrecorded;
 use std::iter::zip;
 
@@ -20,7 +22,14 @@ pub fn with(
 }
 
 pub fn by(system: &System, solver: Solver, stop: Stop) -> Result<Solution, String> {
-    solve(system, solver, stop, &Watch::default(), &mut Unrecorded).map_err(|why| why.to_string())
+    solve(
+        system,
+        solver,
+        stop,
+        &RecordFilter::default(),
+        &mut Unrecorded,
+    )
+    .map_err(|why| why.to_string())
 }
 
 /// A solution of what has none.
@@ -101,12 +110,12 @@ pub fn slit() -> Result<Ran, String> {
     let n = area.len();
     let mut f = vec![0.0; 4 * n * n];
     for i in 0..2 * n {
-        let (room, patch) = (i / n, i % n);
+        let (enclosure, patch) = (i / n, i % n);
         let row = &mut f[i * 2 * n..(i + 1) * 2 * n];
         for j in 0..n {
-            row[room * n + j] = (1.0 - 1e-4) * one[patch * n + j];
+            row[enclosure * n + j] = (1.0 - 1e-4) * one[patch * n + j];
         }
-        row[(1 - room) * n + patch] = 1e-4;
+        row[(1 - enclosure) * n + patch] = 1e-4;
     }
     let rho = 0.9999;
     let mut emission = lamp(4);

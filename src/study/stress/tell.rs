@@ -56,11 +56,11 @@ pub fn table(reports: &[Report]) -> String {
     wrapped(&mut out, "", LEGEND);
     let [holds, degrades, refused] =
         [Verdict::Holds, Verdict::Degrades, Verdict::Refused].map(count);
-    let told = format!(
+    let recorded = format!(
         "{} cases; in f64 {holds} hold, {degrades} degrade, {refused} are refused; {short} fell short of what is recorded",
         reports.len()
     );
-    wrapped(&mut out, "", &told);
+    wrapped(&mut out, "", &recorded);
     out
 }
 

@@ -49,13 +49,13 @@ fn patches(scene: &Scene) -> Patches {
     Patches::of(scene, 100_000).unwrap()
 }
 
-fn room(n: u32) -> Scene {
+fn enclosure(n: u32) -> Scene {
     scene(&faces("wall", [0.0; 3], [1.0; 3], n, true))
 }
 
 #[test]
 fn rows_of_a_closed_cube_sum_to_1() {
-    let patches = patches(&room(4));
+    let patches = patches(&enclosure(4));
     for tolerance in [1e-3, 1e-6, 1e-9] {
         let matrix = FormFactors::new(&patches, Method::Auto { tolerance }, None).matrix();
         let report = Report::of(&patches, &matrix);
@@ -66,7 +66,7 @@ fn rows_of_a_closed_cube_sum_to_1() {
 
 #[test]
 fn faces_of_a_unit_cube_exchange_as_the_closed_forms_say() {
-    let patches = patches(&room(1));
+    let patches = patches(&enclosure(1));
     let matrix = FormFactors::new(&patches, Method::Auto { tolerance: 1e-9 }, None).matrix();
     for i in 0..6 {
         for j in 0..6 {
@@ -114,15 +114,15 @@ fn far_pairs_by_the_row_are_exact_to_the_tolerance() {
 
 #[test]
 fn a_block_in_a_room_hides_and_nothing_leaks_past_it() {
-    let room = scene(
+    let enclosure = scene(
         &[
             faces("wall", [0.0; 3], [1.0; 3], 6, true),
             faces("block", [0.3, 0.2, 0.3], [0.7, 0.6, 0.7], 3, false),
         ]
         .concat(),
     );
-    let patches = patches(&room);
-    let blockers = Blockers::of(&room, &patches);
+    let patches = patches(&enclosure);
+    let blockers = Blockers::of(&enclosure, &patches);
     let method = Method::Auto { tolerance: 1e-6 };
     let matrix = FormFactors::new(&patches, method, Some(&blockers)).matrix();
     let report = Report::of(&patches, &matrix);
@@ -245,7 +245,7 @@ fn an_object_that_casts_no_shadow_hides_nothing() {
 
 #[test]
 fn sampled_methods_come_near_and_close_the_cube() {
-    let patches = patches(&room(2));
+    let patches = patches(&enclosure(2));
     let n = patches.len();
     let exact = FormFactors::new(&patches, Method::Auto { tolerance: 1e-9 }, None).matrix();
     for (method, error, closure) in [
@@ -281,7 +281,7 @@ fn sampled_methods_come_near_and_close_the_cube() {
 
 #[test]
 fn a_hemicube_at_the_centre_does_not_improve_with_the_resolution() {
-    let patches = patches(&room(1));
+    let patches = patches(&enclosure(1));
     let error = |resolution, points| {
         let method = Method::Hemicube(Hemicubes { resolution, points });
         let found = FormFactors::new(&patches, method, None).pair(0, 1, &mut Unrecorded);
@@ -293,7 +293,7 @@ fn a_hemicube_at_the_centre_does_not_improve_with_the_resolution() {
 
 #[test]
 fn blocks_of_rows_make_the_matrix() {
-    let patches = patches(&room(3));
+    let patches = patches(&enclosure(3));
     let n = patches.len();
     let factors = FormFactors::new(&patches, Method::Auto { tolerance: 1e-6 }, None);
     let mut matrix = vec![0.0; n * n];

@@ -4,9 +4,9 @@
 mod tests;
 
 use super::{Refused, Session};
-use crate::app::words;
+use crate::app::strings;
 use crate::lesson::Lesson;
-use crate::panels::words::Words;
+use crate::panels::strings::Words;
 use crate::render::Cancelled;
 use crate::study::families;
 use crate::study::form::{Request, Study};
@@ -113,9 +113,11 @@ impl Studying {
 
     fn begin(&mut self) -> Result<(), Refused> {
         if self.measuring.is_some() {
-            return Err(words::STILL_MEASURING.into());
+            return Err(strings::STILL_MEASURING.into());
         }
-        let study = *families::ALL.get(self.chosen).ok_or(words::NO_SUCH_STUDY)?;
+        let study = *families::ALL
+            .get(self.chosen)
+            .ok_or(strings::NO_SUCH_STUDY)?;
         let quick = self.quick;
         let state = Arc::new(State::default());
         let (tell, news) = channel();
@@ -135,7 +137,7 @@ impl Studying {
 
     fn call_off(&mut self) -> Result<(), Refused> {
         let measuring = self.measuring.take();
-        measuring.ok_or(words::NOTHING_IS_MEASURED)?;
+        measuring.ok_or(strings::NOTHING_IS_MEASURED)?;
         self.outcome = Outcome::CalledOff;
         Ok(())
     }
@@ -228,7 +230,7 @@ impl Session {
                 self.play = None;
             }
             StudyCommand::Choose(index) if index < families::ALL.len() => studying.chosen = index,
-            StudyCommand::Choose(_) => return Err(words::NO_SUCH_STUDY.into()),
+            StudyCommand::Choose(_) => return Err(strings::NO_SUCH_STUDY.into()),
             StudyCommand::Quick => studying.quick = !studying.quick,
             StudyCommand::Part(part) => studying.part = part,
             StudyCommand::Measure => return studying.begin(),
@@ -242,10 +244,10 @@ impl Session {
     pub(super) fn cannot_study(&self, command: StudyCommand) -> Option<Words> {
         let measures = self.studying.percent().is_some();
         match command {
-            StudyCommand::Measure => measures.then_some(words::STILL_MEASURING),
-            StudyCommand::CallOff => (!measures).then_some(words::NOTHING_IS_MEASURED),
+            StudyCommand::Measure => measures.then_some(strings::STILL_MEASURING),
+            StudyCommand::CallOff => (!measures).then_some(strings::NOTHING_IS_MEASURED),
             StudyCommand::Pick(at) if self.studying.point(at).is_none() => {
-                Some(words::NO_SUCH_POINT)
+                Some(strings::NO_SUCH_POINT)
             }
             _ => None,
         }
@@ -253,11 +255,17 @@ impl Session {
 
     fn pick(&mut self, at: PointAt) -> Result<(), Refused> {
         let found = self.studying.point(at);
-        let (_, line, point) = found.ok_or(words::NO_SUCH_POINT)?;
+        let (_, line, point) = found.ok_or(strings::NO_SUCH_POINT)?;
         let lesson = point.drawn.as_ref().map(|drawn| {
             let name = format!("{}, {}", line.name, point.setting);
-            let say = words::said_of_a_point(point);
-            Lesson::of_picture(name, say, &drawn.stage.lock(), drawn.method, drawn.settings)
+            let localize = strings::said_of_a_point(point);
+            Lesson::of_picture(
+                name,
+                localize,
+                &drawn.prepared.lock(),
+                drawn.method,
+                drawn.settings,
+            )
         });
         self.studying.picked = Some(at);
         if let Some(lesson) = lesson {

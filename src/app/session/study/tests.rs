@@ -1,8 +1,8 @@
 use super::super::{Command, Session};
 use super::*;
-use crate::algorithms::stage::Stage;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::lesson::builtin;
-use crate::panels::words::Language;
+use crate::panels::strings::Language;
 use crate::render::Method;
 use crate::study::form::{Drawn, Shared};
 use crate::study::tests::findings;
@@ -24,12 +24,12 @@ const FIRST: PointAt = PointAt {
 /// A study that was measured before; its first point draws the lesson's own stage by some method.
 fn measured(method: Method) -> Session {
     let mut session = session();
-    let stage: Stage = session.stage().clone();
+    let prepared: PreparedScene = session.prepared().clone();
     let found = findings();
     let studying = &mut session.studying;
     (studying.of, studying.parts) = (Some((found.study, true)), found.parts);
     studying.parts[0].lines[0].points[0].drawn = Some(Drawn {
-        stage: Shared::new(stage),
+        prepared: Shared::new(prepared),
         method,
         settings: Default::default(),
     });
@@ -46,7 +46,7 @@ fn a_study_is_measured_in_the_background_and_every_part_comes() {
     go(&mut session, StudyCommand::Measure).unwrap();
     assert!(session.studying().percent().is_some());
     let again = go(&mut session, StudyCommand::Measure);
-    assert_eq!(again, Err(words::STILL_MEASURING.into()));
+    assert_eq!(again, Err(strings::STILL_MEASURING.into()));
     session.studying_mut().wait();
     let studying = session.studying();
     assert_eq!((studying.parts.len(), studying.percent()), (1, None));
@@ -70,7 +70,7 @@ fn a_study_is_measured_in_the_background_and_every_part_comes() {
 fn a_study_that_is_called_off_ends_at_once_for_its_viewer() {
     let mut session = session();
     let nothing = go(&mut session, StudyCommand::CallOff);
-    assert_eq!(nothing, Err(words::NOTHING_IS_MEASURED.into()));
+    assert_eq!(nothing, Err(strings::NOTHING_IS_MEASURED.into()));
     go(&mut session, StudyCommand::Measure).unwrap();
     let state = session.studying.measuring.as_ref().unwrap().state.clone();
     go(&mut session, StudyCommand::CallOff).unwrap();
@@ -89,9 +89,9 @@ fn the_measurer_stops_at_the_next_setting_once_it_is_called_off() {
     let interpolation = families::ALL.iter().find(|s| s.name == "interpolation");
     measure(interpolation.unwrap(), true, &state, &tell);
     drop(tell);
-    let told: Vec<News> = news.iter().collect();
+    let recorded: Vec<News> = news.iter().collect();
     assert!(matches!(
-        told[..],
+        recorded[..],
         [News::Unmeasured(Unmeasured::Cancelled(_))]
     ));
 }
@@ -106,12 +106,12 @@ fn a_point_with_a_picture_opens_it_with_its_run_and_the_study_stays() {
         go(&mut session, StudyCommand::Pick(FIRST)).unwrap();
         assert_eq!(session.lesson().method, method);
         assert_eq!(session.title(), "rough, n = 2");
-        let said = session.said_here().unwrap().say(Language::English);
+        let said = session.said_here().unwrap().localize(Language::English);
         assert!(said.contains("2.5e-1 in 2.00 ms"), "{said}");
         assert!(session.last_step() > 1);
         assert_eq!(session.look.language, Language::Indonesian);
         let shared = session.update(Command::Share);
-        assert_eq!(shared, Err(words::SHARE_NO_STUDY.into()));
+        assert_eq!(shared, Err(strings::SHARE_NO_STUDY.into()));
         assert!(!session.studying().is_open);
         go(&mut session, StudyCommand::View).unwrap();
         assert_eq!(session.studying().picked, Some(FIRST));
@@ -128,9 +128,9 @@ fn a_point_without_a_picture_is_told_of_and_one_that_is_not_there_is_refused() {
     assert!(session.studying().is_open);
     let gone = PointAt { point: 99, ..FIRST };
     let refused = go(&mut session, StudyCommand::Pick(gone));
-    assert_eq!(refused, Err(words::NO_SUCH_POINT.into()));
+    assert_eq!(refused, Err(strings::NO_SUCH_POINT.into()));
     let none = go(&mut session, StudyCommand::Choose(99));
-    assert_eq!(none, Err(words::NO_SUCH_STUDY.into()));
+    assert_eq!(none, Err(strings::NO_SUCH_STUDY.into()));
 }
 
 #[test]

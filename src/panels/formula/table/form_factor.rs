@@ -76,7 +76,7 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "Edge",
-        When::Told("Gamma_k"),
+        When::RecordedField("Gamma_k"),
         "Edge {edge} of the polygon, from its corner R_k on: seen from x it spans the angle |Γ_k|, and Γ_k is normal to it.",
         "Sisi {edge} poligon, mulai sudut R_k: dilihat dari x sisi ini membentang sudut |Γ_k|, dan Γ_k tegak lurus padanya.",
         &[
@@ -123,7 +123,7 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "Ray",
-        When::Told("hits"),
+        When::RecordedField("hits"),
         "The ray does not reach patch {j}: the hits stay as they are.",
         "Sinar tidak mencapai patch {j}: jumlah yang mengenai tetap.",
         RAY,
@@ -149,7 +149,7 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "Pixel",
-        When::Told("delta_F"),
+        When::RecordedField("delta_F"),
         "Pixel ({pixel_x}, {pixel_y}) of side face {face} shows patch {j}: it stands for ΔF, less the lower it lies.",
         "Piksel ({pixel_x}, {pixel_y}) sisi tegak {face} menampilkan patch {j}: nilainya ΔF, makin kecil makin rendah.",
         &[

@@ -11,14 +11,14 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "EdgeEnds",
-        When::Told("N_1"),
+        When::RecordedField("N_1"),
         "The normals at the two ends of edge {upper}–{lower}.",
         "Normal di kedua ujung sisi {upper}–{lower}.",
         &[is("{N_1}"), is("{N_2}")],
     ),
     only(
         "EdgeInterpolated",
-        When::Told("N_4"),
+        When::RecordedField("N_4"),
         "The normal where the scan line cuts edge {upper}–{lower}: the nearer end weighs more.",
         "Normal di potongan garis scan dengan sisi {upper}–{lower}: ujung yang lebih dekat lebih berbobot.",
         &[
@@ -31,14 +31,14 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "SpanEnds",
-        When::Told("N_4"),
+        When::RecordedField("N_4"),
         "The normals at the two ends of the span.",
         "Normal di kedua ujung bentang.",
         &[is("{N_4}"), is("{N_5}")],
     ),
     only(
         "SpanInterpolated",
-        When::Told("N_P"),
+        When::RecordedField("N_P"),
         "The normal of the pixel, between the two ends of the span; it is no longer of unit length.",
         "Normal piksel, di antara kedua ujung bentang; panjangnya tidak lagi satu satuan.",
         &[
@@ -77,7 +77,7 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "PixelColored",
-        When::Told("N_P_incremental"),
+        When::RecordedField("N_P_incremental"),
         "Pixel ({x}, {y}) takes the intensity found at its own point with its own normal.",
         "Piksel ({x}, {y}) mendapat intensitas di titiknya sendiri, dengan normalnya sendiri.",
         &[is("{pixel=color} = {I@}")],
@@ -85,7 +85,7 @@ pub const TABLE: &[Entry] = &[
     // Textures
     only(
         "Textured",
-        When::Told("x_P"),
+        When::RecordedField("x_P"),
         "The object’s own chart at P, and the texture’s colour there: what a ray through the pixel finds.",
         "Peta objek itu sendiri di P, dan warna tekstur di sana: yang juga ditemukan sinar melalui piksel.",
         &[is("{u=u_texture}"), is("{v=v_texture}"), is("{texture}")],
@@ -117,7 +117,7 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "PixelColored",
-        When::Told("I_textured"),
+        When::RecordedField("I_textured"),
         "Pixel ({x}, {y}) takes its textured intensity.",
         "Piksel ({x}, {y}) mendapat intensitas bertekstur.",
         &[is("{pixel=color} = {I textured=I_textured}")],

@@ -24,7 +24,7 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "ChannelLeftOut",
-        When::Told("like"),
+        When::RecordedField("like"),
         "The channel {channel} has the reflectances and emissions of the channel {like}: its solution serves both.",
         "Kanal {channel} memiliki reflektansi dan emisi yang sama dengan kanal {like}: solusinya dipakai bersama.",
         &[],
@@ -97,7 +97,7 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "Gathered",
-        When::Told("omega"),
+        When::RecordedField("omega"),
         "Patch {i} has gathered, and goes ω times as far as from the old radiosity to what it gathered.",
         "Patch {i} selesai mengumpulkan, dan melangkah ω kali sejauh dari radiositas lama ke hasil pengumpulan.",
         &[
@@ -120,14 +120,14 @@ pub const TABLE: &[Entry] = &[
     // Shooting
     only(
         "Ambient",
-        When::Told("ambient"),
+        When::RecordedField("ambient"),
         "The ambient radiosity: what the light not shot yet will come to in the mean, were the room evenly lit. ⟨…⟩ are means by area.",
         "Radiositas ambien: nilai rata-rata yang akan dicapai cahaya yang belum ditembakkan, andai ruang terang merata. ⟨…⟩ rata-rata menurut luas.",
         &[is("{ambient} = [⟨ρ⟩ ⟨ΔB⟩; 1 − ⟨ρ⟩]")],
     ),
     only(
         "Shooting",
-        When::Told("ambient"),
+        When::RecordedField("ambient"),
         "Patch {i} overshoots: its unshot radiosity ΔB_i, and the ambient in advance. ΔB_i A_i with the ambient is the largest of all.",
         "Patch {i} menembak lebih: radiositas ΔB_i yang belum ditembakkan, dan ambien di muka. ΔB_i A_i dengan ambien terbesar di antara semua.",
         &[is("{shot} = {ΔB_i=unshot_i} + {ambient}"), is("{A_i}")],

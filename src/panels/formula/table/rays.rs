@@ -46,14 +46,14 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "PixelColored",
-        When::Told("samples"),
+        When::RecordedField("samples"),
         "The pixel takes the mean of what its rays brought back.",
         "Piksel mendapat rata-rata dari yang dibawa kembali sinar-sinarnya.",
         &[is("{pixel=color} = [{ΣI=+I}; {n=samples}^2]")],
     ),
     only(
         "PixelColored",
-        When::Told("y_P"),
+        When::RecordedField("y_P"),
         "The pixel takes what its ray brought back.",
         "Piksel mendapat yang dibawa kembali sinarnya.",
         &[is("{pixel=color} = {I=+I}")],
@@ -177,7 +177,7 @@ pub const TABLE: &[Entry] = &[
     // Light that arrives
     only(
         "Viewer",
-        When::Told("u"),
+        When::RecordedField("u"),
         "The way back along the ray stands for the direction to the eye.",
         "Arah balik sepanjang sinar menggantikan arah ke mata.",
         &[is("{V} = −{u}")],
@@ -276,7 +276,7 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "Refraction",
-        When::Told("theta_c_degrees"),
+        When::RecordedField("theta_c_degrees"),
         "The surface is transparent, and the ray leaves the denser medium: it is bent away from the normal. θ_c is the critical angle.",
         "Permukaan tembus pandang, dan sinar keluar dari medium yang lebih rapat: dibiaskan menjauhi normal. θ_c adalah sudut kritis.",
         &[

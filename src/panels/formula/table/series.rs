@@ -1,7 +1,7 @@
 //! Cosines as Taylor series over a triangle, and by differences along its spans.
 
 use super::{Entry, INCREMENTAL, When, entry, is, noted, only};
-use crate::panels::words::Words;
+use crate::panels::strings::Words;
 
 const APPROXIMATE: Words = Words::new(
     "how far the series is from the cosine of a unit normal",
@@ -109,7 +109,7 @@ pub const TABLE: &[Entry] = &[
     ),
     only(
         "PixelColored",
-        When::Told("x_0"),
+        When::RecordedField("x_0"),
         "Pixel ({x}, {y}) takes the ambient term and what each light adds.",
         "Piksel ({x}, {y}) mendapat suku ambien dan tambahan tiap cahaya.",
         &[is("{pixel=color}")],

@@ -3,16 +3,16 @@
 
 use super::preview::Times;
 use super::{Refused, Session};
-use crate::app::words;
-use crate::panels::words::Words;
-use crate::render::left_out;
+use crate::app::strings;
+use crate::panels::strings::Words;
+use crate::render::skipped;
 use crate::scene::{LeftOut, Part, Parts};
 use std::sync::Arc;
 
 impl Session {
     /// What the scene does not need of the lesson's method, whether it is done all the same or not.
-    pub fn left_out(&self) -> Vec<LeftOut> {
-        left_out(self.stage(), self.lesson().method)
+    pub fn skipped(&self) -> Vec<LeftOut> {
+        skipped(self.prepared(), self.lesson().method)
     }
 
     /// Run times without and with what is done all the same; none before they are measured, or where nothing is.
@@ -22,30 +22,30 @@ impl Session {
 
     /// Why a part cannot be left out or done all the same, if it cannot.
     pub(super) fn cannot_leave_out(&self, part: Part) -> Option<Words> {
-        let left_out = self.left_out();
-        let is_needed = left_out.iter().all(|left_out| left_out.part != part);
-        is_needed.then_some(words::IS_NEEDED)
+        let skipped = self.skipped();
+        let is_needed = skipped.iter().all(|skipped| skipped.part != part);
+        is_needed.then_some(strings::IS_NEEDED)
     }
 
-    pub(super) fn do_anyway(&mut self, part: Part) -> Result<(), Refused> {
+    pub(super) fn force(&mut self, part: Part) -> Result<(), Refused> {
         match self.cannot_leave_out(part) {
-            Some(words) => Err(words.into()),
+            Some(strings) => Err(strings.into()),
             None => {
-                self.run_doing(self.stage().anyway().toggled(part));
+                self.run_with_forced(self.prepared().forced().toggled(part));
                 Ok(())
             }
         }
     }
 
     pub(super) fn leave_all_out(&mut self) {
-        self.run_doing(Parts::NONE);
+        self.run_with_forced(Parts::NONE);
     }
 
-    fn run_doing(&mut self, anyway: Parts) {
-        let stage = Arc::new((*self.open.stage).clone().doing(anyway));
+    fn run_with_forced(&mut self, forced: Parts) {
+        let prepared = Arc::new((*self.open.prepared).clone().with_forced(forced));
         self.preview
-            .begin_anew(stage.clone(), super::methods(&self.open));
-        self.open.stage = stage;
+            .begin_anew(prepared.clone(), super::methods(&self.open));
+        self.open.prepared = prepared;
         self.look_again();
     }
 }
@@ -78,7 +78,7 @@ mod tests {
         assert!(session.times().is_some());
         assert_eq!(
             session.update(Command::Share),
-            Err(words::SHARE_AS_LEFT_OUT_ONLY.into())
+            Err(strings::SHARE_AS_LEFT_OUT_ONLY.into())
         );
 
         session
@@ -95,10 +95,10 @@ mod tests {
         let mut session = session("needs");
         for part in [Part::Highlights, Part::SightTests] {
             let command = Command::Anyway(part);
-            assert_eq!(session.allows(&command), Err(words::IS_NEEDED.into()));
-            assert_eq!(session.update(command), Err(words::IS_NEEDED.into()));
+            assert_eq!(session.allows(&command), Err(strings::IS_NEEDED.into()));
+            assert_eq!(session.update(command), Err(strings::IS_NEEDED.into()));
         }
-        assert!(session.stage().anyway().is_empty());
+        assert!(session.prepared().forced().is_empty());
     }
 
     #[test]
@@ -108,7 +108,7 @@ mod tests {
         session.update(Command::Anyway(Part::ShadowRays)).unwrap();
         assert!(session.walk().len() > steps);
         session.update(Command::Reset).unwrap();
-        assert!(session.stage().anyway().is_empty());
+        assert!(session.prepared().forced().is_empty());
         assert_eq!(session.walk().len(), steps);
     }
 }

@@ -1,6 +1,6 @@
 //! The panel's words.
 
-use crate::panels::words::Words;
+use crate::panels::strings::Words;
 
 pub(super) const NO_RAY: Words = Words::new(
     "Once a ray is sent through a pixel, this panel draws the tree of all rays that make its colour. At this step there is none yet: step on.",

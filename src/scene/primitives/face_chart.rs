@@ -109,15 +109,15 @@ fn beside(middle: DVec2, corner: DVec2) -> DVec2 {
 mod tests {
     use super::super::super::Object;
     use super::super::super::tessellation::mesh_of;
-    use super::super::tests::solids;
-    use super::super::{Ray, Solids};
+    use super::super::tests::primitives;
+    use super::super::{Primitives, Ray};
     use super::*;
 
     /// For each face the chart's (u, v) at inner points, and those of the ray that meets the divided object there.
     fn assert_as_rays(shape: Shape, within: f64) {
         let mesh = mesh_of(&shape, Object::DIVISIONS);
-        let solids: Solids = solids([Shape::Mesh(mesh.clone())]);
-        let own = self::solids([shape.clone()]);
+        let primitives: Primitives = primitives([Shape::Mesh(mesh.clone())]);
+        let own = self::primitives([shape.clone()]);
         for face in 0..mesh.face_count() {
             let chart = FaceChart::new(&shape, &mesh, face);
             let corners: Vec<DVec3> = mesh.face(face).iter().map(|&v| mesh.position(v)).collect();
@@ -129,7 +129,7 @@ mod tests {
                     origin: aim + 2.0 * mesh.normal(face),
                     direction: -mesh.normal(face),
                 };
-                let met = solids.meet(0, &ray).expect("the face");
+                let met = primitives.meet(0, &ray).expect("the face");
                 assert!((met.t - 2.0).abs() < 1e-12);
                 let hit = own.meet(0, &ray).expect("the object");
                 let found = chart.uv(aim);

@@ -7,21 +7,21 @@ const CHUNK: usize = 64;
 
 /// A copy costs a pointer for every 64 entries; the first write to a chunk that is shared copies it.
 #[derive(Clone, Debug)]
-pub struct Grown<T> {
+pub struct CowVec<T> {
     chunks: Vec<Arc<Vec<T>>>,
     len: usize,
 }
 
-impl<T> Default for Grown<T> {
+impl<T> Default for CowVec<T> {
     fn default() -> Self {
-        Grown {
+        CowVec {
             chunks: Vec::new(),
             len: 0,
         }
     }
 }
 
-impl<T: Clone> Grown<T> {
+impl<T: Clone> CowVec<T> {
     pub fn len(&self) -> usize {
         self.len
     }
@@ -78,7 +78,7 @@ mod tests {
             copy_at in 0_usize..400,
         ) {
             let mut list = Vec::new();
-            let mut grown = Grown::default();
+            let mut grown = CowVec::default();
             let mut copies = None;
             for (i, (push, index, value)) in changes.into_iter().enumerate() {
                 if i == copy_at {
@@ -106,7 +106,7 @@ mod tests {
 
     #[test]
     fn a_copy_shares_what_was_not_written() {
-        let mut grown = Grown::default();
+        let mut grown = CowVec::default();
         (0..1000_u64).for_each(|i| grown.push(i));
         let before = grown.clone();
         assert_eq!(grown.bytes_beyond(&before), 16 * size_of::<usize>());

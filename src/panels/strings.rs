@@ -51,14 +51,14 @@ const PATCH: Words = Words::new("patch", "patch");
 
 /// The part of a run that is looked at.
 pub fn focus(focus: Focus, language: Language) -> String {
-    let say = |words: Words| words.in_language(language);
+    let localize = |strings: Words| strings.in_language(language);
     match focus {
-        Focus::Frame => say(WHOLE).to_owned(),
-        Focus::Polygon(number) => format!("{} {number}", say(POLYGON)),
-        Focus::ScanLine(y) => format!("{} {y}", say(LINE)),
-        Focus::Pixel { x, y } => format!("{} ({x}, {y})", say(PIXEL)),
-        Focus::Iterations { start, end } => format!("{} {start}–{}", say(ITERATIONS), end - 1),
-        Focus::Patch(number) => format!("{} {number}", say(PATCH)),
+        Focus::Frame => localize(WHOLE).to_owned(),
+        Focus::Polygon(number) => format!("{} {number}", localize(POLYGON)),
+        Focus::ScanLine(y) => format!("{} {y}", localize(LINE)),
+        Focus::Pixel { x, y } => format!("{} ({x}, {y})", localize(PIXEL)),
+        Focus::Iterations { start, end } => format!("{} {start}–{}", localize(ITERATIONS), end - 1),
+        Focus::Patch(number) => format!("{} {number}", localize(PATCH)),
         Focus::FormFactor { i, j } => format!("F({i}, {j})"),
     }
 }

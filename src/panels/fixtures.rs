@@ -4,12 +4,12 @@ mod open_room;
 
 pub use open_room::{FLOOR, LAMP, WALLS, form_factors, open_room, solvers};
 
-use super::Show;
-use super::sample::Sample;
-use super::words::Language;
+use super::PanelInput;
+use super::fixture::Fixture;
+use super::strings::Language;
 use crate::algorithms::focus::Focus;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
-use crate::algorithms::stage::Stage;
 use crate::algorithms::texture::Mapping;
 use crate::color::Rgb;
 use crate::picture::{Picture, Rect, Shape as Drawn};
@@ -32,7 +32,7 @@ pub const SIZES: [Vec2; 6] = [
     Vec2::new(1400.0, 900.0),
 ];
 
-impl Sample {
+impl Fixture {
     pub fn walk(&self) -> &dyn Walk {
         self.run.walk()
     }
@@ -42,10 +42,10 @@ impl Sample {
         self
     }
 
-    pub fn show_in(&self, language: Language) -> Show<'_> {
-        Show {
+    pub fn show_in(&self, language: Language) -> PanelInput<'_> {
+        PanelInput {
             language,
-            ..self.show()
+            ..self.input()
         }
     }
 
@@ -130,7 +130,7 @@ fn lamp(color: Rgb) -> Light {
 
 /// Every kind of event: colours and greys, both highlights, a light in front and one behind, hidden pixels, an edge on no
 /// row, normals that cancel out at a vertex and half-way between two, and an edge outside the frame. 28×21, the whole frame.
-pub fn crowd(method: Method) -> Sample {
+pub fn fixtures(method: Method) -> Fixture {
     let roof = [
         [-1.2, -1.0, 0.0],
         [0.0, -1.0, 0.5],
@@ -177,11 +177,11 @@ pub fn crowd(method: Method) -> Sample {
             },
         ],
     );
-    Sample::of(scene, method, Focus::Frame, (28, 21))
+    Fixture::of(scene, method, Focus::Frame, (28, 21))
 }
 
 /// A checkered floor that runs away from the eye, and a red ball on it. 16×12, the whole frame.
-pub fn textured(method: Method, mapping: Mapping) -> Sample {
+pub fn textured(method: Method, mapping: Mapping) -> Fixture {
     let mut tiles = material("tiles", Rgb::new(0.6, 0.5, 0.4), Highlight::Blinn);
     tiles.texture = Some(Texture::Checker {
         colors: [Rgb::WHITE, Rgb::splat(0.3)],
@@ -218,18 +218,18 @@ pub fn textured(method: Method, mapping: Mapping) -> Sample {
         vec![lamp(Rgb::WHITE)],
     );
     let camera = scene.camera.expect("it has one");
-    let stage = Stage::new(scene, View::new(&camera, 16, 12)).with_mapping(mapping);
-    let stage = Arc::new(stage);
-    Sample {
-        finished: render(&stage, method, NonZeroUsize::MIN, &|_, _| {}),
-        run: Run::record(stage, method, Focus::Frame, RecordingLimit::default()),
+    let prepared = PreparedScene::new(scene, View::new(&camera, 16, 12)).with_mapping(mapping);
+    let prepared = Arc::new(prepared);
+    Fixture {
+        finished: render(&prepared, method, NonZeroUsize::MIN, &|_, _| {}),
+        run: Run::record(prepared, method, Focus::Frame, RecordingLimit::default()),
         focus: Focus::Frame,
     }
 }
 
 /// Every kind of step of the ray methods: objects met, missed and hidden, a light ball, blocked lights, glass with total
 /// internal reflection, a mirror, a texture, branches that end for each reason. 16×12, the whole frame.
-pub fn rays(method: Method, samples: u32) -> Sample {
+pub fn rays(method: Method, samples: u32) -> Fixture {
     let mut glass = material("glass", Rgb::BLACK, Highlight::Blinn);
     (glass.reflection, glass.transmission, glass.ior) = (Rgb::splat(0.1), Rgb::splat(0.9), 1.5);
     let mut mirror = material("mirror", Rgb::new(0.2, 0.2, 0.3), Highlight::Phong);
@@ -293,17 +293,17 @@ pub fn rays(method: Method, samples: u32) -> Sample {
         samples: NonZeroU32::new(samples).expect("one sample or more"),
         ..Settings::default()
     };
-    Sample::with_settings(scene, method, Focus::Frame, (16, 12), settings)
+    Fixture::with_settings(scene, method, Focus::Frame, (16, 12), settings)
 }
 
 /// A run with no steps: there is no room to record any.
-pub fn nothing() -> Sample {
-    let mut sample = crowd(Method::Gouraud);
-    if let Run::Gouraud(replay) = &sample.run {
-        let stage = replay.state().stage.clone();
-        sample.run = Run::record(stage, Method::Gouraud, Focus::Frame, RecordingLimit(0));
+pub fn nothing() -> Fixture {
+    let mut fixture = fixtures(Method::Gouraud);
+    if let Run::Gouraud(replay) = &fixture.run {
+        let prepared = replay.state().prepared.clone();
+        fixture.run = Run::record(prepared, Method::Gouraud, Focus::Frame, RecordingLimit(0));
     }
-    sample
+    fixture
 }
 
 /// The texts of a picture with the boxes that they take.

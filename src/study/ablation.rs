@@ -1,8 +1,9 @@
 //! What it saves to leave out what a scene does not need: the same picture, or the same light of a room, with each part left out and with
 //! it done all the same, timed in turn and compared bit by bit.
 
-use super::form::{Rung, Values};
+use super::form::{Setting, Values};
 use super::timing::{Patience, Timing, time};
+use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::exact::exact;
 use crate::algorithms::fast_phong::fast_phong;
 use crate::algorithms::flat::flat;
@@ -10,12 +11,11 @@ use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud::gouraud;
 use crate::algorithms::phong::phong;
-use crate::algorithms::radiosity::Watch;
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::radiosity::RecordFilter;
 use crate::algorithms::ray_casting::{RayCaster, ray_casting};
 use crate::algorithms::ray_tracing::{RayTracer, ray_tracing};
-use crate::algorithms::room::Room;
-use crate::algorithms::stage::Stage;
-use crate::algorithms::visible::Hierarchy;
+use crate::algorithms::visible::Bvh;
 use crate::algorithms::wireframe::wireframe;
 use crate::algorithms::{
     exact as exact_run, fast_phong as fast_phong_run, flat as flat_run, gouraud as gouraud_run,
@@ -23,7 +23,7 @@ use crate::algorithms::{
     wireframe as wireframe_run,
 };
 use crate::record::{Counter, Unrecorded};
-use crate::render::{Method, left_out, render};
+use crate::render::{Method, render, skipped};
 use crate::scene::{LeftOut, Part, Parts};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -33,20 +33,20 @@ use std::sync::Arc;
 pub const TOLERANCE: f64 = 1e-9;
 
 /// What is saved by leaving out all that is not needed, and what by each part of it.
-pub struct Savings {
+pub struct Ablations {
     /// With all of it left out.
     pub time: Timing,
     pub steps: Steps,
     /// With it done all the same: part by part, and last everything at once.
-    pub parts: Vec<Saving>,
+    pub parts: Vec<Ablation>,
 }
 
 /// A run in which something is done although it is not needed.
-pub struct Saving {
+pub struct Ablation {
     /// None: everything.
     pub part: Option<Part>,
     /// What it concerns.
-    pub left_out: Vec<LeftOut>,
+    pub skipped: Vec<LeftOut>,
     /// Errors: why it was not run to its end.
     pub measured: Result<Measured, String>,
 }
@@ -91,32 +91,32 @@ impl Sameness {
 }
 
 /// Measures every part that the scene does not need. Errors: why there is nothing to measure against.
-pub fn savings(
-    stage: &Stage,
+pub fn ablations(
+    prepared: &PreparedScene,
     method: Method,
     patience: Patience,
     progress: &dyn Fn(usize, usize),
-) -> Result<Savings, String> {
+) -> Result<Ablations, String> {
     // What no run need make again.
-    let stage = stage.clone().doing(Parts::NONE);
-    stage.solids();
-    let all = left_out(&stage, method);
-    let is_left_out = |&part: &Part| all.iter().any(|left_out| left_out.part == part);
+    let prepared = prepared.clone().with_forced(Parts::NONE);
+    prepared.primitives();
+    let all = skipped(&prepared, method);
+    let is_left_out = |&part: &Part| all.iter().any(|skipped| skipped.part == part);
     let parts = Part::ALL.into_iter().filter(is_left_out);
     let mut runs: Vec<Option<Part>> = parts.map(Some).collect();
     if runs.len() > 1 {
         runs.push(None);
     }
-    let anyway = |run: &Option<Part>| run.map_or(Parts::ALL, Parts::from);
-    let stages = std::iter::once(Parts::NONE).chain(runs.iter().map(anyway));
-    let stages: Vec<Arc<Stage>> = stages
-        .map(|parts| Arc::new(stage.clone().doing(parts)))
+    let forced = |run: &Option<Part>| run.map_or(Parts::ALL, Parts::from);
+    let stages = std::iter::once(Parts::NONE).chain(runs.iter().map(forced));
+    let stages: Vec<Arc<PreparedScene>> = stages
+        .map(|parts| Arc::new(prepared.clone().with_forced(parts)))
         .collect();
-    let rungs: Vec<Rung> = stages
+    let sweep_settings: Vec<Setting> = stages
         .iter()
-        .map(|stage| rung(stage.clone(), method))
+        .map(|prepared| sweep_setting(prepared.clone(), method))
         .collect();
-    let curves: Vec<&[Rung]> = rungs.iter().map(std::slice::from_ref).collect();
+    let curves: Vec<&[Setting]> = sweep_settings.iter().map(std::slice::from_ref).collect();
     let heard = |done, all| {
         progress(done, all);
         Ok(())
@@ -125,35 +125,39 @@ pub fn savings(
     let mut timed = timed.into_iter();
     let (values, time) = timed.next().ok_or("nothing was run")??;
     let without = values.numbers();
-    let measured = |stage: &Stage, (values, time): (Values, Timing)| Measured {
+    let measured = |prepared: &PreparedScene, (values, time): (Values, Timing)| Measured {
         time,
-        steps: steps(stage, method),
+        steps: steps(prepared, method),
         sameness: Sameness::of(&without, &values.numbers()),
     };
     let parts = runs.into_iter().zip(&stages[1..]).zip(timed);
-    let saving = |((part, stage), timed): ((Option<Part>, &Arc<Stage>), _)| Saving {
+    let ablation = |((part, prepared), timed): ((Option<Part>, &Arc<PreparedScene>), _)| Ablation {
         part,
-        left_out: all
+        skipped: all
             .iter()
-            .filter(|left_out| Some(left_out.part) == part)
+            .filter(|skipped| Some(skipped.part) == part)
             .cloned()
             .collect(),
-        measured: Result::map(timed, |timed| measured(stage, timed)),
+        measured: Result::map(timed, |timed| measured(prepared, timed)),
     };
-    Ok(Savings {
+    Ok(Ablations {
         time,
         steps: steps(&stages[0], method),
-        parts: parts.map(saving).collect(),
+        parts: parts.map(ablation).collect(),
     })
 }
 
 /// What the run takes with all left out that the scene does not need, and with what this stage does all the same. Errors: why one of
 /// the two is not timed.
-pub fn both(stage: &Stage, method: Method, patience: Patience) -> Result<[Timing; 2], String> {
-    stage.solids();
-    let rungs = [Parts::NONE, stage.anyway()]
-        .map(|parts| rung(Arc::new(stage.clone().doing(parts)), method));
-    let curves = rungs.each_ref().map(std::slice::from_ref);
+pub fn both(
+    prepared: &PreparedScene,
+    method: Method,
+    patience: Patience,
+) -> Result<[Timing; 2], String> {
+    prepared.primitives();
+    let sweep_settings = [Parts::NONE, prepared.forced()]
+        .map(|parts| sweep_setting(Arc::new(prepared.clone().with_forced(parts)), method));
+    let curves = sweep_settings.each_ref().map(std::slice::from_ref);
     let timed = time(&curves, patience, &|_, _| Ok(())).map_err(|off| off.to_string())?;
     let mut timed = timed.into_iter();
     let mut next = || -> Result<Timing, String> {
@@ -163,8 +167,8 @@ pub fn both(stage: &Stage, method: Method, patience: Patience) -> Result<[Timing
     Ok([next()?, next()?])
 }
 
-fn rung(stage: Arc<Stage>, method: Method) -> Rung {
-    Rung {
+fn sweep_setting(prepared: Arc<PreparedScene>, method: Method) -> Setting {
+    Setting {
         setting: String::new(),
         size: 1.0,
         bytes: 0,
@@ -172,11 +176,11 @@ fn rung(stage: Arc<Stage>, method: Method) -> Rung {
         drawn: None,
         truth: None,
         run: Box::new(move || match method {
-            Method::Radiosity => light(stage.room().map_err(|error| error.to_string())?),
+            Method::Radiosity => light(prepared.enclosure().map_err(|error| error.to_string())?),
             _ => {
                 // What belongs to the scene alone is found once.
-                stage.needs();
-                let frame = render(&stage, method, NonZeroUsize::MIN, &|_, _| {});
+                prepared.needs();
+                let frame = render(&prepared, method, NonZeroUsize::MIN, &|_, _| {});
                 Ok(Values::Picture(frame))
             }
         }),
@@ -184,9 +188,9 @@ fn rung(stage: Arc<Stage>, method: Method) -> Rung {
 }
 
 /// Form factors and solution, made anew.
-fn light(room: &Room) -> Result<Values, String> {
-    let matrix = room.form_factors().matrix();
-    let light = room.solve(&matrix, &Watch::default(), &mut Unrecorded);
+fn light(enclosure: &Enclosure) -> Result<Values, String> {
+    let matrix = enclosure.form_factors().matrix();
+    let light = enclosure.solve(&matrix, &RecordFilter::default(), &mut Unrecorded);
     let light = light.map_err(|why| why.to_string())?;
     let radiosity = light.radiosity.iter();
     Ok(Values::Numbers(
@@ -195,54 +199,54 @@ fn light(room: &Room) -> Result<Values, String> {
 }
 
 /// Counts the steps of the whole run.
-fn steps(stage: &Stage, method: Method) -> Steps {
+fn steps(prepared: &PreparedScene, method: Method) -> Steps {
     let mut counter = Counter::default();
     let mut frame = Frame::new(
-        stage.view.width,
-        0..stage.view.height,
-        stage.scene.background,
+        prepared.view.width,
+        0..prepared.view.height,
+        prepared.scene.background,
     );
     let (focus, frame, steps) = (Focus::Frame, &mut frame, &mut counter);
     let size = match method {
         Method::Wireframe => {
-            wireframe(stage, focus, frame, steps);
+            wireframe(prepared, focus, frame, steps);
             size_of::<wireframe_run::Event>()
         }
         Method::Flat => {
-            flat(stage, focus, frame, steps);
+            flat(prepared, focus, frame, steps);
             size_of::<flat_run::Event>()
         }
         Method::Gouraud => {
-            gouraud(stage, focus, frame, steps);
+            gouraud(prepared, focus, frame, steps);
             size_of::<gouraud_run::Event>()
         }
         Method::Phong => {
-            phong(stage, focus, frame, steps);
+            phong(prepared, focus, frame, steps);
             size_of::<phong_run::Event>()
         }
         Method::FastPhong => {
-            fast_phong(stage, focus, frame, steps);
+            fast_phong(prepared, focus, frame, steps);
             size_of::<fast_phong_run::Event>()
         }
         Method::Exact => {
-            exact(stage, focus, frame, steps);
+            exact(prepared, focus, frame, steps);
             size_of::<exact_run::Event>()
         }
         Method::RayCasting => {
-            let caster = RayCaster::new(stage, stage.needs(), Hierarchy);
+            let caster = RayCaster::new(prepared, prepared.needs(), Bvh);
             ray_casting(&caster, focus, frame, steps);
             size_of::<casting_run::Event>()
         }
         Method::RayTracing => {
-            let tracer = RayTracer::new(stage, stage.needs(), Hierarchy);
+            let tracer = RayTracer::new(prepared, prepared.needs(), Bvh);
             ray_tracing(&tracer, focus, frame, steps);
             size_of::<tracing_run::Event>()
         }
         Method::Radiosity => {
-            if let Ok(room) = stage.room() {
-                let matrix = room.matrix_or(|| room.form_factors().matrix());
+            if let Ok(enclosure) = prepared.enclosure() {
+                let matrix = enclosure.matrix_or(|| enclosure.form_factors().matrix());
                 // A room without a solution was found out before.
-                let _ = room.solve(matrix, &Watch::default(), steps);
+                let _ = enclosure.solve(matrix, &RecordFilter::default(), steps);
             }
             size_of::<radiosity::Event>()
         }

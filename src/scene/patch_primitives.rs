@@ -1,19 +1,19 @@
 //! The patches of a scene as rays meet them: the facets that exchange light, where the scene itself may be round.
 
 use super::patches::Patches;
-use super::solids::{Hit, Ray, Solids};
+use super::primitives::{Hit, Primitives, Ray};
 use super::{Mesh, Scene, Shape, Tessellation};
 use glam::DVec3;
 
 /// The pieces of all patches, object by object.
 #[derive(Clone, Debug)]
-pub struct PatchSolids {
-    solids: Solids,
+pub struct PatchPrimitives {
+    primitives: Primitives,
     /// The patch of each triangle, by object.
     owners: Vec<Vec<u32>>,
 }
 
-impl PatchSolids {
+impl PatchPrimitives {
     /// `patches` are those of the scene.
     pub fn of(scene: &Scene, patches: &Patches) -> Self {
         let mut facets = scene.clone();
@@ -33,15 +33,15 @@ impl PatchSolids {
         for (object, (positions, faces)) in facets.objects.iter_mut().zip(meshes) {
             object.shape = Shape::Mesh(Mesh::new(&positions, faces, &[]));
         }
-        PatchSolids {
-            solids: Solids::of(&facets, &Tessellation::of(&facets)),
+        PatchPrimitives {
+            primitives: Primitives::of(&facets, &Tessellation::of(&facets)),
             owners,
         }
     }
 
     /// The patch that a ray meets first, and where.
     pub fn nearest(&self, ray: &Ray) -> Option<(usize, Hit)> {
-        let hit = self.solids.nearest(ray)?;
+        let hit = self.primitives.nearest(ray)?;
         let patch = self.owners[hit.object as usize][hit.triangle as usize];
         Some((patch as usize, hit))
     }
@@ -62,7 +62,7 @@ mod tests {
               "polygon": { "vertices": [[20, 0, 0], [24, 0, 0], [21, 1, 0], [20, 4, 0], [20, 2, 0]] } } ] }"#;
         let scene = read(json.as_bytes(), &Limits::default(), &mut |_| unreachable!()).unwrap();
         let patches = Patches::of(&scene, 1000).unwrap();
-        let solids = PatchSolids::of(&scene, &patches);
+        let primitives = PatchPrimitives::of(&scene, &patches);
         for patch in 0..patches.len() {
             for piece in patches.pieces(patch) {
                 let middle = piece.corners.iter().sum::<DVec3>() / piece.corners.len() as f64;
@@ -70,7 +70,10 @@ mod tests {
                     origin: middle + 1e-3 * piece.normal,
                     direction: -piece.normal,
                 };
-                assert_eq!(solids.nearest(&ray).map(|(patch, _)| patch), Some(patch));
+                assert_eq!(
+                    primitives.nearest(&ray).map(|(patch, _)| patch),
+                    Some(patch)
+                );
             }
         }
     }

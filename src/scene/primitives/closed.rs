@@ -44,7 +44,7 @@ pub(super) fn winds_around(triangles: impl Iterator<Item = [DVec3; 3]>, point: D
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::{scene, solids};
+    use super::super::tests::{primitives, scene};
     use super::*;
     use crate::scene::{Scene, Shape, Tessellation};
 
@@ -88,7 +88,7 @@ mod tests {
             center: DVec3::new(x, 1.0, 0.0),
             radius,
         };
-        let solids = solids([
+        let primitives = primitives([
             sphere(0.0, 0.5),
             cylinder(true),
             sphere(0.1, 0.9),
@@ -100,9 +100,9 @@ mod tests {
             cylinder(false),
             sphere(5.0, 1.0),
         ]);
-        assert_eq!(solids.around(DVec3::new(0.0, 1.0, 0.0)), [4, 1, 2, 0]);
-        assert_eq!(solids.around(DVec3::new(0.0, 1.99, 0.0)), [4, 1]);
-        assert_eq!(solids.around(DVec3::new(0.0, 2.01, 0.0)), [4]);
-        assert_eq!(solids.around(DVec3::new(0.0, 20.0, 0.0)), [0; 0]);
+        assert_eq!(primitives.around(DVec3::new(0.0, 1.0, 0.0)), [4, 1, 2, 0]);
+        assert_eq!(primitives.around(DVec3::new(0.0, 1.99, 0.0)), [4, 1]);
+        assert_eq!(primitives.around(DVec3::new(0.0, 2.01, 0.0)), [4]);
+        assert_eq!(primitives.around(DVec3::new(0.0, 20.0, 0.0)), [0; 0]);
     }
 }

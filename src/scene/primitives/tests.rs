@@ -38,14 +38,14 @@ pub fn scene(shapes: impl IntoIterator<Item = Shape>) -> Scene {
     }
 }
 
-pub fn solids(shapes: impl IntoIterator<Item = Shape>) -> Solids {
+pub fn primitives(shapes: impl IntoIterator<Item = Shape>) -> Primitives {
     let scene = scene(shapes);
-    Solids::of(&scene, &Tessellation::of(&scene))
+    Primitives::of(&scene, &Tessellation::of(&scene))
 }
 
-impl Solids {
+impl Primitives {
     fn blocked_in_turn(&self, ray: &Ray, distance: f64) -> bool {
-        (0..self.solids.len()).any(|object| {
+        (0..self.primitives.len()).any(|object| {
             self.casts_shadow[object] && self.meet(object, ray).is_some_and(|hit| hit.t < distance)
         })
     }
@@ -164,7 +164,7 @@ proptest! {
         for (i, object) in scene.objects.iter_mut().enumerate() {
             object.casts_shadow = shadows >> i & 1 == 1;
         }
-        let solids = Solids::of(&scene, &Tessellation::of(&scene));
+        let primitives = Primitives::of(&scene, &Tessellation::of(&scene));
         for (origin, direction, how, index) in rays {
             let origin = origin * scale + by * scale * moved;
             let far = |distance: f64| origin - distance * scale * direction;
@@ -172,26 +172,26 @@ proptest! {
             if how == 1 {
                 // Straight at a corner
                 let object = index.index(scene.objects.len());
-                if let Solid::Faces { faces, .. } = &solids.solids[object] && faces.triangle_count() > 0 {
+                if let Solid::Faces { faces, .. } = &primitives.primitives[object] && faces.triangle_count() > 0 {
                     let corner = faces.corners(0)[index.index(3)];
                     ray.direction = ((corner - ray.origin) / scale).normalize_or(direction);
                 }
             }
-            let nearest = solids.nearest(&ray);
+            let nearest = primitives.nearest(&ray);
             for object in 0..scene.objects.len() {
-                prop_assert_eq!(solids.meet(object, &ray), solids.meet_in_turn(object, &ray));
+                prop_assert_eq!(primitives.meet(object, &ray), primitives.meet_in_turn(object, &ray));
             }
-            prop_assert_eq!(nearest, solids.nearest_in_turn(&ray));
+            prop_assert_eq!(nearest, primitives.nearest_in_turn(&ray));
             let distance = nearest.filter(|_| distance == 1.0).map_or(distance * scale, |hit| hit.t);
-            prop_assert_eq!(solids.blocked(&ray, distance), solids.blocked_in_turn(&ray, distance));
+            prop_assert_eq!(primitives.blocked(&ray, distance), primitives.blocked_in_turn(&ray, distance));
             if let Some(hit) = nearest {
                 prop_assert!(hit.t > 0.0 && hit.t.is_finite());
-                let surface = solids.surface(&ray, &hit);
+                let surface = primitives.surface(&ray, &hit);
                 prop_assert!(surface.position.is_finite() && surface.error.is_finite());
                 prop_assert!((surface.normal.length() - 1.0).abs() < 1e-12);
-                prop_assert!(solids.uv(&hit, surface.position).is_finite());
+                prop_assert!(primitives.uv(&hit, surface.position).is_finite());
             }
-            prop_assert!(solids.around(ray.origin).len() <= scene.objects.len());
+            prop_assert!(primitives.around(ray.origin).len() <= scene.objects.len());
         }
     }
 }
@@ -265,8 +265,8 @@ fn no_ray_meets_the_surface_that_it_leaves_at_any_scale() {
                     }
                 };
                 let is_sphere = matches!(shape, Shape::Sphere { .. });
-                let solids = solids([shape]);
-                let target = match &solids.solids[0] {
+                let primitives = primitives([shape]);
+                let target = match &primitives.primitives[0] {
                     Solid::Faces { faces, .. } => {
                         let [a, b, c] = faces.corners(0);
                         let (u, v) = (random.next().abs(), random.next().abs());
@@ -279,22 +279,22 @@ fn no_ray_meets_the_surface_that_it_leaves_at_any_scale() {
                     origin,
                     direction: ((target - origin) / scale).normalize(),
                 };
-                let Some(hit) = solids.meet(0, &ray) else {
+                let Some(hit) = primitives.meet(0, &ray) else {
                     continue;
                 };
-                let surface = solids.surface(&ray, &hit);
+                let surface = primitives.surface(&ray, &hit);
                 for direction in departures(&mut random, &surface, ray.direction) {
                     let leaving = leaving(&surface, direction);
-                    let again = solids.meet(0, &leaving);
+                    let again = primitives.meet(0, &leaving);
                     let is_inward = is_sphere && direction.dot(surface.normal) < 0.0;
                     let Some(again) = again else {
                         continue;
                     };
                     // A chord through the sphere is as long as its direction is steep
-                    let Solid::Sphere { radius, .. } = solids.solids[0] else {
+                    let Solid::Sphere { radius, .. } = primitives.primitives[0] else {
                         panic!(
                             "{:?} met again at {again:?} toward {direction}",
-                            solids.solids[0]
+                            primitives.primitives[0]
                         );
                     };
                     let chord = -2.0 * radius * direction.dot(surface.normal);
@@ -317,7 +317,7 @@ fn ties_go_to_the_lower_object_then_triangle() {
         point: DVec3::Z,
         normal: DVec3::Z,
     };
-    let solids = solids([
+    let primitives = primitives([
         Shape::Polygon {
             vertices: square.to_vec(),
         },
@@ -337,28 +337,28 @@ fn ties_go_to_the_lower_object_then_triangle() {
         object: 0,
         triangle: 0,
     };
-    assert_eq!(solids.nearest(&ray), Some(hit));
+    assert_eq!(primitives.nearest(&ray), Some(hit));
     for object in 1..5 {
         assert_eq!(
-            solids.meet(object, &ray),
+            primitives.meet(object, &ray),
             Some(Hit {
                 object: object as u32,
                 ..hit
             })
         );
     }
-    assert!(!solids.blocked(&ray, 2.0));
-    assert!(solids.blocked(&ray, 2.0_f64.next_up()));
+    assert!(!primitives.blocked(&ray, 2.0));
+    assert!(primitives.blocked(&ray, 2.0_f64.next_up()));
 }
 
 #[test]
 fn an_empty_scene_is_met_nowhere() {
-    let solids = solids([]);
+    let primitives = primitives([]);
     let ray = Ray {
         origin: DVec3::ZERO,
         direction: DVec3::X,
     };
-    assert_eq!(solids.nearest(&ray), None);
-    assert!(!solids.blocked(&ray, f64::INFINITY));
-    assert!(solids.around(DVec3::ZERO).is_empty());
+    assert_eq!(primitives.nearest(&ray), None);
+    assert!(!primitives.blocked(&ray, f64::INFINITY));
+    assert!(primitives.around(DVec3::ZERO).is_empty());
 }

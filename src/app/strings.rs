@@ -1,10 +1,10 @@
 //! The window's words, in both languages.
 
-use crate::panels::words::Words;
+use crate::panels::strings::Words;
 use crate::study::harness::Point;
-use crate::study::report::words as report;
+use crate::study::report::strings as report;
 
-macro_rules! words {
+macro_rules! strings {
     ($($name:ident: $en:literal, $id:literal;)*) => {
         $(pub const $name: Words = Words::new($en, $id);)*
         /// All of them, for the test.
@@ -13,7 +13,7 @@ macro_rules! words {
     };
 }
 
-words! {
+strings! {
     PRESENT: "Present", "Presentasi";
     SHARE: "Share step", "Bagikan langkah";
     SHARED: "Copied: the command that opens this lesson at this step.", "Disalin: perintah yang membuka pelajaran ini pada langkah ini.";
@@ -222,8 +222,8 @@ mod tests {
 
     #[test]
     fn every_word_is_there_in_both_languages() {
-        for (name, words) in ALL {
-            assert!(!words.en.is_empty() && !words.id.is_empty(), "{name}");
+        for (name, strings) in ALL {
+            assert!(!strings.en.is_empty() && !strings.id.is_empty(), "{name}");
         }
     }
 }

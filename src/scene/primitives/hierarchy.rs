@@ -42,7 +42,7 @@ struct Node {
 }
 
 #[derive(Clone, Debug)]
-pub(super) struct Hierarchy {
+pub(super) struct Bvh {
     nodes: Vec<Node>,
 }
 
@@ -74,7 +74,7 @@ impl<'a> UnitRay<'a> {
     }
 }
 
-impl Hierarchy {
+impl Bvh {
     /// The memory of its nodes.
     pub fn bytes(&self) -> u64 {
         (self.nodes.len() * size_of::<Node>()) as u64
@@ -92,7 +92,7 @@ impl Hierarchy {
             })
             .collect();
         if aabbs.is_empty() {
-            return (Hierarchy { nodes: Vec::new() }, Leaves::default());
+            return (Bvh { nodes: Vec::new() }, Leaves::default());
         }
         let indices = (0..aabbs.len() as u32).collect();
         let mut tree = PlocBuilder::with_capacity(aabbs.len()).build(
@@ -117,7 +117,7 @@ impl Hierarchy {
         };
         widening.run();
         (
-            Hierarchy {
+            Bvh {
                 nodes: widening.nodes,
             },
             widening.leaves,

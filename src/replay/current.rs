@@ -6,14 +6,14 @@ use crate::color::Rgb;
 use glam::DVec3;
 
 #[derive(Clone, Copy, Debug)]
-pub struct PolygonInHand {
+pub struct CurrentPolygon {
     pub object: u32,
     pub polygon: u32,
     pub step: usize,
 }
 
 #[derive(Clone, Debug)]
-pub struct VertexInHand {
+pub struct CurrentVertex {
     pub vertex: u32,
     pub position: DVec3,
     /// Faces whose normals were added so far, with the step that did it.
@@ -27,22 +27,22 @@ pub struct VertexInHand {
 }
 
 #[derive(Clone, Debug)]
-pub struct PointInHand {
+pub struct CurrentPoint {
     pub position: DVec3,
     pub normal: DVec3,
     pub to_eye: Option<DVec3>,
     pub ambient: Option<Rgb>,
-    pub lights: Vec<LightInHand>,
+    pub lights: Vec<CurrentLight>,
     pub intensity: Option<Rgb>,
     pub step: usize,
 }
 
-impl PointInHand {
+impl CurrentPoint {
     /// What the illumination model told of the point in hand.
-    pub(super) fn light(in_hand: &mut Option<Self>, step: usize, event: &illumination::Event) {
+    pub(super) fn light(current: &mut Option<Self>, step: usize, event: &illumination::Event) {
         use illumination::Event;
         if let Event::Illumination { position, normal } = *event {
-            let point = PointInHand {
+            let point = CurrentPoint {
                 position,
                 normal,
                 to_eye: None,
@@ -51,9 +51,9 @@ impl PointInHand {
                 intensity: None,
                 step,
             };
-            *in_hand = Some(point);
+            *current = Some(point);
         }
-        let Some(point) = in_hand else { return };
+        let Some(point) = current else { return };
         if let Event::Light {
             light,
             distance,
@@ -62,7 +62,7 @@ impl PointInHand {
             ..
         } = *event
         {
-            let light = LightInHand {
+            let light = CurrentLight {
                 light,
                 distance,
                 attenuation,
@@ -108,7 +108,7 @@ impl PointInHand {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct LightInHand {
+pub struct CurrentLight {
     pub light: u32,
     /// Infinite for a directional light.
     pub distance: f64,
@@ -128,7 +128,7 @@ pub struct LightInHand {
 
 /// On the screen; `z` is the depth.
 #[derive(Clone, Copy, Debug)]
-pub struct CornerInHand<A> {
+pub struct CurrentCorner<A> {
     pub x: f64,
     pub y: f64,
     pub z: f64,
@@ -137,7 +137,7 @@ pub struct CornerInHand<A> {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct EdgeInHand<A> {
+pub struct ActiveEdge<A> {
     pub edge: u32,
     pub upper: u32,
     pub lower: u32,
@@ -146,12 +146,12 @@ pub struct EdgeInHand<A> {
     pub slope: f64,
     pub value_step: A,
     /// Where the scan line in hand cuts it, once that was told.
-    pub cut: Option<CutInHand<A>>,
+    pub cut: Option<CurrentCut<A>>,
     pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct CutInHand<A> {
+pub struct CurrentCut<A> {
     pub x_4: f64,
     /// Direct and incremental value, once they are told.
     pub values: Option<(A, A)>,
@@ -159,14 +159,14 @@ pub struct CutInHand<A> {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct RowInHand {
+pub struct CurrentRow {
     pub y: u32,
     pub y_4: f64,
     pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct SpanInHand<A> {
+pub struct CurrentSpan<A> {
     pub x_4: f64,
     pub x_5: f64,
     pub first: u32,
@@ -177,7 +177,7 @@ pub struct SpanInHand<A> {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct PixelInHand<A> {
+pub struct CurrentPixel<A> {
     pub x: u32,
     pub y: u32,
     pub x_p: f64,

@@ -1,22 +1,22 @@
 //! What the exchange of light in a room does not need: channels, equations, integrals and rays whose result is known.
 
+use super::enclosure::{CHANNELS, Enclosure};
 use super::radiosity::{Channel, equal_before};
-use super::room::{CHANNELS, Room};
 use crate::scene::{LeftOut, Part};
 
 /// What is left out of a room's form factors and their solution, with its share.
-pub fn left_out(room: &Room) -> Vec<LeftOut> {
-    let lists = [0, 1, 2].map(|c| room.channel(c));
+pub fn skipped(enclosure: &Enclosure) -> Vec<LeftOut> {
+    let lists = [0, 1, 2].map(|c| enclosure.channel(c));
     let channels = [0, 1, 2].map(|c| Channel {
         name: CHANNELS[c],
         rho: &lists[c].0,
         emission: &lists[c].1,
     });
-    let mut left_out = Vec::new();
+    let mut skipped = Vec::new();
     for (c, channel) in channels.iter().enumerate() {
         let mut leave_out = |part, like: Option<&str>, share| {
             let as_it = like.map_or(String::new(), |like| format!(" as {like}"));
-            left_out.push(LeftOut {
+            skipped.push(LeftOut {
                 part,
                 place: format!("materials, {}{as_it}", channel.name),
                 share,
@@ -31,21 +31,21 @@ pub fn left_out(room: &Room) -> Vec<LeftOut> {
             leave_out(Part::BlackRows, None, Some([black, channel.rho.len()]));
         }
     }
-    if room.settings.form_factors.is_reciprocal() {
-        left_out.extend(of_pairs(room));
+    if enclosure.settings.form_factors.is_reciprocal() {
+        skipped.extend(of_pairs(enclosure));
     }
-    left_out
+    skipped
 }
 
 /// Integrals and rays that are not needed, by pairs of patches.
-fn of_pairs(room: &Room) -> Vec<LeftOut> {
-    let (n, form_factors) = (room.patches.len(), room.form_factors());
+fn of_pairs(enclosure: &Enclosure) -> Vec<LeftOut> {
+    let (n, form_factors) = (enclosure.patches.len(), enclosure.form_factors());
     let (mut away, mut clear) = (0, 0);
     for i in 0..n {
         for j in i + 1..n {
             if form_factors.face_away(i, j) {
                 away += 1;
-            } else if room.settings.visibility && !room.blockers.can_stand_between(i, j) {
+            } else if enclosure.settings.visibility && !enclosure.blockers.can_stand_between(i, j) {
                 clear += 1;
             }
         }

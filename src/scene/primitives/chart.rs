@@ -80,8 +80,8 @@ fn share_of_rectangle(vertices: &[DVec3], point: DVec3) -> DVec2 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tests::solids;
-    use super::super::{Hit, Solids};
+    use super::super::tests::primitives;
+    use super::super::{Hit, Primitives};
     use super::*;
     use crate::scene::Shape;
 
@@ -130,19 +130,19 @@ mod tests {
         ));
     }
 
-    fn uv(solids: &Solids, position: [f64; 3]) -> DVec2 {
+    fn uv(primitives: &Primitives, position: [f64; 3]) -> DVec2 {
         let hit = Hit {
             t: 1.0,
             object: 0,
             triangle: 0,
         };
-        solids.uv(&hit, position.into())
+        primitives.uv(&hit, position.into())
     }
 
     #[test]
     fn planes_measure_lengths_along_axes() {
         let plane = |normal: DVec3| {
-            solids([Shape::Plane {
+            primitives([Shape::Plane {
                 point: DVec3::new(1.0, 2.0, 3.0),
                 normal,
             }])
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn spheres_have_their_poles_on_y_and_longitudes_from_z_toward_x() {
-        let sphere = solids([Shape::Sphere {
+        let sphere = primitives([Shape::Sphere {
             center: DVec3::ZERO,
             radius: 2.0,
         }]);

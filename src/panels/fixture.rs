@@ -1,13 +1,13 @@
 //! Small runs that the tests of panels look at.
 
-use super::words::Language;
-use super::{Show, TreeView};
+use super::strings::Language;
+use super::{PanelInput, TreeView};
+use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
-use crate::algorithms::room;
-use crate::algorithms::stage::Stage;
 use crate::color::Rgb;
 use crate::record::RecordingLimit;
 use crate::render::{Method, render};
@@ -20,13 +20,13 @@ use std::num::{NonZeroU32, NonZeroUsize};
 use std::sync::Arc;
 
 /// A recorded run with the finished picture.
-pub(crate) struct Sample {
+pub(crate) struct Fixture {
     pub run: Run,
     pub finished: Frame,
     pub focus: Focus,
 }
 
-impl Sample {
+impl Fixture {
     /// One triangle, grey, 48×36 pixels, the whole of it recorded.
     pub fn triangle(method: Method) -> Self {
         let shape = Shape::Polygon {
@@ -35,7 +35,7 @@ impl Sample {
                 .to_vec(),
         };
         let scene = scene(shape, Rgb::splat(0.7), Highlight::Blinn);
-        Sample::of(scene, method, Focus::Polygon(0), (48, 36))
+        Fixture::of(scene, method, Focus::Polygon(0), (48, 36))
     }
 
     /// A red pyramid of four faces around one vertex, 640×480 pixels, its first face recorded.
@@ -52,26 +52,26 @@ impl Sample {
         let no_uvs: [DVec2; 0] = [];
         let shape = Shape::Mesh(Mesh::new(&positions, faces, &no_uvs));
         let scene = scene(shape, Rgb::new(0.7, 0.2, 0.1), Highlight::Phong);
-        Sample::of(scene, method, Focus::Polygon(0), (640, 480))
+        Fixture::of(scene, method, Focus::Polygon(0), (640, 480))
     }
 
     /// A glass ball, a glass cube and a red ball on a mirroring checkered floor, under a light ball and a dim light; 640×480
     /// pixels, one of them recorded and none finished, which would take seconds.
     pub fn rays(method: Method, pixel: (u32, u32), depth: u32) -> Self {
-        Sample::rays_of(rays_scene(), method, pixel, depth)
+        Fixture::rays_of(rays_scene(), method, pixel, depth)
     }
 
-    /// As [`Sample::rays`], of another scene.
+    /// As [`Fixture::rays`], of another scene.
     pub fn rays_of(scene: Scene, method: Method, (x, y): (u32, u32), depth: u32) -> Self {
         let settings = Settings {
             depth: NonZeroU32::new(depth).expect("a depth is at least 1"),
             ..Settings::default()
         };
-        let stage = stage(scene, (640, 480)).with_settings(settings);
+        let prepared = prepared(scene, (640, 480)).with_settings(settings);
         let focus = Focus::Pixel { x, y };
-        Sample {
-            finished: Frame::new(640, 0..480, stage.scene.background),
-            run: Run::record(Arc::new(stage), method, focus, RecordingLimit::default()),
+        Fixture {
+            finished: Frame::new(640, 0..480, prepared.scene.background),
+            run: Run::record(Arc::new(prepared), method, focus, RecordingLimit::default()),
             focus,
         }
     }
@@ -83,25 +83,30 @@ impl Sample {
             &Limits::default(),
             &mut |_| Ok(Vec::new()),
         );
-        Sample::room_of(scene.expect("the sample is a scene"), solver, focus)
+        Fixture::room_of(scene.expect("the sample is a scene"), solver, focus)
     }
 
-    /// As [`Sample::room`], of another scene.
+    /// As [`Fixture::room`], of another scene.
     pub fn room_of(scene: Scene, solver: Solver, focus: Focus) -> Self {
-        let settings = room::Settings {
+        let settings = enclosure::Settings {
             solver,
-            ..room::Settings::default()
+            ..enclosure::Settings::default()
         };
-        let stage = Arc::new(stage(scene, (640, 480)).with_radiosity(settings));
-        Sample {
-            finished: Frame::new(640, 0..480, stage.scene.background),
-            run: Run::record(stage, Method::Radiosity, focus, RecordingLimit::default()),
+        let prepared = Arc::new(prepared(scene, (640, 480)).with_radiosity(settings));
+        Fixture {
+            finished: Frame::new(640, 0..480, prepared.scene.background),
+            run: Run::record(
+                prepared,
+                Method::Radiosity,
+                focus,
+                RecordingLimit::default(),
+            ),
             focus,
         }
     }
 
     pub fn of(scene: Scene, method: Method, focus: Focus, size: (u32, u32)) -> Self {
-        Sample::with_settings(scene, method, focus, size, Settings::default())
+        Fixture::with_settings(scene, method, focus, size, Settings::default())
     }
 
     pub fn with_settings(
@@ -111,16 +116,16 @@ impl Sample {
         size: (u32, u32),
         settings: Settings,
     ) -> Self {
-        let stage = Arc::new(stage(scene, size).with_settings(settings));
-        Sample {
-            finished: render(&stage, method, NonZeroUsize::MIN, &|_, _| {}),
-            run: Run::record(stage, method, focus, RecordingLimit::default()),
+        let prepared = Arc::new(prepared(scene, size).with_settings(settings));
+        Fixture {
+            finished: render(&prepared, method, NonZeroUsize::MIN, &|_, _| {}),
+            run: Run::record(prepared, method, focus, RecordingLimit::default()),
             focus,
         }
     }
 
-    pub fn show(&self) -> Show<'_> {
-        Show {
+    pub fn input(&self) -> PanelInput<'_> {
+        PanelInput {
             run: &self.run,
             finished: &self.finished,
             compared: &[],
@@ -145,7 +150,7 @@ impl Sample {
     }
 }
 
-/// Pixels of [`Sample::rays`]. Through the glass ball to the cube, where total internal reflection follows, and to the floor,
+/// Pixels of [`Fixture::rays`]. Through the glass ball to the cube, where total internal reflection follows, and to the floor,
 /// which the cube shades; 14 rays at depth 5.
 pub(crate) const BALL: (u32, u32) = (380, 270);
 /// A spot of the glass ball that mirrors the light ball.
@@ -155,7 +160,7 @@ pub(crate) const FLOOR: (u32, u32) = (480, 400);
 /// The background.
 pub(crate) const SKY: (u32, u32) = (320, 20);
 
-/// The scene of [`Sample::rays`].
+/// The scene of [`Fixture::rays`].
 pub(crate) fn rays_scene() -> Scene {
     let cube = include_bytes!("sample/cube.obj");
     let scene = include_bytes!("sample/rays.json");
@@ -163,9 +168,9 @@ pub(crate) fn rays_scene() -> Scene {
     read.expect("the sample is a scene")
 }
 
-fn stage(scene: Scene, (width, height): (u32, u32)) -> Stage {
+fn prepared(scene: Scene, (width, height): (u32, u32)) -> PreparedScene {
     let camera = scene.camera.expect("a sample has a camera");
-    Stage::new(scene, View::new(&camera, width, height))
+    PreparedScene::new(scene, View::new(&camera, width, height))
 }
 
 /// An object seen from straight ahead, lit by one lamp near it.
@@ -218,8 +223,8 @@ mod tests {
     #[test]
     fn the_pixels_show_what_is_said_of_them() {
         let kinds = |pixel| {
-            let sample = Sample::rays(Method::RayTracing, pixel, 5);
-            let walk = sample.run.walk();
+            let fixture = Fixture::rays(Method::RayTracing, pixel, 5);
+            let walk = fixture.run.walk();
             (0..walk.len())
                 .map(|step| walk.kind(step))
                 .collect::<Vec<_>>()

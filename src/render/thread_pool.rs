@@ -3,17 +3,17 @@
 use std::num::NonZeroUsize;
 
 /// Threads that take work item by item, whoever is free the next one; without the feature `parallel`, the caller's alone.
-pub struct Crew {
+pub struct ThreadPool {
     #[cfg(feature = "parallel")]
     pool: Option<rayon::ThreadPool>,
 }
 
 #[cfg(feature = "parallel")]
-impl Crew {
+impl ThreadPool {
     /// Where no more threads can be had, the caller's does all the work.
     pub fn new(threads: NonZeroUsize) -> Self {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get());
-        Crew {
+        ThreadPool {
             pool: (threads.get() > 1).then(|| pool.build().ok()).flatten(),
         }
     }
@@ -45,9 +45,9 @@ impl Crew {
 }
 
 #[cfg(not(feature = "parallel"))]
-impl Crew {
+impl ThreadPool {
     pub fn new(_: NonZeroUsize) -> Self {
-        Crew {}
+        ThreadPool {}
     }
 
     pub fn size(&self) -> usize {

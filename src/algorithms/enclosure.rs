@@ -1,15 +1,15 @@
 //! A scene as radiosity sees it: patches, what stands between them, their form factors, and in the end their light.
 
+use super::enclosure_needs;
 use super::form_factor::{Blockers, FormFactors, Method};
 use super::radiosity::race::Race;
 use super::radiosity::{
-    self, Channel, ChannelUnsolved, Event, Matrix, Rows, Solution, Solver, Stop, System, Told,
-    Unsolved, Watch, shoot, solve, solve_channels,
+    self, Channel, ChannelUnsolved, Event, Matrix, RecordFilter, Rows, Solution, Solver,
+    SolverEvent, Stop, System, Unsolved, shoot, solve, solve_channels,
 };
-use super::room_needs;
 use crate::color::Rgb;
 use crate::record::{Recorder, Unrecorded};
-use crate::scene::patch_solids::PatchSolids;
+use crate::scene::patch_primitives::PatchPrimitives;
 use crate::scene::patches::{PatchError, Patches};
 use crate::scene::{LeftOut, Limits, Parts, Scene};
 use std::sync::OnceLock;
@@ -27,7 +27,7 @@ pub struct Settings {
     /// The most patches that a scene may be divided into.
     pub max_patches: u64,
     /// What is done although the scene does not need it.
-    pub anyway: Parts,
+    pub forced: Parts,
 }
 
 impl Default for Settings {
@@ -39,14 +39,14 @@ impl Default for Settings {
             stop: Stop::default(),
             smooth: false,
             max_patches: Limits::default().max_patches,
-            anyway: Parts::NONE,
+            forced: Parts::NONE,
         }
     }
 }
 
 /// The patches of a scene. Their matrix is made when it is first asked for.
 #[derive(Clone, Debug)]
-pub struct Room {
+pub struct Enclosure {
     pub patches: Patches,
     pub blockers: Blockers,
     pub settings: Settings,
@@ -56,9 +56,9 @@ pub struct Room {
     matrix: OnceLock<Vec<f64>>,
     light: OnceLock<Result<Light, ChannelUnsolved>>,
     race: OnceLock<Result<Race, Unsolved>>,
-    left_out: OnceLock<Vec<LeftOut>>,
+    skipped: OnceLock<Vec<LeftOut>>,
     /// The patches as rays meet them.
-    pub solids: PatchSolids,
+    pub primitives: PatchPrimitives,
 }
 
 pub(super) const CHANNELS: [&str; 3] = ["red", "green", "blue"];
@@ -72,42 +72,42 @@ pub struct Light {
     pub solutions: [Solution; 3],
 }
 
-impl Room {
+impl Enclosure {
     /// Errors: planes, patches without area, too many patches.
-    pub fn of(scene: &Scene, settings: Settings) -> Result<Room, PatchError> {
+    pub fn of(scene: &Scene, settings: Settings) -> Result<Enclosure, PatchError> {
         let patches = Patches::of(scene, settings.max_patches)?;
         let blockers = Blockers::of(scene, &patches);
-        let solids = PatchSolids::of(scene, &patches);
+        let primitives = PatchPrimitives::of(scene, &patches);
         let materials = patches
             .iter()
             .map(|patch| &scene.materials[scene.objects[patch.object as usize].material]);
         let (reflectance, emission) = materials
             .map(|material| (material.reflectance, material.emission))
             .unzip();
-        Ok(Room {
+        Ok(Enclosure {
             patches,
             blockers,
             settings,
             reflectance,
             emission,
-            solids,
+            primitives,
             matrix: OnceLock::new(),
             light: OnceLock::new(),
             race: OnceLock::new(),
-            left_out: OnceLock::new(),
+            skipped: OnceLock::new(),
         })
     }
 
     /// What the exchange of light does not need, found when it is first asked for.
-    pub fn left_out(&self) -> &[LeftOut] {
-        self.left_out.get_or_init(|| room_needs::left_out(self))
+    pub fn skipped(&self) -> &[LeftOut] {
+        self.skipped.get_or_init(|| enclosure_needs::skipped(self))
     }
 
     /// By the pair, by the row, or all of them.
     pub fn form_factors(&self) -> FormFactors<'_> {
         let blockers = self.settings.visibility.then_some(&self.blockers);
         FormFactors::new(&self.patches, self.settings.form_factors, blockers)
-            .doing(self.settings.anyway)
+            .with_forced(self.settings.forced)
     }
 
     /// F, row-major, n×n for n patches; `make` makes it where it is not there yet.
@@ -126,9 +126,9 @@ impl Room {
         n.saturating_mul(n).saturating_mul(8)
     }
 
-    /// The light of the room, given its matrix; solved for when it is first asked for. Errors: as of [`Room::solve`].
+    /// The light of the room, given its matrix; solved for when it is first asked for. Errors: as of [`Enclosure::solve`].
     pub fn light(&self, matrix: &[f64]) -> Result<&Light, &ChannelUnsolved> {
-        let solve = || self.solve(matrix, &Watch::default(), &mut Unrecorded);
+        let solve = || self.solve(matrix, &RecordFilter::default(), &mut Unrecorded);
         self.light.get_or_init(solve).as_ref()
     }
 
@@ -136,7 +136,7 @@ impl Room {
     pub fn solve<R: Recorder<Event>>(
         &self,
         matrix: &[f64],
-        watch: &Watch,
+        filter: &RecordFilter,
         recorder: &mut R,
     ) -> Result<Light, ChannelUnsolved> {
         let Settings { solver, stop, .. } = self.settings;
@@ -146,14 +146,14 @@ impl Room {
         })?;
         self.solve_by(recorder, |patches, recorder| {
             let system = System::new(&matrix, *patches)?;
-            solve(&system, solver, stop, watch, recorder)
+            solve(&system, solver, stop, filter, recorder)
         })
     }
 
-    /// Shoots for the light of the room with no matrix: the row of a patch is found when it shoots. Errors: as of [`Room::solve`].
+    /// Shoots for the light of the room with no matrix: the row of a patch is found when it shoots. Errors: as of [`Enclosure::solve`].
     pub fn shoot<R: Recorder<Event>>(
         &self,
-        watch: &Watch,
+        filter: &RecordFilter,
         recorder: &mut R,
     ) -> Result<Light, ChannelUnsolved> {
         let Settings { solver, stop, .. } = self.settings;
@@ -163,7 +163,7 @@ impl Room {
                 form_factors: self.form_factors(),
                 row: vec![0.0; patches.len()],
             };
-            shoot(rows, patches, overshoots, stop, watch, recorder)
+            shoot(rows, patches, overshoots, stop, filter, recorder)
         })
     }
 
@@ -207,13 +207,13 @@ impl Room {
             emission: &lists[c].1,
         });
         let solver = self.settings.solver;
-        let tell = |told| Event { solver, told };
+        let tell = |recorded| Event { solver, recorded };
         let patches = self.patches.len() as u32;
-        recorder.enter(|| tell(Told::Room { patches }));
+        recorder.enter(|| tell(SolverEvent::Enclosure { patches }));
         let areas = self.patches.areas();
-        let anyway = self.settings.anyway;
-        let solved = solve_channels(&areas, channels, solver, anyway, recorder, solve);
-        recorder.leave(|| tell(Told::RoomDone));
+        let forced = self.settings.forced;
+        let solved = solve_channels(&areas, channels, solver, forced, recorder, solve);
+        recorder.leave(|| tell(SolverEvent::RoomDone));
         let solutions = solved?;
         let [red, green, blue] = &solutions;
         let radiosity = (0..self.patches.len())

@@ -7,13 +7,13 @@ use std::ops::Range;
 /// Outside the iterations watched nothing is told but the beginning and the end; on entering them the values of every patch are.
 /// With a patch, exchanges are told that concern it: what it gathers, what its own shots bring to all, what other shots bring to it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Watch {
+pub struct RecordFilter {
     /// Counted from 0; of the shooting methods, shots.
     pub iterations: Option<Range<u32>>,
     pub patch: Option<u32>,
 }
 
-impl Watch {
+impl RecordFilter {
     /// Whether iteration `k` is told.
     pub fn takes(&self, k: u32) -> bool {
         self.iterations

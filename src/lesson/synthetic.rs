@@ -3,8 +3,8 @@
 use super::file::{StepFile, Text};
 use super::resolve::Lesson;
 use crate::algorithms::focus::Focus;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
-use crate::algorithms::stage::Stage;
 use crate::panels::Panel;
 use crate::render::Method;
 use crate::replay::Query;
@@ -13,16 +13,16 @@ impl Lesson {
     /// The number of a lesson that stands in no list.
     pub const UNNUMBERED: u32 = 0;
 
-    /// A lesson about the middle of a picture of the stage. `title` is the same in both languages, `say` is by language; in
+    /// A lesson about the middle of a picture of the stage. `title` is the same in both languages, `localize` is by language; in
     /// neither may there be braces. `method` draws pictures of its own: it is not radiosity.
     pub fn of_picture(
         title: String,
-        say: [String; 2],
-        stage: &Stage,
+        localize: [String; 2],
+        prepared: &PreparedScene,
         method: Method,
         settings: Settings,
     ) -> Lesson {
-        let size = [stage.view.width, stage.view.height];
+        let size = [prepared.view.width, prepared.view.height];
         let [x, y] = size.map(|side| side / 2);
         let (focus, panels) = match method.follows_rays() {
             true => (
@@ -34,8 +34,8 @@ impl Lesson {
                 vec![Panel::Image, Panel::ScanLine, Panel::Inspector],
             ),
         };
-        let [en, id] = say;
-        let say = Text { en, id };
+        let [en, id] = localize;
+        let localize = Text { en, id };
         Lesson {
             id: "picture".into(),
             number: Lesson::UNNUMBERED,
@@ -43,21 +43,21 @@ impl Lesson {
                 en: title.clone(),
                 id: title,
             },
-            summary: say.clone(),
+            summary: localize.clone(),
             topics: Vec::new(),
-            scene: stage.scene.clone(),
+            scene: prepared.scene.clone(),
             method,
             size,
             settings,
-            radiosity: stage.radiosity,
+            radiosity: prepared.radiosity,
             compare: Vec::new(),
-            mapping: stage.mapping,
+            mapping: prepared.mapping,
             focus,
             parameters: Vec::new(),
             panels,
             steps: vec![StepFile {
                 at: Query::default(),
-                say,
+                localize,
                 slide: None,
                 question: None,
             }],

@@ -1,8 +1,8 @@
 //! The view of what is left out: read, ticked, and closed.
 
-use super::{screen, words};
+use super::{screen, strings};
 use crate::app::session::Command;
-use crate::panels::words::Language;
+use crate::panels::strings::Language;
 use crate::scene::{Part, Parts};
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -21,32 +21,32 @@ fn a_ticked_part_is_done_all_the_same_and_timed() {
     screen.keep("left-out");
     screen.click("Reflected rays");
     assert_eq!(
-        screen.session().stage().anyway(),
+        screen.session().prepared().forced(),
         Parts::from(Part::ReflectedRays)
     );
     assert!(screen.session().walk().len() > steps);
     screen.session_mut().wait_for_picture();
     screen.harness.run();
-    let told = [words::TIME_WITH.en, words::TIMES_NONE.en];
-    assert!(told.iter().any(|label| text(label, &screen)));
+    let recorded = [strings::TIME_WITH.en, strings::TIMES_NONE.en];
+    assert!(recorded.iter().any(|label| text(label, &screen)));
     screen.keep("left-out-ticked");
     screen.click("Reflected rays");
-    assert!(screen.session().stage().anyway().is_empty());
+    assert!(screen.session().prepared().forced().is_empty());
     screen.press(Modifiers::NONE, Key::Escape);
-    assert!(!screen.session().look.left_out);
+    assert!(!screen.session().look.skipped);
 }
 
 #[test]
 fn the_menu_opens_it_in_both_languages() {
     for (language, name) in [
-        (Language::English, words::LEFT_OUT.en),
-        (Language::Indonesian, words::LEFT_OUT.id),
+        (Language::English, strings::LEFT_OUT.en),
+        (Language::Indonesian, strings::LEFT_OUT.id),
     ] {
         let commands = [Command::Questions, Command::Speak(language)];
         let mut screen = screen("shadows", [1280, 800], 1.0, commands);
-        let menu = screen.session().say(words::MENU);
+        let menu = screen.session().localize(strings::MENU);
         screen.click(menu);
         screen.click(name);
-        assert!(screen.session().look.left_out);
+        assert!(screen.session().look.skipped);
     }
 }

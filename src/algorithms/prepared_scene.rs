@@ -1,14 +1,14 @@
 //! A scene set in front of its camera: polygons in the camera frame and on the screen, ready for the scan-line methods.
 
+use super::enclosure::{self, Enclosure};
 use super::focus::{Focus, Region};
 use super::illumination::Lighting;
 use super::primary::Settings;
-use super::room::{self, Room};
 use super::texture::Mapping;
 use crate::color::Rgb;
 use crate::record::Fields;
 use crate::scene::patches::PatchError;
-use crate::scene::solids::{self, Solids};
+use crate::scene::primitives::{self, Primitives};
 use crate::scene::{
     Light, Material, Mesh, Needs, Part, Parts, Scene, Tessellation, View, has_highlights,
 };
@@ -17,25 +17,25 @@ use std::sync::OnceLock;
 
 /// Everything that stays the same from one focus to the next.
 #[derive(Clone, Debug)]
-pub struct Stage {
+pub struct PreparedScene {
     pub scene: Scene,
     pub tessellation: Tessellation,
     pub view: View,
     /// How far the ray methods go.
     pub settings: Settings,
     /// How the light of the room is found.
-    pub radiosity: room::Settings,
+    pub radiosity: enclosure::Settings,
     /// Where the textures of converted polygons are looked up.
     pub mapping: Mapping,
     /// What is done although the scene does not need it.
-    anyway: Parts,
+    forced: Parts,
     has_highlights: bool,
     /// By object, then by vertex of its mesh.
-    vertices: Vec<Vec<StageVertex>>,
+    vertices: Vec<Vec<PreparedVertex>>,
     /// Made when the first ray asks for them.
-    solids: OnceLock<Solids>,
+    primitives: OnceLock<Primitives>,
     needs: OnceLock<Needs>,
-    room: OnceLock<Result<Room, PatchError>>,
+    enclosure: OnceLock<Result<Enclosure, PatchError>>,
 }
 
 /// Something that is looked at, but is not there.
@@ -49,17 +49,17 @@ pub struct Outside {
 
 /// A vertex as the camera sees it.
 #[derive(Clone, Copy, Debug)]
-pub struct StageVertex {
+pub struct PreparedVertex {
     /// In the camera frame.
     pub camera: DVec3,
     /// On the screen; without meaning where the vertex lies before the near plane.
     pub screen: DVec2,
 }
 
-impl StageVertex {
+impl PreparedVertex {
     fn new(position: DVec3, view: &View) -> Self {
         let camera = view.to_camera(position);
-        StageVertex {
+        PreparedVertex {
             camera,
             screen: view.to_screen(camera),
         }
@@ -76,23 +76,23 @@ pub struct Polygon<'a> {
     pub number: usize,
     pub mesh: &'a Mesh,
     pub material: &'a Material,
-    vertices: &'a [StageVertex],
+    vertices: &'a [PreparedVertex],
 }
 
-impl Stage {
+impl PreparedScene {
     /// `view` must be of the scene's own camera. Its near plane is set to a millionth of the distance to the nearest vertex, and nearer
     /// where a polygon larger than that passes by: so what is seen depends on no unit of length, nor on how far away the
     /// camera's target was put.
     pub fn new(scene: Scene, mut view: View) -> Self {
         let tessellation = Tessellation::of(&scene);
         let has_highlights = has_highlights(&scene);
-        let vertices: Vec<Vec<StageVertex>> = tessellation
+        let vertices: Vec<Vec<PreparedVertex>> = tessellation
             .meshes
             .iter()
             .map(|mesh| {
                 let positions = (0..mesh.vertex_count() as u32).map(|vertex| mesh.position(vertex));
                 positions
-                    .map(|position| StageVertex::new(position, &view))
+                    .map(|position| PreparedVertex::new(position, &view))
                     .collect()
             })
             .collect();
@@ -107,39 +107,39 @@ impl Stage {
             view.near =
                 (1e-6 * nearest).min(0.5 * least_depth(&tessellation, &view, 1e-12 * nearest));
         }
-        Stage {
+        PreparedScene {
             scene,
             tessellation,
             view,
             settings: Settings::default(),
-            radiosity: room::Settings::default(),
+            radiosity: enclosure::Settings::default(),
             mapping: Mapping::default(),
-            anyway: Parts::NONE,
+            forced: Parts::NONE,
             has_highlights,
             vertices,
-            solids: OnceLock::new(),
+            primitives: OnceLock::new(),
             needs: OnceLock::new(),
-            room: OnceLock::new(),
+            enclosure: OnceLock::new(),
         }
     }
 
     /// The same stage, on which the ray methods go so far.
     pub fn with_settings(self, settings: Settings) -> Self {
-        Stage { settings, ..self }
+        PreparedScene { settings, ..self }
     }
 
     /// The same stage, whose light is found so.
-    pub fn with_radiosity(self, radiosity: room::Settings) -> Self {
-        Stage {
+    pub fn with_radiosity(self, radiosity: enclosure::Settings) -> Self {
+        PreparedScene {
             radiosity,
-            room: OnceLock::new(),
+            enclosure: OnceLock::new(),
             ..self
         }
     }
 
     /// The same stage, whose polygons take their textures so.
     pub fn with_mapping(self, mapping: Mapping) -> Self {
-        Stage { mapping, ..self }
+        PreparedScene { mapping, ..self }
     }
 
     /// The same stage under other lights.
@@ -148,7 +148,7 @@ impl Stage {
             lights,
             ..self.scene
         };
-        Stage {
+        PreparedScene {
             scene,
             needs: OnceLock::new(),
             ..self
@@ -156,35 +156,35 @@ impl Stage {
     }
 
     /// The same stage, on which those parts are done although the scene does not need them.
-    pub fn doing(self, anyway: Parts) -> Self {
-        let radiosity = room::Settings {
-            anyway,
+    pub fn with_forced(self, forced: Parts) -> Self {
+        let radiosity = enclosure::Settings {
+            forced,
             ..self.radiosity
         };
-        Stage {
-            anyway,
+        PreparedScene {
+            forced,
             needs: OnceLock::new(),
             ..self.with_radiosity(radiosity)
         }
     }
 
     /// What is done although the scene does not need it.
-    pub fn anyway(&self) -> Parts {
-        self.anyway
+    pub fn forced(&self) -> Parts {
+        self.forced
     }
 
     /// The objects as rays meet them.
-    pub fn solids(&self) -> &Solids {
-        self.solids
-            .get_or_init(|| Solids::of(&self.scene, &self.tessellation))
+    pub fn primitives(&self) -> &Primitives {
+        self.primitives
+            .get_or_init(|| Primitives::of(&self.scene, &self.tessellation))
     }
 
     /// The scene divided into patches. Errors: what cannot be divided.
-    pub fn room(&self) -> Result<&Room, &PatchError> {
-        let room = self
-            .room
-            .get_or_init(|| Room::of(&self.scene, self.radiosity));
-        room.as_ref()
+    pub fn enclosure(&self) -> Result<&Enclosure, &PatchError> {
+        let enclosure = self
+            .enclosure
+            .get_or_init(|| Enclosure::of(&self.scene, self.radiosity));
+        enclosure.as_ref()
     }
 
     /// Whether the stage has what `focus` looks at. Errors: what it has instead.
@@ -194,7 +194,10 @@ impl Stage {
             false => Err(Outside { what, value, count }),
         };
         let View { width, height, .. } = self.view;
-        let patches = || self.room().map_or(0, |room| room.patches.len());
+        let patches = || {
+            self.enclosure()
+                .map_or(0, |enclosure| enclosure.patches.len())
+        };
         match focus {
             Focus::Frame | Focus::Iterations { .. } => Ok(()),
             Focus::Polygon(number) => within("polygons", number, self.tessellation.polygon_count()),
@@ -209,7 +212,7 @@ impl Stage {
     /// What rays need of the scene.
     pub fn needs(&self) -> &Needs {
         self.needs
-            .get_or_init(|| Needs::of(&self.scene).doing(self.anyway))
+            .get_or_init(|| Needs::of(&self.scene).with_forced(self.forced))
     }
 
     pub fn entered(&self) -> Event {
@@ -225,7 +228,7 @@ impl Stage {
         Lighting {
             ambient: self.scene.ambient,
             lights: &self.scene.lights,
-            specular: self.has_highlights || self.anyway.has(Part::Highlights),
+            specular: self.has_highlights || self.forced.has(Part::Highlights),
         }
     }
 
@@ -326,7 +329,7 @@ impl<'a> Polygon<'a> {
     }
 
     /// Its vertices in order, with their indices in the mesh.
-    pub fn corners(&self) -> impl Iterator<Item = (u32, StageVertex)> + 'a {
+    pub fn corners(&self) -> impl Iterator<Item = (u32, PreparedVertex)> + 'a {
         let vertices = self.vertices;
         self.mesh
             .face(self.face)
@@ -336,7 +339,7 @@ impl<'a> Polygon<'a> {
 
     /// Its division into triangles, by corner.
     pub fn triangles(&self) -> Vec<[u32; 3]> {
-        solids::triangles(self.mesh, self.face)
+        primitives::triangles(self.mesh, self.face)
     }
 
     /// Whether its box on the screen meets the region; true where a part lies before the near plane.

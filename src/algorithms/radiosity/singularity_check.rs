@@ -13,23 +13,24 @@ const CLOSED: f64 = 1.0 - 1e-6;
 pub(super) fn refuse_endless_light(system: &System) -> Result<(), Unsolved> {
     let (patches, sums) = (&system.patches, system.matrix.row_sums());
     let n = patches.len();
-    let mut lossless: Vec<bool> = (0..n)
+    let mut singularity_check: Vec<bool> = (0..n)
         .map(|i| patches.rho[i] >= PERFECT && sums[i] >= CLOSED)
         .collect();
-    if !lossless.contains(&true) {
+    if !singularity_check.contains(&true) {
         return Ok(());
     }
     // Light is lost wherever it can go on to a patch where it is lost.
-    let mut lossy: Vec<usize> = (0..n).filter(|&i| !lossless[i]).collect();
+    let mut lossy: Vec<usize> = (0..n).filter(|&i| !singularity_check[i]).collect();
     while let Some(j) = lossy.pop() {
-        for (i, lossless) in lossless.iter_mut().enumerate() {
-            if *lossless && (system.matrix.of(i)[j] > 0.0 || system.matrix.of(j)[i] > 0.0) {
-                *lossless = false;
+        for (i, singularity_check) in singularity_check.iter_mut().enumerate() {
+            if *singularity_check && (system.matrix.of(i)[j] > 0.0 || system.matrix.of(j)[i] > 0.0)
+            {
+                *singularity_check = false;
                 lossy.push(i);
             }
         }
     }
-    match (0..n).find(|&i| lossless[i] && patches.emission[i] != 0.0) {
+    match (0..n).find(|&i| singularity_check[i] && patches.emission[i] != 0.0) {
         Some(patch) => Err(Unsolved::NoSolution { patch }),
         None => Ok(()),
     }

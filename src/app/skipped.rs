@@ -1,8 +1,8 @@
 //! What the picture's method leaves out of this scene: what, why, where and how much of it, and a box to have it done all the same.
 
 use super::session::{Command, Session};
-use super::{style, words};
-use crate::panels::words::Words;
+use super::{strings, style};
+use crate::panels::strings::Words;
 use crate::scene::{LeftOut, Part};
 use egui::{Id, Modal, RichText, ScrollArea, Ui};
 
@@ -14,9 +14,9 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
             let room = ctx.content_rect().size();
             ui.set_width((room.x - 80.0).min(640.0));
             ui.horizontal(|ui| {
-                ui.label(style::strong(session.say(words::LEFT_OUT), 17.0));
+                ui.label(style::strong(session.localize(strings::LEFT_OUT), 17.0));
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    if ui.button(session.say(words::CLOSE)).clicked() {
+                    if ui.button(session.localize(strings::CLOSE)).clicked() {
                         commands.push(Command::LeftOut);
                     }
                 });
@@ -34,30 +34,30 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
 
 fn list(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let method = session.lesson().method;
-    let left_out = session.left_out();
-    let tessellation = &session.stage().tessellation;
+    let skipped = session.skipped();
+    let tessellation = &session.prepared().tessellation;
     let planes: &[usize] = match method.converts_polygons() {
-        true => &tessellation.left_out,
+        true => &tessellation.skipped,
         false => &[],
     };
-    if left_out.is_empty() && planes.is_empty() {
-        ui.label(session.say(words::NOTHING_LEFT_OUT));
+    if skipped.is_empty() && planes.is_empty() {
+        ui.label(session.localize(strings::NOTHING_LEFT_OUT));
     }
-    if !left_out.is_empty() {
-        ui.label(session.say(words::LEFT_OUT_ABOUT));
+    if !skipped.is_empty() {
+        ui.label(session.localize(strings::LEFT_OUT_ABOUT));
         ui.add_space(6.0);
     }
     for part in Part::ALL {
-        let of_part: Vec<&LeftOut> = left_out.iter().filter(|one| one.part == part).collect();
+        let of_part: Vec<&LeftOut> = skipped.iter().filter(|one| one.part == part).collect();
         if !of_part.is_empty() {
             entry(session, part, &of_part, commands, ui);
         }
     }
     for &object in planes {
-        let name = &session.stage().scene.objects[object].name;
-        ui.label(format!("{name}: {}", session.say(PLANE)));
+        let name = &session.prepared().scene.objects[object].name;
+        ui.label(format!("{name}: {}", session.localize(PLANE)));
     }
-    if !session.stage().anyway().is_empty() {
+    if !session.prepared().forced().is_empty() {
         ui.separator();
         ui.label(times(session));
     }
@@ -67,35 +67,35 @@ fn list(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 fn entry(
     session: &Session,
     part: Part,
-    left_out: &[&LeftOut],
+    skipped: &[&LeftOut],
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) {
-    let mut anyway = session.stage().anyway().has(part);
+    let mut forced = session.prepared().forced().has(part);
     let [what, why] = words_of(part);
-    let name = style::strong(session.say(what), 14.0);
-    if ui.checkbox(&mut anyway, name).clicked() {
+    let name = style::strong(session.localize(what), 14.0);
+    if ui.checkbox(&mut forced, name).clicked() {
         commands.push(Command::Anyway(part));
     }
     ui.indent(what.en, |ui| {
-        ui.label(session.say(why));
-        for left_out in left_out {
-            ui.label(RichText::new(place(left_out, session)).monospace());
+        ui.label(session.localize(why));
+        for skipped in skipped {
+            ui.label(RichText::new(place(skipped, session)).monospace());
         }
     });
     ui.add_space(4.0);
 }
 
 /// Where, and for how many of how many.
-fn place(left_out: &LeftOut, session: &Session) -> String {
-    let LeftOut { part, place, share } = left_out;
+fn place(skipped: &LeftOut, session: &Session) -> String {
+    let LeftOut { part, place, share } = skipped;
     let share = share.map_or(String::new(), |[some, all]| {
-        let counted = session.say(match part {
+        let counted = session.localize(match part {
             Part::BlackRows => PATCHES,
             Part::FacingAway | Part::SightTests => PAIRS,
             _ => OBJECTS,
         });
-        let of = session.say(words::OF);
+        let of = session.localize(strings::OF);
         format!(": {some} {of} {all} {counted}")
     });
     format!("{place}{share}")
@@ -104,16 +104,17 @@ fn place(left_out: &LeftOut, session: &Session) -> String {
 /// Both run times, once they are measured.
 fn times(session: &Session) -> String {
     match session.times() {
-        None => session.say(words::TIMES_MEASURED).into(),
-        Some(Err(_)) => session.say(words::TIMES_NONE).into(),
+        None => session.localize(strings::TIMES_MEASURED).into(),
+        Some(Err(_)) => session.localize(strings::TIMES_NONE).into(),
         Some(Ok([without, with])) => {
             let [a, b] = [without, with].map(|time| format!("{:.2} ms", 1e3 * time.median));
             let tie = match with.ties(without) {
-                true => format!(" ({})", session.say(words::TIME_TIE)),
+                true => format!(" ({})", session.localize(strings::TIME_TIE)),
                 false => String::new(),
             };
-            let [left_out, done] = [words::TIME_WITHOUT, words::TIME_WITH].map(|w| session.say(w));
-            format!("{left_out} {a}   {done} {b}{tie}")
+            let [skipped, done] =
+                [strings::TIME_WITHOUT, strings::TIME_WITH].map(|w| session.localize(w));
+            format!("{skipped} {a}   {done} {b}{tie}")
         }
     }
 }

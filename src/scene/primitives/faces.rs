@@ -3,7 +3,7 @@
 use super::super::Mesh;
 use super::aim::Aim;
 use super::frame::{Frame, Near};
-use super::hierarchy::{Hierarchy, UnitRay};
+use super::hierarchy::{Bvh, UnitRay};
 use super::packet::{NONE, PACKET, Packet, UnitShear};
 use super::polygon::Polygon;
 use super::stack::Stack;
@@ -24,7 +24,7 @@ pub(super) struct Faces {
     pub high: DVec3,
     pub is_closed: bool,
     frame: Frame,
-    hierarchy: Hierarchy,
+    hierarchy: Bvh,
     /// The leaves of the hierarchy.
     packets: Vec<Packet>,
 }
@@ -98,7 +98,7 @@ impl Faces {
                 [a.min(b).min(c), a.max(b).max(c)]
             })
             .collect();
-        let (hierarchy, leaves) = Hierarchy::new(&boxes, PACKET);
+        let (hierarchy, leaves) = Bvh::new(&boxes, PACKET);
         let vertices = in_order_of_use(vertices, &mut triangles, leaves.iter().flatten());
         let packets = leaves
             .iter()

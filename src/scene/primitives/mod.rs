@@ -1,8 +1,8 @@
 //! What rays meet: the objects of a scene, exactly in f64, found through f32 hierarchies that pass over nothing.
 //!
 //! Two levels: each divided object (mesh, polygon, cylinder, Bézier surface) has a hierarchy over its triangles, and one stands over the
-//! boxes of all finite objects. Infinite planes are tested apart. A run that tests object by object with [`Solids::meet`] gets
-//! the same bits as [`Solids::nearest`].
+//! boxes of all finite objects. Infinite planes are tested apart. A run that tests object by object with [`Primitives::meet`] gets
+//! the same bits as [`Primitives::nearest`].
 
 mod aim;
 mod chart;
@@ -34,7 +34,7 @@ use aim::Aim;
 use faces::Faces;
 use frame::{Frame, Near};
 use glam::{DVec2, DVec3, Vec3};
-use hierarchy::{Hierarchy, UnitRay};
+use hierarchy::{Bvh, UnitRay};
 use plane::Plane;
 use stack::Stack;
 
@@ -68,15 +68,15 @@ pub struct Surface {
 
 /// The objects of a scene, ready to be met by rays.
 #[derive(Clone, Debug)]
-pub struct Solids {
-    solids: Vec<Solid>,
+pub struct Primitives {
+    primitives: Vec<Solid>,
     casts_shadow: Vec<bool>,
     /// The objects that are infinite.
     planes: Vec<u32>,
     /// The objects in the leaves of the hierarchy.
     finite: Vec<u32>,
     frame: Frame,
-    hierarchy: Hierarchy,
+    hierarchy: Bvh,
 }
 
 #[derive(Clone, Debug)]
@@ -93,11 +93,11 @@ enum Solid {
     },
 }
 
-impl Solids {
+impl Primitives {
     /// `tessellation` is that of the scene.
-    pub fn of(scene: &Scene, tessellation: &Tessellation) -> Solids {
+    pub fn of(scene: &Scene, tessellation: &Tessellation) -> Primitives {
         let objects = scene.objects.iter().zip(&tessellation.meshes);
-        let solids: Vec<Solid> = objects
+        let primitives: Vec<Solid> = objects
             .map(|(object, mesh)| {
                 let is_textured = scene.materials[object.material].texture.is_some();
                 match &object.shape {
@@ -117,7 +117,7 @@ impl Solids {
             })
             .collect();
         let (mut planes, mut finite, mut boxes) = (Vec::new(), Vec::new(), Vec::new());
-        for (object, solid) in (0..).zip(&solids) {
+        for (object, solid) in (0..).zip(&primitives) {
             match solid.bounds() {
                 Some(bounds) => {
                     finite.push(object);
@@ -133,8 +133,8 @@ impl Solids {
             .into_iter()
             .map(|bounds| bounds.map(|corner| frame.unit_point(corner)))
             .collect();
-        let (hierarchy, leaves) = Hierarchy::new(&boxes, 1);
-        Solids {
+        let (hierarchy, leaves) = Bvh::new(&boxes, 1);
+        Primitives {
             finite: leaves
                 .iter()
                 .flatten()
@@ -145,7 +145,7 @@ impl Solids {
                 .iter()
                 .map(|object| object.casts_shadow)
                 .collect(),
-            solids,
+            primitives,
             planes,
             frame,
             hierarchy,
@@ -158,13 +158,13 @@ impl Solids {
             Solid::Faces { faces, .. } => faces.bytes(),
             Solid::Sphere { .. } | Solid::Plane(_) => 0,
         };
-        let own = self.solids.len() * size_of::<Solid>();
-        own as u64 + self.hierarchy.bytes() + self.solids.iter().map(of).sum::<u64>()
+        let own = self.primitives.len() * size_of::<Solid>();
+        own as u64 + self.hierarchy.bytes() + self.primitives.iter().map(of).sum::<u64>()
     }
 
     /// The nearest hit of one object.
     pub fn meet(&self, object: usize, ray: &Ray) -> Option<Hit> {
-        match &self.solids[object] {
+        match &self.primitives[object] {
             Solid::Plane(plane) => plane.meet(ray).map(|t| Hit {
                 t,
                 object: object as u32,
@@ -211,7 +211,7 @@ impl Solids {
     /// What [`Self::nearest`] finds, to the bit, with no hierarchy: every object and every triangle in turn.
     pub fn nearest_in_turn(&self, ray: &Ray) -> Option<Hit> {
         let mut nearest: Option<Hit> = None;
-        for hit in (0..self.solids.len()).filter_map(|object| self.meet_in_turn(object, ray)) {
+        for hit in (0..self.primitives.len()).filter_map(|object| self.meet_in_turn(object, ray)) {
             if nearest.is_none_or(|nearest| hit.t < nearest.t) {
                 nearest = Some(hit);
             }
@@ -220,7 +220,7 @@ impl Solids {
     }
 
     fn meet_in_turn(&self, object: usize, ray: &Ray) -> Option<Hit> {
-        let Solid::Faces { faces, .. } = &self.solids[object] else {
+        let Solid::Faces { faces, .. } = &self.primitives[object] else {
             return self.meet(object, ray);
         };
         let near = self.frame.near(ray)?;
@@ -252,7 +252,7 @@ impl Solids {
             .walk(&unit, unit.reach(distance), stack, |leaf, reach, stack| {
                 let object = self.finite[leaf];
                 is_blocked = casts_shadow(object)
-                    && match &self.solids[object as usize] {
+                    && match &self.primitives[object as usize] {
                         Solid::Faces { faces, .. } => {
                             // What lies at the distance itself, as far as can be told, is for the nearest meeting to say.
                             let mut is_close = false;
@@ -280,7 +280,7 @@ impl Solids {
     /// The surface where `ray` met `hit`.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         let position = ray.at(hit.t);
-        match &self.solids[hit.object as usize] {
+        match &self.primitives[hit.object as usize] {
             &Solid::Sphere { center, radius } => sphere::surface(center, radius, position),
             Solid::Plane(plane) => plane.surface(position),
             Solid::Faces { faces, .. } => {
@@ -296,7 +296,7 @@ impl Solids {
     /// longitude/2π from z toward x, and latitude/π from the north pole (+y) down. Meshes: those of the file, else (0, 0). Bézier surfaces: those
     /// of the patch. Cylinders: longitude/2π and the share of the height.
     pub fn uv(&self, hit: &Hit, position: DVec3) -> DVec2 {
-        match &self.solids[hit.object as usize] {
+        match &self.primitives[hit.object as usize] {
             Solid::Sphere { center, .. } => sphere::uv(*center, position),
             Solid::Plane(plane) => plane.uv(position),
             Solid::Faces { faces, vertices } if vertices.is_empty() => {
@@ -315,8 +315,8 @@ impl Solids {
             direction: DVec3::new(0.6, 0.48, 0.64),
         };
         let exit = |object: usize| self.meet(object, &ray).map_or(0.0, |hit| hit.t);
-        let mut around: Vec<u32> = (0..self.solids.len())
-            .filter(|&object| match &self.solids[object] {
+        let mut around: Vec<u32> = (0..self.primitives.len())
+            .filter(|&object| match &self.primitives[object] {
                 Solid::Sphere { center, radius } => point.distance(*center) < *radius,
                 Solid::Plane(_) => false,
                 Solid::Faces { faces, .. } => faces.contains(point),
@@ -336,7 +336,7 @@ impl Solids {
         distance: f64,
         stack: &mut Stack,
     ) -> Option<Hit> {
-        let (t, triangle) = match &self.solids[object as usize] {
+        let (t, triangle) = match &self.primitives[object as usize] {
             Solid::Sphere { center, radius } => {
                 let t = meet_ball(*center, *radius, &near.ray)?;
                 (near.moved + t, 0)
