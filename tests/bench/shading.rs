@@ -100,7 +100,7 @@ fn compare(name: &str, prepared: &PreparedScene) {
     for method in METHODS {
         let start = Instant::now();
         let painter = LanePainter::new(prepared, method).expect("lanes draw the scene");
-        let prepared = start.elapsed();
+        let setup = start.elapsed();
         let plain = Plain::new(prepared, method);
         let (mut lanes, mut pixels) = (
             LaneFrame::new(WIDTH, HEIGHT),
@@ -110,7 +110,7 @@ fn compare(name: &str, prepared: &PreparedScene) {
         plain.draw(&mut pixels);
         let (differing, drawn) = difference(&lanes, &pixels);
         println!(
-            "  {}: {drawn} pixels seen; vertices ready in {prepared:.1?}; plain differs in {differing}",
+            "  {}: {drawn} pixels seen; vertices ready in {setup:.1?}; plain differs in {differing}",
             method.name()
         );
         let seconds = race(

@@ -1,6 +1,6 @@
 //! The words of the contract where rounding could speak against them.
 
-use crate::common::prepared_scene;
+use crate::common::prepared;
 use crate::{blank, settings};
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;

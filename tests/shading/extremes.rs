@@ -1,7 +1,7 @@
 //! Where things get extreme: slivers, edges that hit centres of pixels, polygons edge-on or far larger than the screen, normals
 //! that cancel out, lights in the surface, and a million triangles.
 
-use super::common::prepared_scene;
+use super::common::prepared;
 use super::{
     CHALK, CLAY, FAMILY, LAMP, SIZE, SUN, apart, assert_as_rays, difference, picture, polygon,
     scene,
