@@ -10,6 +10,7 @@ mod plane;
 mod power_table;
 mod quadratic;
 mod ramp;
+mod random;
 mod refraction;
 mod taylor;
 
@@ -23,5 +24,6 @@ pub use plane::{Plane, Setup};
 pub use power_table::PowerTable;
 pub use quadratic::{plain_sphere_roots, sphere_roots};
 pub use ramp::{Linear, Ramp, interpolate};
+pub use random::Random;
 pub use refraction::{refracted, refraction_radicand};
 pub use taylor::{LinearNormal, Quadratic};
