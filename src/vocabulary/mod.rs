@@ -47,3 +47,6 @@ pub const FAMILIES: [&[Kind]; 16] = [
     form_factor::KINDS,
     radiosity::KINDS,
 ];
+
+#[cfg(test)]
+mod tests;

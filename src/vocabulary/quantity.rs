@@ -41,7 +41,7 @@ const fn equal(a: &str, b: &str) -> bool {
     i == a.len() && i == b.len()
 }
 
-const QUANTITIES: [(&str, &str, Unit); 213] = [
+pub(super) const QUANTITIES: [(&str, &str, Unit); 213] = [
     ("width", "width", Unit::Pixels),
     ("height", "height", Unit::Pixels),
     ("A", "A", Unit::None),

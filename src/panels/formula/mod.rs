@@ -77,7 +77,7 @@ fn entry(kind: &'static Kind, known: &Known) -> Option<&'static Entry> {
 }
 
 /// A declared sentence in a language.
-pub(super) fn in_language(sentence: Sentence, language: Language) -> &'static str {
+pub fn in_language(sentence: Sentence, language: Language) -> &'static str {
     Words::new(sentence.en, sentence.id).in_language(language)
 }
 
