@@ -6,7 +6,6 @@ use super::illumination::Lighting;
 use super::primary::Settings;
 use super::texture::Mapping;
 use crate::color::Rgb;
-use crate::record::Fields;
 use crate::scene::patches::PatchError;
 use crate::scene::primitives::{self, Primitives};
 use crate::scene::{
@@ -288,36 +287,6 @@ pub enum Event {
     PolygonDone,
     /// Closes `Frame`.
     FrameDone,
-}
-
-impl Event {
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Event::Frame { .. } => "Frame",
-            Event::Polygon { .. } => "Polygon",
-            Event::PolygonDone => "PolygonDone",
-            Event::FrameDone => "FrameDone",
-        }
-    }
-
-    pub fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::Frame {
-                width,
-                height,
-                ambient,
-            } => {
-                fields
-                    .push("width", width)
-                    .push("height", height)
-                    .push("A", ambient);
-            }
-            Event::Polygon { object, polygon } => {
-                fields.push("object", object).push("polygon", polygon);
-            }
-            Event::PolygonDone | Event::FrameDone => {}
-        }
-    }
 }
 
 impl<'a> Polygon<'a> {

@@ -12,21 +12,15 @@ use crate::record::{Listing, Recorder};
 pub static PSEUDOCODE: Listing = Listing {
     name: "direct",
     lines: &[
-        "P (I − ρF) = L U;  B ← E",
-        "for k = 0, 1, … until ‖r‖ ≤ ε‖E‖, r = E − (I − ρF)B",
-        "  solve L U d = P r",
-        "  B ← B + d",
+        ("start started", "P (I − ρF) = L U;  B ← E"),
+        (
+            "iteration",
+            "for k = 0, 1, … until ‖r‖ ≤ ε‖E‖, r = E − (I − ρF)B",
+        ),
+        ("", "  solve L U d = P r"),
+        ("updated", "  B ← B + d"),
     ],
 };
-
-pub(super) fn line(recorded: &SolverEvent) -> usize {
-    match recorded {
-        SolverEvent::Iteration { .. } | SolverEvent::IterationDone { .. } => 1,
-        SolverEvent::Converged { .. } | SolverEvent::NotConverged { .. } => 1,
-        SolverEvent::Updated { .. } => 3,
-        _ => 0,
-    }
-}
 
 pub(super) struct Direct<'a> {
     system: System<'a>,
