@@ -143,6 +143,8 @@ impl Text {
         match language {
             Language::English => &self.en,
             Language::Indonesian => &self.id,
+            #[cfg(test)]
+            Language::Pseudo => &self.en,
         }
     }
 

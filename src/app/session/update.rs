@@ -232,7 +232,7 @@ impl Session {
             Command::OtherLanguage => {
                 look.language = match look.language {
                     Language::English => Language::Indonesian,
-                    Language::Indonesian => Language::English,
+                    _ => Language::English,
                 }
             }
             Command::Theme(theme) => look.theme = theme,
