@@ -12,6 +12,7 @@
 //! | floor | what lives there |
 //! | --- | --- |
 //! | [`color`], [`numeric`] | linear RGB and the one place of clamping and sRGB; interpolation, direct and incremental, and its drift; Taylor series of cosines |
+//! | [`language`] | the languages, a catalogue of all text in each, and how numbers are written |
 //! | [`record`] | what an algorithm tells its steps to, and the tree of scopes over them |
 //! | [`scene`] | scene files and their checks, camera, lights, materials, meshes, division into polygons; where rays meet them ([`scene::primitives`]), what rays need of them, and the patches of radiosity ([`scene::patches`]) |
 //! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud, Phong, Fast Phong, textures, ray casting, ray tracing; [`algorithms::form_factor`] and [`algorithms::radiosity`] with a file a method or solver |
@@ -69,6 +70,7 @@ pub mod app;
 pub mod color;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod commands;
+pub mod language;
 pub mod lesson;
 pub mod numeric;
 pub mod panels;

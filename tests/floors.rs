@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// Floors in one row may use each other.
 const FLOORS: [&[&str]; 13] = [
-    &["color", "numeric"],
+    &["color", "language", "numeric"],
     &["record"],
     &["scene"],
     &["algorithms"],

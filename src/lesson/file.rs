@@ -144,6 +144,8 @@ impl Text {
         match language {
             Language::English => &self.en,
             Language::Indonesian => &self.id,
+            #[cfg(test)]
+            Language::Pseudo => &self.en,
         }
     }
 

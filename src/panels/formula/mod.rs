@@ -10,6 +10,7 @@ use super::names;
 use super::strings::{Language, Words};
 use super::values::shown;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::language::Message;
 use crate::picture::{Ink, Picture, Style, symbol, wrap};
 use crate::record::Value;
 use crate::vocabulary::{Entry, Formula, Kind, Sentence, When};
@@ -66,10 +67,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     picture
 }
 
-const NO_FORMULA: Words = Words::new(
-    "This step has no formula. Go on to the next.",
-    "Langkah ini tidak memiliki rumus. Lanjutkan ke langkah berikutnya.",
-);
+const NO_FORMULA: Message = Message("formula-no-formula");
 
 /// The first entry of `kind` that fits.
 fn entry(kind: &'static Kind, known: &Known) -> Option<&'static Entry> {
