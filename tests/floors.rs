@@ -4,11 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Floors in one row may use each other.
-const FLOORS: [&[&str]; 12] = [
+const FLOORS: [&[&str]; 13] = [
     &["color", "numeric"],
     &["record"],
     &["scene"],
     &["algorithms"],
+    &["methods"],
     &["render"],
     &["replay"],
     &["picture"],
