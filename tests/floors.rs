@@ -4,12 +4,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Floors in one row may use each other.
-const FLOORS: [&[&str]; 13] = [
+const FLOORS: [&[&str]; 14] = [
     &["color", "language", "numeric"],
     &["record"],
     &["scene"],
     &["algorithms"],
     &["vocabulary"],
+    &["methods"],
     &["render"],
     &["replay"],
     &["picture"],

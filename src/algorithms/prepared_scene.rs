@@ -2,6 +2,7 @@
 
 use super::enclosure::{self, Enclosure};
 use super::focus::{Focus, Region};
+use super::frame::Frame;
 use super::illumination::Lighting;
 use super::primary::Settings;
 use super::texture::Mapping;
@@ -220,6 +221,11 @@ impl PreparedScene {
             height: self.view.height,
             ambient: self.scene.ambient,
         }
+    }
+
+    /// The frame before anything is drawn: its background.
+    pub fn empty_frame(&self) -> Frame {
+        Frame::new(self.view.width, 0..self.view.height, self.scene.background)
     }
 
     /// Without shadows, and with every term that the scene needs.
