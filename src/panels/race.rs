@@ -3,12 +3,12 @@
 
 use super::PanelInput;
 use super::labels::Labels;
-use super::log_axes::LogAxes;
 use super::message::{NO_PATCHES, message};
 use super::strings::{Language, Words};
 use super::values::told_in_words;
 use crate::algorithms::radiosity::race::{Lap, Race, Racer};
 use crate::algorithms::radiosity::{Solver, Unsolved};
+use crate::figure::LogAxes;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide, number};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
