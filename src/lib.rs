@@ -12,9 +12,12 @@
 //! | floor | what lives there |
 //! | --- | --- |
 //! | [`color`], [`numeric`] | linear RGB and the one place of clamping and sRGB; interpolation, direct and incremental, and its drift; Taylor series of cosines |
+//! | [`language`] | the languages, a catalogue of all text in each, and how numbers are written |
 //! | [`record`] | what an algorithm tells its steps to, and the tree of scopes over them |
 //! | [`scene`] | scene files and their checks, camera, lights, materials, meshes, division into polygons; where rays meet them ([`scene::primitives`]), what rays need of them, and the patches of radiosity ([`scene::patches`]) |
 //! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud, Phong, Fast Phong, textures, ray casting, ray tracing; [`algorithms::form_factor`] and [`algorithms::radiosity`] with a file a method or solver |
+//! | [`vocabulary`] | what each kind of event means, declared once: values with their symbols, pseudocode line, sentence, formulas |
+//! | [`methods`] | a method as one value: its name, what it needs, how it is drawn, recorded and counted |
 //! | [`render`] | a whole frame or a whole matrix of form factors, unrecorded, on all cores; frames all at once or coarse first; spans in lanes of f32 ([`render::lanes`]) |
 //! | [`replay`] | timelines with checkpoints, walking, searching; the state of each algorithm at a step |
 //! | [`picture`] | display lists with tags, text, themes, and their rasteriser; uses [`color`] alone |
@@ -70,7 +73,9 @@ pub mod color;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod commands;
 pub mod figure;
+pub mod language;
 pub mod lesson;
+pub mod methods;
 pub mod numeric;
 pub mod panels;
 pub mod picture;
@@ -79,3 +84,4 @@ pub mod render;
 pub mod replay;
 pub mod scene;
 pub mod study;
+pub mod vocabulary;

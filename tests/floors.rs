@@ -4,11 +4,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Floors in one row may use each other.
-const FLOORS: [&[&str]; 13] = [
-    &["color", "numeric"],
+const FLOORS: [&[&str]; 15] = [
+    &["color", "language", "numeric"],
     &["record"],
     &["scene"],
     &["algorithms"],
+    &["vocabulary"],
+    &["methods"],
     &["render"],
     &["replay"],
     &["picture"],

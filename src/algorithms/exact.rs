@@ -8,29 +8,35 @@ use super::focus::Focus;
 use super::frame::Frame;
 use super::phong::{shade_pixels, unit_normal};
 use super::prepared_scene::PreparedScene;
-use super::shading::{self, Lines, Shading};
-use crate::record::{Line, Listing, Recorder};
+use super::shading::{self, Shading};
+use crate::record::{Listing, Recorder};
 use crate::scene::primitives::true_point;
 use glam::DVec3;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "exact",
     lines: &[
-        "for each polygon",
-        "  for each vertex v without a normal",
-        "    N_v ← ΣN_k / |ΣN_k|",
-        "  build the edge table",
-        "  for each scan line y",
-        "    for each active edge",
-        "      N_4 ← interpolate N_1, N_2",
-        "    for each span from x_4 to x_5",
-        "      for each pixel x_P",
-        "        if nearer than the depth buffer",
-        "          N_P ← interpolate N_4, N_5",
-        "          P ← the point of the polygon that the pixel shows",
-        "          P, N ← the true surface behind P;  without one N ← N_P / |N_P|",
-        "          I ← illumination(P, N)",
-        "          pixel ← I",
+        ("polygon", "for each polygon"),
+        ("vertex", "  for each vertex v without a normal"),
+        ("vertex-normal", "    N_v ← ΣN_k / |ΣN_k|"),
+        ("edge-table", "  build the edge table"),
+        ("scan-line", "  for each scan line y"),
+        ("edge", "    for each active edge"),
+        ("cut", "      N_4 ← interpolate N_1, N_2"),
+        ("span", "    for each span from x_4 to x_5"),
+        ("pixel", "      for each pixel x_P"),
+        ("depth", "        if nearer than the depth buffer"),
+        ("interpolation", "          N_P ← interpolate N_4, N_5"),
+        (
+            "point",
+            "          P ← the point of the polygon that the pixel shows",
+        ),
+        (
+            "normal",
+            "          P, N ← the true surface behind P;  without one N ← N_P / |N_P|",
+        ),
+        ("", "          I ← illumination(P, N)"),
+        ("color", "          pixel ← I"),
     ],
 };
 
@@ -66,17 +72,7 @@ pub enum Exact {}
 
 impl Shading for Exact {
     type Recorded = DVec3;
-    const LINES: Lines = Lines {
-        listing: &PSEUDOCODE,
-        vertex_normal: 2,
-        vertex_done: 2,
-        edge_table: 3,
-        pixel_point: Line {
-            listing: &PSEUDOCODE,
-            number: 11,
-        },
-        pixel_normal: 12,
-    };
+    const LISTING: &'static Listing = &PSEUDOCODE;
 }
 
 pub type Event = shading::Event<Exact>;

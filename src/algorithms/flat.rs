@@ -8,8 +8,7 @@ use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
 use super::prepared_scene::{self, PreparedScene};
 use super::scan_line::{Carried, Names};
-use super::shading::{self, Lines, Shading, pixel_point};
-use super::texture;
+use super::shading::{self, Shading, pixel_point};
 use crate::numeric::Linear;
 use crate::record::{Fields, Listing, Recorder};
 use glam::DVec3;
@@ -18,17 +17,17 @@ use std::ops::{Add, Mul, Sub};
 pub static PSEUDOCODE: Listing = Listing {
     name: "flat",
     lines: &[
-        "for each polygon",
-        "  P ← mean of the vertices",
-        "  I ← illumination(P, N)",
-        "  build the edge table",
-        "  for each scan line y",
-        "    for each active edge",
-        "      x_4 ← where y cuts the edge",
-        "    for each span from x_4 to x_5",
-        "      for each pixel x_P",
-        "        if nearer than the depth buffer",
-        "          pixel ← I",
+        ("polygon", "for each polygon"),
+        ("middle", "  P ← mean of the vertices"),
+        ("", "  I ← illumination(P, N)"),
+        ("edge-table", "  build the edge table"),
+        ("scan-line", "  for each scan line y"),
+        ("edge", "    for each active edge"),
+        ("cut", "      x_4 ← where y cuts the edge"),
+        ("span", "    for each span from x_4 to x_5"),
+        ("pixel", "      for each pixel x_P"),
+        ("depth", "        if nearer than the depth buffer"),
+        ("color", "          pixel ← I"),
     ],
 };
 
@@ -116,14 +115,7 @@ pub enum Flat {}
 
 impl Shading for Flat {
     type Recorded = Nothing;
-    const LINES: Lines = Lines {
-        listing: &PSEUDOCODE,
-        vertex_normal: 1,
-        vertex_done: 1,
-        edge_table: 3,
-        pixel_point: texture::POINT,
-        pixel_normal: 1,
-    };
+    const LISTING: &'static Listing = &PSEUDOCODE;
 }
 
 pub type Event = shading::Event<Flat>;

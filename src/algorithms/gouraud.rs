@@ -13,8 +13,7 @@ use super::illumination::{SurfacePoint, illuminate};
 use super::intensity::Intensity;
 use super::prepared_scene::{self, PreparedScene};
 use super::scan_line::{Carried, Names};
-use super::shading::{self, Lines, OnceAVertex, Shading, pixel_point};
-use super::texture;
+use super::shading::{self, OnceAVertex, Shading, pixel_point};
 use super::vertex_normal::vertex_normal;
 use crate::color::Rgb;
 use crate::record::{Fields, Listing, Recorder};
@@ -22,19 +21,19 @@ use crate::record::{Fields, Listing, Recorder};
 pub static PSEUDOCODE: Listing = Listing {
     name: "Gouraud",
     lines: &[
-        "for each polygon",
-        "  for each vertex v not yet lit",
-        "    N_v ← ΣN_k / |ΣN_k|",
-        "    I_v ← illumination(v, N_v)",
-        "  build the edge table",
-        "  for each scan line y",
-        "    for each active edge",
-        "      I_4 ← interpolate I_1, I_2",
-        "    for each span from x_4 to x_5",
-        "      for each pixel x_P",
-        "        if nearer than the depth buffer",
-        "          I_P ← interpolate I_4, I_5",
-        "          pixel ← I_P",
+        ("polygon", "for each polygon"),
+        ("vertex", "  for each vertex v not yet lit"),
+        ("vertex-normal", "    N_v ← ΣN_k / |ΣN_k|"),
+        ("vertex-lit", "    I_v ← illumination(v, N_v)"),
+        ("edge-table", "  build the edge table"),
+        ("scan-line", "  for each scan line y"),
+        ("edge", "    for each active edge"),
+        ("cut", "      I_4 ← interpolate I_1, I_2"),
+        ("span", "    for each span from x_4 to x_5"),
+        ("pixel", "      for each pixel x_P"),
+        ("depth", "        if nearer than the depth buffer"),
+        ("interpolation", "          I_P ← interpolate I_4, I_5"),
+        ("color", "          pixel ← I_P"),
     ],
 };
 
@@ -119,14 +118,7 @@ pub enum Gouraud {}
 
 impl Shading for Gouraud {
     type Recorded = Rgb;
-    const LINES: Lines = Lines {
-        listing: &PSEUDOCODE,
-        vertex_normal: 2,
-        vertex_done: 3,
-        edge_table: 4,
-        pixel_point: texture::POINT,
-        pixel_normal: 11,
-    };
+    const LISTING: &'static Listing = &PSEUDOCODE;
 }
 
 pub type Event = shading::Event<Gouraud>;

@@ -10,23 +10,29 @@
 use super::intensity::Intensity;
 use crate::color::Rgb;
 use crate::numeric::power_of_cosine;
-use crate::record::{self, Fields, Line, Listing, Recorder};
+use crate::record::{Listing, Recorder};
 use crate::scene::{Highlight, Light, Material};
 use glam::DVec3;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "illumination",
     lines: &[
-        "illumination(P, N)",
-        "  V ← toward the eye;  turn N toward V",
-        "  I ← I_a = k_a · A",
-        "  for each light",
-        "    L ← toward the light;  f_att ← 1/(a0 + a1·d + a2·d²)",
-        "    I_d = k_d · I_light · f_att · max(0, N·L)",
-        "    R ← 2(N·L)N − L   or   H ← (L+V)/|L+V|",
-        "    I_s = k_s · I_light · f_att · max(0, R·V)^n   or   (N·H)^n",
-        "    I ← I + I_d + I_s",
-        "  return I",
+        ("head", "illumination(P, N)"),
+        ("viewer", "  V ← toward the eye;  turn N toward V"),
+        ("ambient", "  I ← I_a = k_a · A"),
+        ("light", "  for each light"),
+        (
+            "to-light",
+            "    L ← toward the light;  f_att ← 1/(a0 + a1·d + a2·d²)",
+        ),
+        ("diffuse", "    I_d = k_d · I_light · f_att · max(0, N·L)"),
+        ("highlight", "    R ← 2(N·L)N − L   or   H ← (L+V)/|L+V|"),
+        (
+            "specular",
+            "    I_s = k_s · I_light · f_att · max(0, R·V)^n   or   (N·H)^n",
+        ),
+        ("light-added", "    I ← I + I_d + I_s"),
+        ("return", "  return I"),
     ],
 };
 
@@ -339,85 +345,3 @@ pub enum Event {
 }
 
 const _: () = assert!(size_of::<Event>() <= 64);
-
-impl record::Event for Event {
-    fn kind(&self) -> &'static str {
-        match self {
-            Event::Illumination { .. } => "Illumination",
-            Event::Viewer { .. } => "Viewer",
-            Event::Ambient { .. } => "Ambient",
-            Event::Light { .. } => "Light",
-            Event::ToLight { .. } => "ToLight",
-            Event::Diffuse { .. } => "Diffuse",
-            Event::Mirrored { .. } => "Mirrored",
-            Event::Halfway { .. } => "Halfway",
-            Event::Specular { .. } => "Specular",
-            Event::LightAdded { .. } => "LightAdded",
-            Event::Illuminated { .. } => "Illuminated",
-        }
-    }
-
-    fn line(&self) -> Line {
-        let number = match self {
-            Event::Illumination { .. } => 0,
-            Event::Viewer { .. } => 1,
-            Event::Ambient { .. } => 2,
-            Event::Light { .. } => 3,
-            Event::ToLight { .. } => 4,
-            Event::Diffuse { .. } => 5,
-            Event::Mirrored { .. } | Event::Halfway { .. } => 6,
-            Event::Specular { .. } => 7,
-            Event::LightAdded { .. } => 8,
-            Event::Illuminated { .. } => 9,
-        };
-        Line {
-            listing: &PSEUDOCODE,
-            number,
-        }
-    }
-
-    fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::Illumination { position, normal } => {
-                fields.push("P", position).push("N", normal)
-            }
-            Event::Viewer { to_eye, turned } => fields.push("V", to_eye).push("turned", turned),
-            Event::Ambient { k_a, term } => fields.push("k_a", k_a).push("I_a", term),
-            Event::Light {
-                light,
-                color,
-                distance,
-                attenuation,
-                slide_factor,
-            } => fields
-                .push("light", light)
-                .push("I_light", color)
-                .push("d", distance)
-                .push("f_att", attenuation)
-                .push("slide_factor", slide_factor),
-            Event::ToLight { to_light, n_dot_l } => {
-                fields.push("L", to_light).push("N_dot_L", n_dot_l)
-            }
-            Event::Diffuse { k_d, term } => fields.push("k_d", k_d).push("I_d", term),
-            Event::Mirrored {
-                mirrored,
-                r_dot_v,
-                shininess,
-            } => fields
-                .push("R", mirrored)
-                .push("R_dot_V", r_dot_v)
-                .push("n_s", shininess),
-            Event::Halfway {
-                halfway,
-                n_dot_h,
-                shininess,
-            } => fields
-                .push("H", halfway)
-                .push("N_dot_H", n_dot_h)
-                .push("n_s", shininess),
-            Event::Specular { k_s, term } => fields.push("k_s", k_s).push("I_s", term),
-            Event::LightAdded { term } => fields.push("I_added", term),
-            Event::Illuminated { intensity } => fields.push("I", intensity),
-        };
-    }
-}

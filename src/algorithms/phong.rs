@@ -11,30 +11,33 @@ use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
 use super::prepared_scene::{self, Polygon, PreparedScene};
 use super::scan_line::{Carried, Fragment, Names};
-use super::shading::{self, Lines, OnceAVertex, Shading, pixel_point};
+use super::shading::{self, OnceAVertex, Shading, pixel_point};
 use super::texture::AtPixel;
 use super::vertex_normal::{VANISHED, vertex_normal};
-use crate::record::{Fields, Line, Listing, Recorder};
+use crate::record::{Fields, Listing, Recorder};
 use glam::DVec3;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "Phong",
     lines: &[
-        "for each polygon",
-        "  for each vertex v without a normal",
-        "    N_v ← ΣN_k / |ΣN_k|",
-        "  build the edge table",
-        "  for each scan line y",
-        "    for each active edge",
-        "      N_4 ← interpolate N_1, N_2",
-        "    for each span from x_4 to x_5",
-        "      for each pixel x_P",
-        "        if nearer than the depth buffer",
-        "          N_P ← interpolate N_4, N_5",
-        "          P ← the point of the polygon that the pixel shows",
-        "          N ← N_P / |N_P|",
-        "          I ← illumination(P, N)",
-        "          pixel ← I",
+        ("polygon", "for each polygon"),
+        ("vertex", "  for each vertex v without a normal"),
+        ("vertex-normal", "    N_v ← ΣN_k / |ΣN_k|"),
+        ("edge-table", "  build the edge table"),
+        ("scan-line", "  for each scan line y"),
+        ("edge", "    for each active edge"),
+        ("cut", "      N_4 ← interpolate N_1, N_2"),
+        ("span", "    for each span from x_4 to x_5"),
+        ("pixel", "      for each pixel x_P"),
+        ("depth", "        if nearer than the depth buffer"),
+        ("interpolation", "          N_P ← interpolate N_4, N_5"),
+        (
+            "point",
+            "          P ← the point of the polygon that the pixel shows",
+        ),
+        ("normal", "          N ← N_P / |N_P|"),
+        ("", "          I ← illumination(P, N)"),
+        ("color", "          pixel ← I"),
     ],
 };
 
@@ -164,17 +167,7 @@ pub enum Phong {}
 
 impl Shading for Phong {
     type Recorded = DVec3;
-    const LINES: Lines = Lines {
-        listing: &PSEUDOCODE,
-        vertex_normal: 2,
-        vertex_done: 2,
-        edge_table: 3,
-        pixel_point: Line {
-            listing: &PSEUDOCODE,
-            number: 11,
-        },
-        pixel_normal: 12,
-    };
+    const LISTING: &'static Listing = &PSEUDOCODE;
 }
 
 pub type Event = shading::Event<Phong>;

@@ -2,11 +2,11 @@
 
 use super::enclosure::{self, Enclosure};
 use super::focus::{Focus, Region};
+use super::frame::Frame;
 use super::illumination::Lighting;
 use super::primary::Settings;
 use super::texture::Mapping;
 use crate::color::Rgb;
-use crate::record::Fields;
 use crate::scene::patches::PatchError;
 use crate::scene::primitives::{self, Primitives};
 use crate::scene::{
@@ -223,6 +223,11 @@ impl PreparedScene {
         }
     }
 
+    /// The frame before anything is drawn: its background.
+    pub fn empty_frame(&self) -> Frame {
+        Frame::new(self.view.width, 0..self.view.height, self.scene.background)
+    }
+
     /// Without shadows, and with every term that the scene needs.
     pub fn lighting(&self) -> Lighting<'_> {
         Lighting {
@@ -288,36 +293,6 @@ pub enum Event {
     PolygonDone,
     /// Closes `Frame`.
     FrameDone,
-}
-
-impl Event {
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Event::Frame { .. } => "Frame",
-            Event::Polygon { .. } => "Polygon",
-            Event::PolygonDone => "PolygonDone",
-            Event::FrameDone => "FrameDone",
-        }
-    }
-
-    pub fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::Frame {
-                width,
-                height,
-                ambient,
-            } => {
-                fields
-                    .push("width", width)
-                    .push("height", height)
-                    .push("A", ambient);
-            }
-            Event::Polygon { object, polygon } => {
-                fields.push("object", object).push("polygon", polygon);
-            }
-            Event::PolygonDone | Event::FrameDone => {}
-        }
-    }
 }
 
 impl<'a> Polygon<'a> {

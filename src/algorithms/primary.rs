@@ -6,7 +6,7 @@ use super::focus::Focus;
 use super::frame::Frame;
 use super::prepared_scene::{self, PreparedScene};
 use crate::color::Rgb;
-use crate::record::{Fields, Recorder};
+use crate::record::Recorder;
 use crate::scene::View;
 use crate::scene::primitives::Ray;
 use glam::DVec2;
@@ -98,30 +98,6 @@ pub enum Event {
     Through { place: DVec2 },
     /// Closes `Pixel`.
     PixelColored { color: Rgb },
-}
-
-impl Event {
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Event::Pixel { .. } => "Pixel",
-            Event::Through { .. } => "Through",
-            Event::PixelColored { .. } => "PixelColored",
-        }
-    }
-
-    pub fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::Pixel { x, y, samples } => {
-                fields.push("x", x).push("y", y);
-                if samples > 1 {
-                    fields.push("samples", samples);
-                }
-                fields
-            }
-            Event::Through { place } => fields.push("x_P", place.x).push("y_P", place.y),
-            Event::PixelColored { color } => fields.push("color", color),
-        };
-    }
 }
 
 #[cfg(test)]

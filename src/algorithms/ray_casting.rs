@@ -11,24 +11,27 @@ use super::primary::{self, for_each_pixel};
 use super::surface::{self, face, without_object};
 use super::visible::{self, Intersection, Search, visible};
 use crate::color::Rgb;
-use crate::record::{self, Fields, Line, Listing, Recorder};
+use crate::record::{Listing, Recorder};
 use crate::scene::Needs;
 use crate::scene::primitives::Ray;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "ray casting",
     lines: &[
-        "for each pixel in the projection plane",
-        "  u ← ray from the reference point through the pixel",
-        "  NearestT ← ∞;  NearestObject ← none",
-        "  for every object in the scene",
-        "    if the ray meets it and t < NearestT",
-        "      NearestT ← t;  NearestObject ← object",
-        "  if NearestObject is none",
-        "    pixel ← background",
-        "  otherwise",
-        "    I ← illumination(P, N) + emission",
-        "    pixel ← I",
+        ("pixel polygon", "for each pixel in the projection plane"),
+        (
+            "through ray",
+            "  u ← ray from the reference point through the pixel",
+        ),
+        ("search", "  NearestT ← ∞;  NearestObject ← none"),
+        ("", "  for every object in the scene"),
+        ("test", "    if the ray meets it and t < NearestT"),
+        ("nearer", "      NearestT ← t;  NearestObject ← object"),
+        ("found", "  if NearestObject is none"),
+        ("background", "    pixel ← background"),
+        ("surface", "  otherwise"),
+        ("local", "    I ← illumination(P, N) + emission"),
+        ("returned trace", "    pixel ← I"),
     ],
 };
 
@@ -149,70 +152,5 @@ impl From<surface::Event> for Event {
 impl From<illumination::Event> for Event {
     fn from(event: illumination::Event) -> Self {
         Event::Illumination(event)
-    }
-}
-
-impl record::Event for Event {
-    fn kind(&self) -> &'static str {
-        match self {
-            Event::PreparedScene(event) => event.kind(),
-            Event::Primary(event) => event.kind(),
-            Event::Ray { .. } => "Ray",
-            Event::Visible(event) => event.kind(),
-            Event::Surface(event) => event.kind(),
-            Event::Illumination(event) => event.kind(),
-            Event::Local { .. } => "Local",
-            Event::Returned { .. } => "Returned",
-        }
-    }
-
-    fn line(&self) -> Line {
-        let number = match self {
-            Event::PreparedScene(_) | Event::Primary(primary::Event::Pixel { .. }) => 0,
-            Event::Primary(primary::Event::Through { .. }) | Event::Ray { .. } => 1,
-            Event::Visible(visible::Event::Search { .. }) => 2,
-            Event::Visible(event) if event.found_nearer() => 5,
-            Event::Visible(visible::Event::Found { .. }) => 6,
-            Event::Visible(_) => 4,
-            Event::Surface(surface::Event::Background { .. } | surface::Event::LightMet { .. }) => {
-                7
-            }
-            Event::Surface(_) => 8,
-            Event::Illumination(event) => return event.line(),
-            Event::Local { .. } => 9,
-            Event::Returned { .. } | Event::Primary(primary::Event::PixelColored { .. }) => 10,
-        };
-        Line {
-            listing: &PSEUDOCODE,
-            number,
-        }
-    }
-
-    fn holds_on(&self) -> bool {
-        match self {
-            // A pixel of several samples goes through several points.
-            Event::Primary(primary::Event::Through { .. }) => false,
-            Event::Visible(event) => !event.tests_one(),
-            _ => true,
-        }
-    }
-
-    fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::PreparedScene(event) => event.fields(fields),
-            Event::Primary(event) => event.fields(fields),
-            Event::Ray { ray } => {
-                fields.push("O", ray.origin).push("u", ray.direction);
-            }
-            Event::Visible(event) => event.fields(fields),
-            Event::Surface(event) => event.fields(fields),
-            Event::Illumination(event) => event.fields(fields),
-            Event::Local { emission, local } => {
-                fields.push("emission", emission).push("I_local", local);
-            }
-            Event::Returned { color } => {
-                fields.push("I", color);
-            }
-        }
     }
 }

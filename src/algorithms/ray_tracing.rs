@@ -18,7 +18,7 @@ use super::surface::{self, SurfaceInteraction, face, without_object};
 use super::visible::{self, Intersection, Search, visible};
 use crate::color::Rgb;
 use crate::numeric::{refracted, refraction_radicand};
-use crate::record::{self, Fields, Line, Listing, Recorder};
+use crate::record::{Listing, Recorder};
 use crate::scene::primitives::{Hit, Ray, leaving, short_of};
 use crate::scene::{Material, Needs};
 use glam::DVec3;
@@ -26,23 +26,29 @@ use glam::DVec3;
 pub static PSEUDOCODE: Listing = Listing {
     name: "ray tracing",
     lines: &[
-        "for each pixel in the projection plane",
-        "  u ← ray from the reference point through the pixel",
-        "  pixel ← trace(u, 1)",
-        "trace(u, level)",
-        "  NearestT ← ∞;  NearestObject ← none",
-        "  for every object in the scene",
-        "    if the ray meets it and t < NearestT",
-        "      NearestT ← t;  NearestObject ← object",
-        "  if NearestObject is none: return background",
-        "  for each light",
-        "    shoot a ray to the light: in shadow or not",
-        "  I ← ambient + light that arrives + emission",
-        "  if the surface is reflective",
-        "    I ← I + k_r · trace(R, level + 1)",
-        "  if it is transparent",
-        "    I ← I + k_t · trace(T, level + 1)",
-        "  return I",
+        ("pixel polygon", "for each pixel in the projection plane"),
+        (
+            "through",
+            "  u ← ray from the reference point through the pixel",
+        ),
+        ("trace", "  pixel ← trace(u, 1)"),
+        ("ray", "trace(u, level)"),
+        ("search", "  NearestT ← ∞;  NearestObject ← none"),
+        ("", "  for every object in the scene"),
+        ("test", "    if the ray meets it and t < NearestT"),
+        ("nearer", "      NearestT ← t;  NearestObject ← object"),
+        (
+            "found background",
+            "  if NearestObject is none: return background",
+        ),
+        ("surface", "  for each light"),
+        ("shadow", "    shoot a ray to the light: in shadow or not"),
+        ("local", "  I ← ambient + light that arrives + emission"),
+        ("reflection", "  if the surface is reflective"),
+        ("reflected", "    I ← I + k_r · trace(R, level + 1)"),
+        ("refraction", "  if it is transparent"),
+        ("transmitted", "    I ← I + k_t · trace(T, level + 1)"),
+        ("returned", "  return I"),
     ],
 };
 
@@ -351,74 +357,5 @@ impl From<illumination::Event> for Event {
 impl From<ray_tree::Event> for Event {
     fn from(event: ray_tree::Event) -> Self {
         Event::Tree(event)
-    }
-}
-
-impl record::Event for Event {
-    fn kind(&self) -> &'static str {
-        match self {
-            Event::PreparedScene(event) => event.kind(),
-            Event::Primary(event) => event.kind(),
-            Event::Visible(event) => event.kind(),
-            Event::Surface(event) => event.kind(),
-            Event::Illumination(event) => event.kind(),
-            Event::Tree(event) => event.kind(),
-        }
-    }
-
-    fn line(&self) -> Line {
-        use ray_tree::Event as Tree;
-        let number = match self {
-            Event::PreparedScene(_) | Event::Primary(primary::Event::Pixel { .. }) => 0,
-            Event::Primary(primary::Event::Through { .. }) => 1,
-            Event::Primary(primary::Event::PixelColored { .. }) => 2,
-            Event::Tree(Tree::Ray { .. }) => 3,
-            Event::Visible(visible::Event::Search { .. }) => 4,
-            Event::Visible(
-                visible::Event::BetweenTested { .. } | visible::Event::Unshadowing { .. },
-            ) => 10,
-            Event::Visible(event) if event.found_nearer() => 7,
-            Event::Visible(visible::Event::Found { .. }) => 8,
-            Event::Visible(_) => 6,
-            Event::Surface(surface::Event::Background { .. } | surface::Event::LightMet { .. }) => {
-                8
-            }
-            Event::Surface(_) => 9,
-            Event::Illumination(event) => return event.line(),
-            Event::Tree(Tree::ShadowRay { .. } | Tree::Shadow { .. }) => 10,
-            Event::Tree(Tree::Local { .. }) => 11,
-            Event::Tree(Tree::Refraction { .. }) => 14,
-            Event::Tree(Tree::Returned { .. }) => 16,
-            Event::Tree(event) => match (event.branch(), event) {
-                (Some(RayKind::Reflected), Tree::Ended { .. } | Tree::Branched { .. }) => 12,
-                (Some(RayKind::Reflected), _) => 13,
-                (_, Tree::Ended { .. } | Tree::Branched { .. }) => 14,
-                _ => 15,
-            },
-        };
-        Line {
-            listing: &PSEUDOCODE,
-            number,
-        }
-    }
-
-    fn holds_on(&self) -> bool {
-        match self {
-            // A pixel of several samples goes through several points.
-            Event::Primary(primary::Event::Through { .. }) => false,
-            Event::Visible(event) => !event.tests_one(),
-            _ => true,
-        }
-    }
-
-    fn fields(&self, fields: &mut Fields) {
-        match self {
-            Event::PreparedScene(event) => event.fields(fields),
-            Event::Primary(event) => event.fields(fields),
-            Event::Visible(event) => event.fields(fields),
-            Event::Surface(event) => event.fields(fields),
-            Event::Illumination(event) => event.fields(fields),
-            Event::Tree(event) => event.fields(fields),
-        }
     }
 }

@@ -2,7 +2,6 @@
 //! (Whitted 1980, figure 3). Light comes back from the leaves up; a leaf says why it ended.
 
 use crate::color::Rgb;
-use crate::record::Fields;
 use crate::scene::primitives::{Hit, Ray};
 use glam::DVec3;
 
@@ -123,122 +122,9 @@ impl Event {
     }
 
     /// Angle of refraction, where anything passes, and critical angle, where there is one; in degrees.
-    fn angles(eta_i: f64, eta_r: f64, radicand: f64) -> [Option<f64>; 2] {
+    pub fn angles(eta_i: f64, eta_r: f64, radicand: f64) -> [Option<f64>; 2] {
         let refracted = (radicand >= 0.0).then(|| radicand.sqrt().min(1.0).acos());
         let critical = (eta_i > eta_r).then(|| (eta_r / eta_i).asin());
         [refracted, critical].map(|angle| angle.map(f64::to_degrees))
-    }
-
-    /// Which branch of a surface the event belongs to.
-    pub fn branch(&self) -> Option<RayKind> {
-        match *self {
-            Event::Branched {
-                branch: Branch { kind, .. },
-            }
-            | Event::Ended { kind, .. }
-            | Event::Attenuated { kind, .. }
-            | Event::Added { kind, .. } => Some(kind),
-            _ => None,
-        }
-    }
-
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Event::Ray { .. } => "Ray",
-            Event::ShadowRay { .. } => "ShadowRay",
-            Event::Shadow { .. } => "Shadow",
-            Event::Local { .. } => "Local",
-            Event::Refraction { .. } => "Refraction",
-            Event::Branched { branch } => match branch.kind {
-                RayKind::Primary | RayKind::Reflected => "Reflection",
-                RayKind::Transmitted => "Transmission",
-                RayKind::TotalInternalReflection => "TotalInternalReflection",
-            },
-            Event::Ended { .. } => "BranchEnded",
-            Event::Attenuated { .. } => "Attenuated",
-            Event::Added { .. } => "BranchAdded",
-            Event::Returned { .. } => "Returned",
-        }
-    }
-
-    pub fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::Ray { kind, level, ray } => fields
-                .push("ray", kind.name())
-                .push("level", level)
-                .push("O", ray.origin)
-                .push("u", ray.direction),
-            Event::ShadowRay {
-                light,
-                direction,
-                distance,
-            } => fields
-                .push("light", light)
-                .push("L", direction)
-                .push("d", distance),
-            Event::Shadow { light, blocked, by } => {
-                fields.push("light", light).push("blocked", blocked);
-                if let Some(hit) = by {
-                    fields.push("blocker", hit.object).push("t", hit.t);
-                }
-                fields
-            }
-            Event::Local { emission, local } => {
-                let fields = fields.push("emission", emission);
-                fields.push("I_local", local).push("I_sum", local)
-            }
-            Event::Refraction {
-                eta_i,
-                eta_r,
-                cos_theta_i,
-                radicand,
-            } => {
-                fields
-                    .push("eta_i", eta_i)
-                    .push("eta_r", eta_r)
-                    .push("cos_theta_i", cos_theta_i)
-                    .push("cos2_theta_r", radicand);
-                let [refracted, critical] = Event::angles(eta_i, eta_r, radicand);
-                if let Some(angle) = refracted {
-                    fields.push("theta_r_degrees", angle);
-                }
-                if let Some(angle) = critical {
-                    fields.push("theta_c_degrees", angle);
-                }
-                fields
-            }
-            Event::Branched { branch } => {
-                let (coefficient, direction) = match branch.kind {
-                    RayKind::Primary | RayKind::Reflected => ("k_r", "R"),
-                    RayKind::Transmitted => ("k_t", "T"),
-                    RayKind::TotalInternalReflection => ("k_t", "R"),
-                };
-                fields
-                    .push("branch", branch.kind.name())
-                    .push(coefficient, branch.coefficient)
-                    .push(direction, branch.direction)
-            }
-            Event::Ended { kind, end } => {
-                fields.push("branch", kind.name()).push("why", end.name())
-            }
-            Event::Attenuated {
-                kind,
-                distance,
-                attenuation,
-                carried,
-            } => fields
-                .push("branch", kind.name())
-                .push("d", distance)
-                .push("a_0", attenuation[0])
-                .push("a_1", attenuation[1])
-                .push("a_2", attenuation[2])
-                .push("divisor", divisor(attenuation, distance))
-                .push("carried", carried),
-            Event::Added { kind, carried, sum } => fields
-                .push("branch", kind.name())
-                .push("carried", carried)
-                .push("I_sum", sum),
-            Event::Returned { color } => fields.push("I", color),
-        };
     }
 }

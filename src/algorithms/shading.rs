@@ -8,7 +8,7 @@ use super::scan_line::{self, Carried, Fragment};
 use super::texture;
 use super::vertex_normal;
 use crate::color::Rgb;
-use crate::record::{self, Fields, Line, Listing, Recorder};
+use crate::record::{Listing, Recorder};
 use glam::DVec3;
 use std::fmt::Debug;
 
@@ -16,24 +16,7 @@ use std::fmt::Debug;
 pub trait Shading: Copy + PartialEq + Debug + Send + Sync + 'static {
     /// What is told of what goes from the corners to the pixels.
     type Recorded: Carried;
-    const LINES: Lines;
-}
-
-/// Where a listing has the lines of the family. It starts with the line for each polygon and the line of the point or vertex,
-/// and ends with the line that colours a pixel.
-#[derive(Clone, Copy, Debug)]
-pub struct Lines {
-    pub listing: &'static Listing,
-    /// That of the normal at a vertex.
-    pub vertex_normal: usize,
-    /// That on which a vertex is finished.
-    pub vertex_done: usize,
-    /// From here on the lines of [`scan_line::Part`], in their order.
-    pub edge_table: usize,
-    /// That of the point that a pixel shows.
-    pub pixel_point: Line,
-    /// That of the normal at a pixel.
-    pub pixel_normal: usize,
+    const LISTING: &'static Listing;
 }
 
 /// What is found once for each vertex of an object, for all the polygons that share it.
@@ -148,80 +131,5 @@ impl<M: Shading> From<scan_line::Event<M::Recorded>> for Event<M> {
 impl<M: Shading> From<texture::Event> for Event<M> {
     fn from(event: texture::Event) -> Self {
         Event::Texture(event)
-    }
-}
-
-impl<M: Shading> record::Event for Event<M> {
-    fn kind(&self) -> &'static str {
-        match self {
-            Event::PreparedScene(event) => event.kind(),
-            Event::Middle { .. } => "Middle",
-            Event::Vertex { .. } => "Vertex",
-            Event::Normal(event) => event.kind(),
-            Event::Illumination(event) => event.kind(),
-            Event::VertexLit { .. } => "VertexLit",
-            Event::VertexReady { .. } => "VertexReady",
-            Event::ScanLine(event) => event.kind(),
-            Event::PixelPoint { .. } => "PixelPoint",
-            Event::Texture(event) => event.kind(),
-            Event::PixelNormal { .. } => "PixelNormal",
-            Event::PixelNormalLost { .. } => "PixelNormalLost",
-            Event::TruePoint { .. } => "TruePoint",
-        }
-    }
-
-    fn line(&self) -> Line {
-        let lines = M::LINES;
-        let number = match self {
-            Event::PreparedScene(_) => 0,
-            Event::Middle { .. } | Event::Vertex { .. } => 1,
-            Event::Normal(_) => lines.vertex_normal,
-            Event::Illumination(event) => return event.line(),
-            Event::VertexLit { .. } | Event::VertexReady { .. } => lines.vertex_done,
-            Event::ScanLine(event) => match event.part() {
-                scan_line::Part::Color => lines.listing.lines.len() - 1,
-                part => lines.edge_table + part as usize,
-            },
-            Event::PixelPoint { .. } => return lines.pixel_point,
-            Event::Texture(event) => return event.line(),
-            Event::PixelNormal { .. } | Event::PixelNormalLost { .. } | Event::TruePoint { .. } => {
-                lines.pixel_normal
-            }
-        };
-        Line {
-            listing: lines.listing,
-            number,
-        }
-    }
-
-    fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::PreparedScene(event) => event.fields(fields),
-            Event::Middle { position } => {
-                fields.push("P_m", position);
-            }
-            Event::Vertex { vertex, position } => {
-                fields.push("vertex", vertex).push("P_v", position);
-            }
-            Event::Normal(event) => event.fields(fields),
-            Event::Illumination(event) => event.fields(fields),
-            Event::VertexLit { vertex, intensity } => {
-                fields.push("vertex", vertex).push("I_v", intensity);
-            }
-            Event::VertexReady { vertex } => {
-                fields.push("vertex", vertex);
-            }
-            Event::ScanLine(event) => event.fields(fields),
-            Event::PixelPoint { position } => {
-                fields.push("P", position);
-            }
-            Event::Texture(event) => event.fields(fields),
-            Event::TruePoint { position, normal } => {
-                fields.push("P", position).push("N", normal);
-            }
-            Event::PixelNormal { length, normal } | Event::PixelNormalLost { length, normal } => {
-                fields.push("length", length).push("N", normal);
-            }
-        }
     }
 }

@@ -7,7 +7,7 @@
 use super::illumination::SurfacePoint;
 use super::visible::Intersection;
 use crate::color::Rgb;
-use crate::record::{Fields, Recorder};
+use crate::record::Recorder;
 use crate::scene::primitives::{Hit, Primitives, Ray, Surface};
 use crate::scene::{Light, Needs, Scene};
 use glam::{DVec2, DVec3};
@@ -131,44 +131,4 @@ pub enum Event {
         uv: DVec2,
         color: Rgb,
     },
-}
-
-impl Event {
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Event::Background { .. } => "Background",
-            Event::LightMet { .. } => "LightMet",
-            Event::SurfaceMet { .. } => "SurfaceMet",
-            Event::Faced { .. } => "Faced",
-            Event::Textured { .. } => "Textured",
-        }
-    }
-
-    pub fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::Background { color } => fields.push("color", color),
-            Event::LightMet { light, color } => fields.push("light", light).push("color", color),
-            Event::SurfaceMet {
-                object,
-                position,
-                normal,
-            } => fields
-                .push("object", object)
-                .push("P", position)
-                .push("N_geometric", normal),
-            Event::Faced {
-                normal,
-                cos_theta_i,
-                entering,
-            } => fields
-                .push("N", normal)
-                .push("cos_theta_i", cos_theta_i)
-                .push("theta_i_degrees", cos_theta_i.min(1.0).acos().to_degrees())
-                .push("entering", entering),
-            Event::Textured { uv, color } => fields
-                .push("u_texture", uv.x)
-                .push("v_texture", uv.y)
-                .push("texture", color),
-        };
-    }
 }

@@ -10,7 +10,7 @@ use super::prepared_scene::{Polygon, PreparedScene};
 use super::scan_line::Cargo;
 use crate::color::Rgb;
 use crate::numeric::Linear;
-use crate::record::{Fields, Line, Listing, Recorder};
+use crate::record::{Listing, Recorder};
 use crate::scene::primitives::FaceChart;
 use crate::scene::{Part, Texture};
 use glam::{DVec2, DVec3};
@@ -19,18 +19,18 @@ use std::ops::{Add, Mul, Sub};
 pub static PSEUDOCODE: Listing = Listing {
     name: "texture",
     lines: &[
-        "texture(x_P, y_P)",
-        "  P ← the point of the polygon that the pixel shows",
-        "  (u, v) ← the object's chart at P",
-        "  T ← colour of the texture at (u, v)",
-        "  k_d ← T · k_d,   and so   I ← I − I_d + T · I_d",
+        ("", "texture(x_P, y_P)"),
+        (
+            "point",
+            "  P ← the point of the polygon that the pixel shows",
+        ),
+        ("chart", "  (u, v) ← the object's chart at P"),
+        ("texture", "  T ← colour of the texture at (u, v)"),
+        (
+            "applied",
+            "  k_d ← T · k_d,   and so   I ← I − I_d + T · I_d",
+        ),
     ],
-};
-
-/// The line on which a method that needs P for its texture alone finds it.
-pub const POINT: Line = Line {
-    listing: &PSEUDOCODE,
-    number: 1,
 };
 
 /// Where (u, v) come from.
@@ -206,44 +206,4 @@ pub enum Event {
     TextureTaken { color: Rgb, linear: bool },
     /// `diffuse` is I_d, the part of the intensity that the texture multiplies.
     TextureApplied { diffuse: Rgb, textured: Rgb },
-}
-
-impl Event {
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Event::Textured { .. } => "Textured",
-            Event::TexturedLinearly { .. } => "TexturedLinearly",
-            Event::TextureTaken { .. } => "TextureTaken",
-            Event::TextureApplied { .. } => "TextureApplied",
-        }
-    }
-
-    pub fn line(&self) -> Line {
-        let number = match self {
-            Event::Textured { .. } | Event::TexturedLinearly { .. } => 2,
-            Event::TextureTaken { .. } => 3,
-            Event::TextureApplied { .. } => 4,
-        };
-        Line {
-            listing: &PSEUDOCODE,
-            number,
-        }
-    }
-
-    pub fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::Textured { uv, color } => fields
-                .push("u_texture", uv.x)
-                .push("v_texture", uv.y)
-                .push("texture", color),
-            Event::TexturedLinearly { uv, color } => fields
-                .push("u_linear", uv.x)
-                .push("v_linear", uv.y)
-                .push("texture_linear", color),
-            Event::TextureTaken { color, linear } => fields.push("T", color).push("linear", linear),
-            Event::TextureApplied { diffuse, textured } => {
-                fields.push("I_d", diffuse).push("I_textured", textured)
-            }
-        };
-    }
 }

@@ -1,7 +1,7 @@
 //! The normal at a vertex: the mean of the unit normals of the faces around it, of unit length again
 //! (Gouraud 1971, §III): N_v = Σ N_k / |Σ N_k|, unweighted, over the faces of one object that share the place.
 
-use crate::record::{Fields, Recorder};
+use crate::record::Recorder;
 use crate::scene::Mesh;
 use glam::DVec3;
 
@@ -74,36 +74,4 @@ pub enum Event {
         length: f64,
         normal: DVec3,
     },
-}
-
-impl Event {
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Event::FaceNormalAdded { .. } => "FaceNormalAdded",
-            Event::VertexNormal { .. } => "VertexNormal",
-            Event::NormalVanished { .. } => "NormalVanished",
-        }
-    }
-
-    pub fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::FaceNormalAdded { face, normal, sum } => fields
-                .push("face", face)
-                .push("N_k", normal)
-                .push("sum_N", sum),
-            Event::VertexNormal {
-                faces,
-                length,
-                normal,
-            }
-            | Event::NormalVanished {
-                faces,
-                length,
-                normal,
-            } => fields
-                .push("faces", faces)
-                .push("length", length)
-                .push("N_v", normal),
-        };
-    }
 }

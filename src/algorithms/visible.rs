@@ -5,7 +5,7 @@
 //! same hit, bit for bit, without testing them all, and tells only what it found. At equal t the lower object goes first. A point light of positive
 //! radius is a ball that rays see; it stops no shadow ray.
 
-use crate::record::{Fields, Recorder};
+use crate::record::Recorder;
 use crate::scene::primitives::{Hit, Primitives, Ray, meet_ball};
 use crate::scene::{Light, Scene};
 
@@ -247,95 +247,8 @@ impl Event {
         }
     }
 
-    /// Whether NearestT and NearestObject are set.
-    pub fn found_nearer(&self) -> bool {
-        matches!(
-            self,
-            Event::ObjectTested { nearer: true, .. } | Event::LightTested { nearer: true, .. }
-        )
-    }
-
     /// Whether it is about one object or light of several.
     pub fn tests_one(&self) -> bool {
         !matches!(self, Event::Search { .. } | Event::Found { .. })
-    }
-
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Event::Search { .. } => "Search",
-            Event::ObjectTested { .. } => "ObjectTested",
-            Event::LightTested { .. } => "LightTested",
-            Event::Found { .. } => "Found",
-            Event::BetweenTested { .. } => "BetweenTested",
-            Event::Unshadowing { .. } => "Unshadowing",
-        }
-    }
-
-    pub fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::Search { objects } => {
-                fields
-                    .push("objects", objects)
-                    .push("NearestT", f64::INFINITY);
-            }
-            Event::ObjectTested {
-                object,
-                t,
-                nearest_t,
-                nearer,
-                ..
-            } => {
-                fields
-                    .push("object", object)
-                    .push("t", t)
-                    .push("NearestT", nearest_t)
-                    .push("nearer", nearer);
-            }
-            Event::LightTested {
-                light,
-                t,
-                nearest_t,
-                nearer,
-            } => {
-                fields
-                    .push("light", light)
-                    .push("t", t)
-                    .push("NearestT", nearest_t)
-                    .push("nearer", nearer);
-            }
-            Event::Found { met } => match met {
-                Intersection::Nothing => {
-                    fields.push("met", "nothing").push("NearestT", met.t());
-                }
-                Intersection::Light { light, t } => {
-                    fields
-                        .push("met", "light")
-                        .push("light", light)
-                        .push("NearestT", t);
-                }
-                Intersection::Object(hit) => {
-                    fields
-                        .push("met", "object")
-                        .push("object", hit.object)
-                        .push("NearestT", hit.t);
-                }
-            },
-            Event::BetweenTested {
-                object,
-                t,
-                distance,
-                blocks,
-                ..
-            } => {
-                fields
-                    .push("object", object)
-                    .push("t", t)
-                    .push("d", distance)
-                    .push("blocks", blocks);
-            }
-            Event::Unshadowing { object } => {
-                fields.push("object", object).push("blocks", false);
-            }
-        }
     }
 }

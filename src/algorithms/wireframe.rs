@@ -8,7 +8,7 @@ use super::frame::Frame;
 use super::prepared_scene::{self, Polygon, PreparedScene};
 use crate::color::Rgb;
 use crate::numeric::Ramp;
-use crate::record::{self, Fields, Line, Listing, Recorder};
+use crate::record::{Listing, Recorder};
 use crate::scene::View;
 use glam::{DVec2, DVec3};
 use std::collections::HashSet;
@@ -16,13 +16,13 @@ use std::collections::HashSet;
 pub static PSEUDOCODE: Listing = Listing {
     name: "wireframe",
     lines: &[
-        "for each polygon",
-        "  for each edge not yet drawn",
-        "    clip the edge to what the eye sees",
-        "    n ← max(|Δx|, |Δy|), rounded up",
-        "    for i = 0 … n",
-        "      plot the pixel at (x, y)",
-        "      x ← x + Δx/n;  y ← y + Δy/n",
+        ("polygon", "for each polygon"),
+        ("edge", "  for each edge not yet drawn"),
+        ("clip", "    clip the edge to what the eye sees"),
+        ("steps", "    n ← max(|Δx|, |Δy|), rounded up"),
+        ("", "    for i = 0 … n"),
+        ("plot", "      plot the pixel at (x, y)"),
+        ("", "      x ← x + Δx/n;  y ← y + Δy/n"),
     ],
 };
 
@@ -199,60 +199,5 @@ const _: () = assert!(size_of::<Event>() <= 64);
 impl From<prepared_scene::Event> for Event {
     fn from(event: prepared_scene::Event) -> Self {
         Event::PreparedScene(event)
-    }
-}
-
-impl record::Event for Event {
-    fn kind(&self) -> &'static str {
-        match self {
-            Event::PreparedScene(event) => event.kind(),
-            Event::Edge { .. } => "Edge",
-            Event::EdgeClipped { .. } => "EdgeClipped",
-            Event::EdgeUnseen => "EdgeUnseen",
-            Event::StepChosen { .. } => "StepChosen",
-            Event::PixelPlotted { .. } => "PixelPlotted",
-            Event::EdgeDone => "EdgeDone",
-        }
-    }
-
-    fn line(&self) -> Line {
-        let number = match self {
-            Event::PreparedScene(_) => 0,
-            Event::Edge { .. } | Event::EdgeDone => 1,
-            Event::EdgeClipped { .. } | Event::EdgeUnseen => 2,
-            Event::StepChosen { .. } => 3,
-            Event::PixelPlotted { .. } => 5,
-        };
-        Line {
-            listing: &PSEUDOCODE,
-            number,
-        }
-    }
-
-    fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::PreparedScene(event) => event.fields(fields),
-            Event::Edge { from, to } => {
-                fields.push("from", from).push("to", to);
-            }
-            Event::EdgeClipped { start, end } => {
-                fields
-                    .push("x_1", start.x)
-                    .push("y_1", start.y)
-                    .push("x_2", end.x)
-                    .push("y_2", end.y);
-            }
-            Event::StepChosen { n, step } => {
-                fields.push("n", n).push("dx", step.x).push("dy", step.y);
-            }
-            Event::PixelPlotted { x, y, exact } => {
-                fields
-                    .push("x", x)
-                    .push("y", y)
-                    .push("x_exact", exact.x)
-                    .push("y_exact", exact.y);
-            }
-            Event::EdgeUnseen | Event::EdgeDone => {}
-        }
     }
 }

@@ -4,7 +4,7 @@ use super::session::{Command, Session};
 use super::strings;
 use super::style;
 use crate::algorithms::focus::Focus;
-use crate::panels::strings::{Language, Words};
+use crate::language::{Language, Message};
 use crate::panels::{Panel, TreeView, draw};
 use crate::picture::{Ink, Picture, Tag, Theme, draw_over, rasterize};
 use crate::record::Value;
@@ -219,7 +219,7 @@ pub fn focus_words(session: &Session) -> String {
     crate::panels::strings::focus(session.focus(), session.look.language)
 }
 
-pub fn title(panel: Panel) -> Words {
+pub fn title(panel: Panel) -> Message {
     match panel {
         Panel::Image => strings::IMAGE,
         Panel::ScanLine => strings::SCAN_LINE,

@@ -2,7 +2,7 @@
 
 use super::session::{Command, Session};
 use super::{strings, style};
-use crate::panels::strings::Words;
+use crate::language::Message;
 use crate::scene::{LeftOut, Part};
 use egui::{Id, Modal, RichText, ScrollArea, Ui};
 
@@ -77,7 +77,7 @@ fn entry(
     if ui.checkbox(&mut forced, name).clicked() {
         commands.push(Command::Anyway(part));
     }
-    ui.indent(what.en, |ui| {
+    ui.indent(what.0, |ui| {
         ui.label(session.localize(why));
         for skipped in skipped {
             ui.label(RichText::new(place(skipped, session)).monospace());
@@ -120,91 +120,34 @@ fn times(session: &Session) -> String {
 }
 
 /// What it is, and why it is not needed.
-fn words_of(part: Part) -> [Words; 2] {
-    let [[what_en, what_id], [why_en, why_id]] = match part {
-        Part::ReflectedRays => [
-            ["Reflected rays", "Sinar pantul"],
-            ["Nothing reflects.", "Tidak ada yang memantulkan."],
-        ],
+fn words_of(part: Part) -> [Message; 2] {
+    let [what, why] = match part {
+        Part::ReflectedRays => ["skipped-reflected-rays", "skipped-reflected-rays-because"],
         Part::TransmittedRays => [
-            ["Transmitted rays", "Sinar bias"],
-            ["Nothing is transparent.", "Tidak ada yang tembus cahaya."],
+            "skipped-transmitted-rays",
+            "skipped-transmitted-rays-because",
         ],
         Part::TextureCoordinates => [
-            ["Texture coordinates", "Koordinat tekstur"],
-            ["Nothing has a texture.", "Tidak ada yang bertekstur."],
+            "skipped-texture-coordinates",
+            "skipped-texture-coordinates-because",
         ],
-        Part::Highlights => [
-            ["Highlights", "Sorotan"],
-            [
-                "Nothing is shiny: no cosine is raised to a power.",
-                "Tidak ada yang mengilap: tidak ada kosinus yang dipangkatkan.",
-            ],
-        ],
-        Part::LightBalls => [
-            ["Light balls", "Bola cahaya"],
-            [
-                "No light has a radius that a ray could meet.",
-                "Tidak ada sumber cahaya berjari-jari yang dapat ditemui sinar.",
-            ],
-        ],
+        Part::Highlights => ["skipped-highlights", "skipped-highlights-because"],
+        Part::LightBalls => ["skipped-light-balls", "skipped-light-balls-because"],
         Part::PathAttenuation => [
-            ["Attenuation on the way", "Pelemahan di jalan"],
-            ["The scene asks for none.", "Adegan tidak memintanya."],
+            "skipped-path-attenuation",
+            "skipped-path-attenuation-because",
         ],
-        Part::ShadowRays => [
-            ["Shadow rays", "Sinar bayangan"],
-            [
-                "Nothing can stand between these objects and the light.",
-                "Tidak ada yang dapat menghalangi objek-objek ini dari cahaya.",
-            ],
-        ],
-        Part::DarkChannels => [
-            ["Dark channels", "Kanal gelap"],
-            [
-                "Nothing emits in them: B = 0.",
-                "Tidak ada yang memancar di dalamnya: B = 0.",
-            ],
-        ],
-        Part::EqualChannels => [
-            ["Equal channels", "Kanal yang sama"],
-            [
-                "Emission and reflectance are those of a channel before: solved once.",
-                "Emisi dan reflektansinya sama dengan kanal sebelumnya: diselesaikan sekali.",
-            ],
-        ],
-        Part::BlackRows => [
-            ["Equations of black patches", "Persamaan patch hitam"],
-            [
-                "They reflect nothing: B = E.",
-                "Mereka tidak memantulkan: B = E.",
-            ],
-        ],
-        Part::FacingAway => [
-            [
-                "Integrals of pairs that face away",
-                "Integral pasangan yang membelakangi",
-            ],
-            [
-                "In one plane, or one behind the other: F = 0.",
-                "Sebidang, atau yang satu di belakang yang lain: F = 0.",
-            ],
-        ],
-        Part::SightTests => [
-            ["Rays between patches", "Sinar antarpatch"],
-            [
-                "Nothing can stand between the two: all light passes.",
-                "Tidak ada yang dapat menghalangi keduanya: semua cahaya lewat.",
-            ],
-        ],
+        Part::ShadowRays => ["skipped-shadow-rays", "skipped-shadow-rays-because"],
+        Part::DarkChannels => ["skipped-dark-channels", "skipped-dark-channels-because"],
+        Part::EqualChannels => ["skipped-equal-channels", "skipped-equal-channels-because"],
+        Part::BlackRows => ["skipped-black-rows", "skipped-black-rows-because"],
+        Part::FacingAway => ["skipped-facing-away", "skipped-facing-away-because"],
+        Part::SightTests => ["skipped-sight-tests", "skipped-sight-tests-because"],
     };
-    [Words::new(what_en, what_id), Words::new(why_en, why_id)]
+    [Message(what), Message(why)]
 }
 
-const PLANE: Words = Words::new(
-    "an infinite plane has no polygons",
-    "bidang tak terhingga tidak punya poligon",
-);
-const OBJECTS: Words = Words::new("objects", "objek");
-const PATCHES: Words = Words::new("patches", "patch");
-const PAIRS: Words = Words::new("pairs of patches", "pasang patch");
+const PLANE: Message = Message("app-skipped-plane");
+const OBJECTS: Message = Message("app-skipped-objects");
+const PATCHES: Message = Message("common-patches");
+const PAIRS: Message = Message("app-skipped-pairs");

@@ -6,14 +6,14 @@ use crate::study::form::Study;
 pub fn title(study: &Study, language: Language) -> &'static str {
     match language {
         Language::English => study.title,
-        Language::Indonesian => in_indonesian(study.name).map_or(study.title, |[title, _]| title),
+        _ => in_indonesian(study.name).map_or(study.title, |[title, _]| title),
     }
 }
 
 pub fn about(study: &Study, language: Language) -> &'static str {
     match language {
         Language::English => study.about,
-        Language::Indonesian => in_indonesian(study.name).map_or(study.about, |[_, about]| about),
+        _ => in_indonesian(study.name).map_or(study.about, |[_, about]| about),
     }
 }
 

@@ -2,11 +2,11 @@
 
 use super::session::{Command, Session, StudyCommand};
 use super::{strings, style};
-use crate::panels::strings::{Language, Words};
+use crate::language::{Language, Message};
 use crate::picture::Theme;
 use egui::{Button, Color32, Frame, Margin, RichText, Ui};
 
-const THEMES: [(Theme, Words); 3] = [
+const THEMES: [(Theme, Message); 3] = [
     (Theme::Light, strings::THEME_LIGHT),
     (Theme::Dark, strings::THEME_DARK),
     (Theme::Projector, strings::THEME_PROJECTOR),

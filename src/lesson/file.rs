@@ -92,6 +92,7 @@ pub enum FocusFile {
 pub struct StepFile {
     /// The first such event behind the narrated step before.
     pub at: Query,
+    #[serde(rename = "say")]
     pub localize: Text,
     /// What the lecture's slide prints, where it differs from the standard form.
     #[serde(default, deserialize_with = "present")]
@@ -143,6 +144,8 @@ impl Text {
         match language {
             Language::English => &self.en,
             Language::Indonesian => &self.id,
+            #[cfg(test)]
+            Language::Pseudo => &self.en,
         }
     }
 

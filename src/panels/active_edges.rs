@@ -4,9 +4,9 @@ mod columns;
 
 use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
-use super::strings::{Language, Words};
 use super::values::{told_in_words, value_of};
 use crate::algorithms::scan_line::Carried;
+use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, fixed};
 use crate::record::Value;
 use crate::replay::shading::{ActiveEdge, State};
@@ -20,21 +20,15 @@ const MARGIN: f32 = 8.0;
 /// Side of the square that shows a colour.
 const SWATCH: f32 = 11.0;
 
-const NO_EDGES: Words = Words::new(
-    "No edge table is at hand at this step: each polygon builds its own. There each edge gets a row, and the active ones stand out.",
-    "Pada langkah ini tidak ada tabel sisi: setiap poligon membuat tabelnya sendiri. Di sana setiap sisi mendapat satu baris, dan sisi aktif ditonjolkan.",
-);
-const NO_TABLE: Words = Words::new(
-    "A wireframe needs no edge table: its edges are drawn one by one. Open a flat or Gouraud lesson to see one.",
-    "Rangka kawat tidak memerlukan tabel sisi: sisinya digambar satu per satu. Buka pelajaran datar atau Gouraud.",
-);
-const EDGE: Words = Words::new("edge", "sisi");
-const FROM: Words = Words::new("y from", "y dari");
-const TO: Words = Words::new("y to", "y sampai");
-const A_LINE: Words = Words::new("line", "baris");
-const WAITS: Words = Words::new("waits", "menunggu");
-const DONE: Words = Words::new("done", "selesai");
-const MORE: Words = Words::new("more", "lagi");
+const NO_EDGES: Message = Message("active-edges-no-edges");
+const NO_TABLE: Message = Message("active-edges-no-table");
+const EDGE: Message = Message("active-edges-edge");
+const FROM: Message = Message("active-edges-from");
+const TO: Message = Message("active-edges-to");
+const A_LINE: Message = Message("active-edges-a-line");
+const WAITS: Message = Message("active-edges-waits");
+const DONE: Message = Message("active-edges-done");
+const MORE: Message = Message("active-edges-more");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = match input.run {
@@ -118,11 +112,7 @@ fn table<A: Carried>(input: &PanelInput, state: &State<A>, size: Vec2) -> Pictur
             size.x - 2.0 * MARGIN,
             ROW,
         );
-        let text = format!(
-            "… {} {}",
-            rows.len() - count,
-            MORE.in_language(input.language)
-        );
+        let text = format!("… {} {}", rows.len() - count, MORE.text(input.language));
         if area.bottom() <= size.y {
             picture.text_in(area, text, Style::Body.size(12.0).ink(Ink::Muted));
         }
@@ -153,8 +143,8 @@ fn row<A: Carried>(edge: &ActiveEdge<A>, y: Option<u32>, current: bool, language
         .and_then(|cut| cut.values)
         .and_then(|(_, incremental)| value_of(incremental));
     let yet = match turn {
-        Turn::Waits => WAITS.in_language(language),
-        Turn::Done => DONE.in_language(language),
+        Turn::Waits => WAITS.text(language),
+        Turn::Done => DONE.text(language),
         Turn::Active => "–",
     };
     let step = value_of(edge.value_step);
@@ -193,12 +183,12 @@ fn titles<A: Carried>(language: Language) -> [String; 7] {
     let carried = A::NAMES.map_or("", |names| names.corner);
     let step = match carried {
         "" => String::new(),
-        name => format!("Δ{name}/{}", A_LINE.in_language(language)),
+        name => format!("Δ{name}/{}", A_LINE.text(language)),
     };
     [
-        EDGE.in_language(language).to_string(),
-        FROM.in_language(language).to_string(),
-        TO.in_language(language).to_string(),
+        EDGE.text(language).to_string(),
+        FROM.text(language).to_string(),
+        TO.text(language).to_string(),
         "x".to_string(),
         carried.to_string(),
         step,
@@ -241,7 +231,7 @@ fn draw_row(
     for &(column, right, width) in columns {
         let cell = Rect::new(right - width, area.y, width, area.height);
         let text = &row.cells[place(column)];
-        let strings = [WAITS, DONE].map(|strings| strings.in_language(language));
+        let strings = [WAITS, DONE].map(|strings| strings.text(language));
         let set = match column {
             Column::Edge => set,
             _ if strings.contains(&text.as_str()) => in_body(set).end(),
@@ -258,7 +248,7 @@ fn draw_row(
     }
 }
 
-/// Words among numbers: set as words.
+/// Message among numbers: set as words.
 fn in_body(set: Text) -> Text {
     Text {
         style: Style::Body,

@@ -53,7 +53,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     picture.alt = format!(
         "{}{}",
         SAYS.in_language(input.language),
-        listing.lines[number].trim()
+        listing.text(number).trim()
     );
     picture
 }
@@ -85,7 +85,7 @@ fn calling(scope: Line, callee: &Listing) -> Line {
     let call = format!("{}(", callee.name);
     let lines = scope.listing.lines;
     let number = (scope.number..lines.len())
-        .find(|&number| lines[number].contains(&call))
+        .find(|&number| lines[number].1.contains(&call))
         .unwrap_or(scope.number);
     Line { number, ..scope }
 }
@@ -208,7 +208,7 @@ fn rows(blocks: &[Line], callers: Callers, size: f32, width: f32) -> Vec<Row> {
                 text: String::new(),
             });
         }
-        for (number, line) in block.listing.lines.iter().enumerate() {
+        for (number, (_, line)) in block.listing.lines.iter().enumerate() {
             if !current && callers == Callers::CallingLine && number != block.number {
                 continue;
             }
@@ -332,7 +332,9 @@ mod tests {
             for step in fixture.some_steps(997) {
                 fixture.seek(step);
                 let line = fixture.walk().line(step);
-                let expected: String = line.listing.lines[line.number]
+                let expected: String = line
+                    .listing
+                    .text(line.number)
                     .chars()
                     .filter(|c| !matches!(c, ' ' | '_' | '^'))
                     .collect();
@@ -353,7 +355,7 @@ mod tests {
         let blocks = blocks(fixture.seek(step).walk(), step);
         let lines: Vec<&str> = blocks
             .iter()
-            .map(|block| block.listing.lines[block.number].trim())
+            .map(|block| block.listing.text(block.number).trim())
             .collect();
         assert_eq!(
             lines,

@@ -6,8 +6,8 @@ pub(super) mod cursor;
 
 use super::PanelInput;
 use super::message::{NOT_COMPARED, message};
-use super::strings::Words;
 use super::values::told_in_words;
+use crate::language::Message;
 use crate::picture::{Image, Ink, Picture, Rect, Style, elide, fixed, number};
 use crate::render::Method;
 use crate::render::compare::Compared;
@@ -17,12 +17,12 @@ use glam::Vec2;
 
 const TEXT: f32 = 11.0;
 
-const ILLUMINATED: Words = Words::new("lit", "dihitung");
-const INTERPOLATED: Words = Words::new("interpolated", "interpolasi");
-const ROOTS: Words = Words::new("roots", "akar");
-const SERIES: Words = Words::new("from a series", "dari deret");
-const RAYS: Words = Words::new("rays", "sinar");
-const A_PIXEL: Words = Words::new("a pixel", "per piksel");
+const ILLUMINATED: Message = Message("comparison-illuminated");
+const INTERPOLATED: Message = Message("comparison-interpolated");
+const ROOTS: Message = Message("comparison-roots");
+const SERIES: Message = Message("comparison-series");
+const RAYS: Message = Message("common-rays");
+const A_PIXEL: Message = Message("comparison-a-pixel");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let Some(first) = input.compared.first() else {
@@ -70,7 +70,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
 
 /// A pixel's share of what was done and of the time.
 fn figures(input: &PanelInput, compared: &Compared) -> (String, String) {
-    let localize = |strings: Words| strings.in_language(input.language);
+    let localize = |strings: Message| strings.text(input.language);
     let done = compared.operations;
     let pixels = done.pixels.max(1) as f64;
     let mut recorded = Vec::new();

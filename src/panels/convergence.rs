@@ -3,10 +3,10 @@
 use super::PanelInput;
 use super::labels::Labels;
 use super::message::{NO_PATCHES, message};
-use super::strings::{Language, Words};
 use super::values::told_in_words;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, elide, number, power_of_ten};
 use crate::replay::Run;
 use crate::replay::radiosity::{ChannelNow, IterationNow, State};
@@ -27,13 +27,10 @@ const LATEST: u32 = 1 << 30;
 /// Nothing smaller is shown: it is no more than rounding.
 const LEAST: f64 = 1e-18;
 
-const RESIDUAL: Words = Words::new("relative residual", "residu relatif");
-const BOUND: Words = Words::new("bound on the error of B", "batas galat B");
-const ITERATION: Words = Words::new("iteration k", "iterasi k");
-const NONE_YET: Words = Words::new(
-    "No iteration has come to its end yet.",
-    "Belum ada iterasi yang selesai.",
-);
+const RESIDUAL: Message = Message("common-relative-residual");
+const BOUND: Message = Message("convergence-bound");
+const ITERATION: Message = Message("convergence-iteration");
+const NONE_YET: Message = Message("convergence-none-yet");
 /// Channels with their letter and ink.
 const CHANNELS: [(&str, &str, Ink); 3] = [
     ("red", "R", Ink::Series(3)),
@@ -98,7 +95,7 @@ fn legend(picture: &mut Picture, row: Rect, language: Language) {
     let style = Style::Body.size(TEXT).ink(Ink::Muted);
     let mut x = row.x;
     for (strings, dashed) in [(RESIDUAL, false), (BOUND, true)] {
-        let strings = strings.in_language(language);
+        let strings = strings.text(language);
         let width = SAMPLE + 5.0 + style.width(strings);
         if x + width > row.right() {
             return;
@@ -217,7 +214,7 @@ impl Axes {
         picture.line((x, y), (x, bottom), Ink::Muted.stroke(1.0));
         picture.line((x, bottom), (right, bottom), Ink::Muted.stroke(1.0));
         let row = Rect::new(x, bottom + 2.0, self.place.width, ROW);
-        let title = ITERATION.in_language(language);
+        let title = ITERATION.text(language);
         picture.text_in(row, title, style.end());
         self.iterations(picture, row, right - style.width(title) - 8.0);
     }
@@ -261,7 +258,7 @@ impl Axes {
     /// Says that there are no points yet, away from the name of the tolerance.
     fn nothing(&self, picture: &mut Picture, name: Option<Rect>, language: Language) {
         let style = Style::Body.size(12.0).ink(Ink::Muted).middle();
-        let strings = NONE_YET.in_language(language);
+        let strings = NONE_YET.text(language);
         let strings = elide(strings, style.style, style.size, self.place.width);
         let high = name.is_some_and(|name| name.center().y < self.place.center().y);
         let height = 0.5 * self.place.height;
@@ -373,7 +370,7 @@ fn few(channel: &ChannelNow) -> Vec<IterationNow> {
 }
 
 fn in_words(input: &PanelInput, state: &State) -> String {
-    let localize = |strings: Words| strings.in_language(input.language);
+    let localize = |strings: Message| strings.text(input.language);
     let mut strings = told_in_words(input);
     for channel in &state.channels {
         let Some(last) = last_told(channel) else {

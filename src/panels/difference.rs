@@ -5,9 +5,9 @@ use super::comparison::cells::{ROW, cells};
 use super::comparison::cursor::Cursor;
 use super::comparison::three;
 use super::message::{NOT_COMPARED, message};
-use super::strings::Words;
 use super::values::told_in_words;
 use crate::color::Rgb;
+use crate::language::Message;
 use crate::picture::{Image, Ink, Picture, Rect, Style, elide};
 use crate::render::Method;
 use crate::render::compare::{Compared, Difference, difference};
@@ -16,10 +16,10 @@ use glam::Vec2;
 const TEXT: f32 = 11.0;
 const SCALE: f32 = 18.0;
 
-const AGAINST: Words = Words::new("luminance minus that of", "luminans dikurangi luminans");
-const RMS: Words = Words::new("rms", "rms");
-const LARGEST: Words = Words::new("max", "maks");
-const HERE: Words = Words::new("here", "di sini");
+const AGAINST: Message = Message("difference-against");
+const RMS: Message = Message("difference-rms");
+const LARGEST: Message = Message("difference-largest");
+const HERE: Message = Message("difference-here");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     // Wires shade nothing: how far they are says nothing.
@@ -32,7 +32,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     else {
         return message(NOT_COMPARED, input.language, size);
     };
-    let localize = |strings: Words| strings.in_language(input.language);
+    let localize = |strings: Message| strings.text(input.language);
     let cursor = Cursor::of(input);
     let differences: Vec<Difference> = others
         .iter()
@@ -132,7 +132,7 @@ fn scale(picture: &mut Picture, most: f64, reference: &Compared, input: &PanelIn
     let row = Rect::new(6.0, size.y - SCALE - ROW, size.x - 12.0, ROW);
     let strings = format!(
         "{} {}",
-        AGAINST.in_language(input.language),
+        AGAINST.text(input.language),
         reference.method.name()
     );
     picture.text_in(

@@ -9,25 +9,22 @@ mod view;
 use super::PanelInput;
 use super::message::{NO_PATCHES, NO_STEPS, message};
 use super::names;
-use super::strings::Words;
 use super::values::told_in_words;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::language::Message;
 use crate::picture::{Ink, Picture, Rect, Style, Text, elide, number};
 use crate::replay::Run;
 use crate::replay::form_factor::{Running, State, Way};
 use glam::Vec2;
 
 const LINE: f32 = 15.0;
-const NO_PAIR: Words = Words::new(
-    "This run solves for the light of all patches. Look at one form factor to see how it is found.",
-    "Proses ini mencari cahaya semua patch. Pilih satu faktor bentuk untuk melihat cara mencarinya.",
-);
-const EXACT: Words = Words::new("reference", "acuan");
-const ERROR: Words = Words::new("error", "galat");
-const HITS: Words = Words::new("met j", "mengenai j");
-const FREE: Words = Words::new("unblocked", "tak terhalang");
-const OF: Words = Words::new("of", "dari");
+const NO_PAIR: Message = Message("form-factor-no-pair");
+const EXACT: Message = Message("form-factor-exact");
+const ERROR: Message = Message("common-error");
+const HITS: Message = Message("form-factor-hits");
+const FREE: Message = Message("form-factor-free");
+const OF: Message = Message("common-of");
 
 /// All that is drawn.
 struct Layout<'a> {
@@ -171,10 +168,10 @@ impl Layout<'_> {
 
     /// The value, the reference, how far they are apart, how many rays met, and what nothing blocks.
     fn lines(&self) -> Vec<(String, Text)> {
-        let localize = |strings: Words| strings.in_language(self.input.language);
+        let localize = |strings: Message| strings.text(self.input.language);
         let strong = Style::LabelBold.size(12.0).ink(Ink::This);
         let quiet = Style::Label.size(11.0).ink(Ink::Muted);
-        let counted = |strings: Words, part: usize, all: usize| {
+        let counted = |strings: Message, part: usize, all: usize| {
             (
                 format!("{}: {part} {} {all}", localize(strings), localize(OF)),
                 quiet,

@@ -3,31 +3,25 @@
 
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
-use super::strings::{Language, Words};
 use super::values::{short, told_in_words};
 use crate::algorithms::illumination::{attenuation, slide_factor};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
 use crate::figure::LogAxes;
+use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, symbol};
 use crate::record::Value;
 use crate::replay::shading::{CurrentLight, CurrentPoint};
 use crate::scene::Light;
 use glam::Vec2;
 
-const NOTHING: Words = Words::new(
-    "While a point is being lit, this panel shows the terms of its intensity. At this step none is.",
-    "Saat sebuah titik diberi pencahayaan, panel ini menampilkan suku-suku intensitasnya. Pada langkah ini tidak ada.",
-);
-const NO_LIGHT: Words = Words::new(
-    "This run lights no points. Open a lesson on illumination.",
-    "Proses ini tidak memberi pencahayaan pada titik. Buka pelajaran tentang pencahayaan.",
-);
-const STANDARD: Words = Words::new("standard", "baku");
-const SLIDE: Words = Words::new("slide", "salindia");
-const RATIO: Words = Words::new("slide : standard", "salindia : baku");
-const FACTOR: Words = Words::new("factor", "faktor");
-const DISTANCE: Words = Words::new("distance d", "jarak d");
+const NOTHING: Message = Message("illumination-nothing");
+const NO_LIGHT: Message = Message("illumination-no-light");
+const STANDARD: Message = Message("illumination-standard");
+const SLIDE: Message = Message("illumination-slide");
+const RATIO: Message = Message("illumination-ratio");
+const FACTOR: Message = Message("illumination-factor");
+const DISTANCE: Message = Message("illumination-distance");
 
 const TEXT: f32 = 12.0;
 const ROW: f32 = 18.0;
@@ -139,7 +133,7 @@ fn rows(point: &CurrentPoint, language: Language) -> Vec<Row> {
         return rows;
     };
     let standard = standard(light, n_dot_l);
-    let strings = |strings: Words| strings.in_language(language);
+    let strings = |strings: Message| strings.text(language);
     let mut factor = |name: String, value: f64, tag, ink| {
         rows.push(Row {
             name,
@@ -243,7 +237,7 @@ fn curves(
         .iter()
         .flat_map(|&d| [of_standard(d), of_slide(d)]);
     let axes = LogAxes::new(DISTANCES, values, place);
-    let strings = |strings: Words| strings.in_language(language);
+    let strings = |strings: Message| strings.text(language);
     axes.draw(picture, strings(FACTOR), strings(DISTANCE));
     let x = axes.point(light.distance, 1.0).x;
     let (top, bottom) = (axes.place.y, axes.place.bottom());

@@ -7,10 +7,11 @@ mod marks;
 
 use super::PanelInput;
 use super::fit::Fit;
-use super::strings::{Language, Words, focus};
+use super::strings::focus;
 use super::values::step_in_words;
 use crate::algorithms::focus::Focus;
 use crate::color::Rgb;
+use crate::language::{Language, Message};
 use crate::picture::{Image, Ink, Picture, Rect, Style, ascent, elide};
 use crate::replay::shading::Dot;
 use crate::replay::{Canvas, Run};
@@ -25,8 +26,8 @@ const GRID: f64 = 6.0;
 const CAPTION: f32 = 11.5;
 const CAPTION_HEIGHT: f32 = 20.0;
 
-const ONLY: Words = Words::new("focus:", "fokus:");
-const DRAWN: Words = Words::new("pixels drawn so far:", "piksel yang sudah digambar:");
+const ONLY: Message = Message("image-only");
+const DRAWN: Message = Message("image-drawn");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
@@ -69,7 +70,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         "{}: {}. {} {drawn}.",
         step_in_words(input),
         current(&marks, input.language).unwrap_or_else(|| focus(input.focus, input.language)),
-        DRAWN.in_language(input.language),
+        DRAWN.text(input.language),
     );
     picture
 }
@@ -181,7 +182,7 @@ fn caption(
     let mut text = format!("{width} × {height}, {zoom}");
     let focus = format!(
         "{} {}",
-        ONLY.in_language(input.language),
+        ONLY.text(input.language),
         focus(input.focus, input.language)
     );
     let room = picture.width - 8.0;

@@ -6,7 +6,7 @@ use super::message::{NO_STEPS, message};
 use super::names;
 use super::strings::Words;
 use super::values::shown;
-use crate::picture::{Ink, Picture, Rect, Style, Tag, elide, measure, symbol};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, elide, measure};
 use crate::record::{Field, Value};
 use crate::replay::{RecordedField, Walk};
 use glam::Vec2;
@@ -186,7 +186,11 @@ impl Layout {
             .iter()
             .map(|&recorded| Row {
                 recorded,
-                name: symbol(recorded.field.name),
+                name: walk
+                    .declared(recorded.step)
+                    .quantity(recorded.field.name)
+                    .map_or(recorded.field.name, |quantity| quantity.symbol)
+                    .to_string(),
                 value: value(recorded.field),
                 from: match (recorded.step == walk.position(), with_kind) {
                     (true, _) => strings(THIS_STEP).to_string(),

@@ -5,27 +5,21 @@ mod grid;
 
 use super::PanelInput;
 use super::message::{NO_PATCHES, NO_STEPS, message};
-use super::strings::{Language, Words};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::radiosity::SolverEvent;
+use crate::language::{Language, Message};
 use crate::picture::{Picture, number};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
 use glam::Vec2;
 
-const NO_MATRIX: Words = Words::new(
-    "This run finds one form factor, not all of them. Open a lesson on a radiosity solver.",
-    "Proses ini mencari satu faktor bentuk, bukan semuanya. Buka pelajaran tentang penyelesaian radiositas.",
-);
-const NO_ROOM: Words = Words::new(
-    "This scene has no patches: radiosity needs surfaces of finite size.",
-    "Adegan ini tidak memiliki patch: radiositas memerlukan permukaan yang terbatas.",
-);
-const GATHERS: Words = Words::new("gathers row", "mengumpulkan baris");
-const SHOOTS: Words = Words::new("shoots column", "menembakkan kolom");
-const MATRIX: Words = Words::new("Matrix of form factors", "Matriks faktor bentuk");
-const SUM: Words = Words::new("sum of the row", "jumlah baris");
+const NO_MATRIX: Message = Message("matrix-no-matrix");
+const NO_ROOM: Message = Message("matrix-no-room");
+const GATHERS: Message = Message("matrix-gathers");
+const SHOOTS: Message = Message("matrix-shoots");
+const MATRIX: Message = Message("common-matrix-of-form-factors");
+const SUM: Message = Message("matrix-sum");
 
 /// All that is drawn.
 struct Layout<'a> {
@@ -118,7 +112,7 @@ impl Layout<'_> {
     }
 
     fn in_words(&self) -> String {
-        let localize = |strings: Words| strings.in_language(self.language);
+        let localize = |strings: Message| strings.text(self.language);
         let mut text = format!("{} {} × {}.", localize(MATRIX), self.n, self.n);
         if let Some(hand) = self.hand {
             let does = if hand.shoots() { SHOOTS } else { GATHERS };

@@ -4,8 +4,8 @@
 use super::PanelInput;
 use super::comparison::cursor::Cursor;
 use super::message::{NOT_COMPARED, message};
-use super::strings::Words;
 use super::values::told_in_words;
+use crate::language::Message;
 use crate::numeric::perceived;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide, number};
 use crate::render::Method;
@@ -23,23 +23,17 @@ const MOST_POINTS: usize = 220;
 /// A slope so many times as steep as those on both sides of it is a jump of the value.
 const JUMP: f64 = 2.0;
 
-const INTENSITY: Words = Words::new("intensity", "intensitas");
-const SLOPE: Words = Words::new(
-    "its slope, a pixel (jumps of the value are cut off)",
-    "kemiringannya, per piksel (lompatan nilai dipotong)",
-);
-const SEEN: Words = Words::new(
-    "as it looks (lateral inhibition)",
-    "seperti terlihat (inhibisi lateral)",
-);
-const LINE: Words = Words::new("scan line", "garis scan");
-const LARGEST_JUMP: Words = Words::new("largest jump of slope", "lompatan kemiringan terbesar");
+const INTENSITY: Message = Message("profile-intensity");
+const SLOPE: Message = Message("profile-slope");
+const SEEN: Message = Message("profile-seen");
+const LINE: Message = Message("profile-line");
+const LARGEST_JUMP: Message = Message("profile-largest-jump");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let Some(first) = input.compared.first() else {
         return message(NOT_COMPARED, input.language, size);
     };
-    let localize = |strings: Words| strings.in_language(input.language);
+    let localize = |strings: Message| strings.text(input.language);
     let cursor = Cursor::of(input);
     let row = cursor.row(&first.frame);
     let profiles: Vec<Profile> = shaded(input.compared)
@@ -73,7 +67,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     };
 
     // What is drawn, and what the strip has room for
-    let fields: [(Words, Values, Values); 3] = [
+    let fields: [(Message, Values, Values); 3] = [
         (
             INTENSITY,
             |profile| &profile.intensity,

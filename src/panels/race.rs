@@ -4,11 +4,11 @@
 use super::PanelInput;
 use super::labels::Labels;
 use super::message::{NO_PATCHES, message};
-use super::strings::{Language, Words};
 use super::values::told_in_words;
 use crate::algorithms::radiosity::race::{Lap, Race, Racer};
 use crate::algorithms::radiosity::{Solver, Unsolved};
 use crate::figure::LogAxes;
+use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide, number};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
@@ -20,28 +20,16 @@ const ROW: f32 = 17.0;
 /// What lies farther below the tolerance stands at the lower end: of the fields, LU would take the most for nothing.
 const BELOW: f64 = 1e-2;
 
-const ITERATIONS: Words = Words::new(
-    "iterations (n shots count as one)",
-    "iterasi (n tembakan dihitung satu)",
-);
-const TIME: Words = Words::new("seconds", "detik");
-const RESIDUAL: Words = Words::new("relative residual", "residu relatif");
-const ERROR: Words = Words::new("relative error of B", "galat relatif B");
-const RUNNING: Words = Words::new(
-    "The solvers are still running.",
-    "Para penyelesai masih berjalan.",
-);
-const NO_SOLUTION: Words = Words::new(
-    "This room has no solution, so nobody can win.",
-    "Ruangan ini tidak punya solusi, jadi tidak ada pemenang.",
-);
-const NOT_BEGUN: Words = Words::new(
-    "The solvers wait at the start. Step to the end of an iteration.",
-    "Para penyelesai menunggu di garis mulai. Melangkahlah sampai akhir sebuah iterasi.",
-);
-const GAVE_UP: Words = Words::new("gave up", "menyerah");
-const ON_THE_WAY: Words = Words::new("under way", "di jalan");
-const PATCHES: Words = Words::new("patches", "patch");
+const ITERATIONS: Message = Message("race-iterations");
+const TIME: Message = Message("race-time");
+const RESIDUAL: Message = Message("common-relative-residual");
+const ERROR: Message = Message("race-error");
+const RUNNING: Message = Message("race-running");
+const NO_SOLUTION: Message = Message("race-no-solution");
+const NOT_BEGUN: Message = Message("race-not-begun");
+const GAVE_UP: Message = Message("race-gave-up");
+const ON_THE_WAY: Message = Message("race-on-the-way");
+const PATCHES: Message = Message("common-patches");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let Run::Radiosity(prepared, replay) = input.run else {
@@ -177,7 +165,7 @@ impl Plot {
         let up = if self.error { ERROR } else { RESIDUAL };
         let right = if self.time { TIME } else { ITERATIONS };
         let [up, right] = [up, right].map(|strings| {
-            let strings = strings.in_language(language);
+            let strings = strings.text(language);
             elide(strings, Style::Body, TEXT, axes.place.width)
         });
         axes.draw(picture, &up, &right);
@@ -305,7 +293,7 @@ fn standings(picture: &mut Picture, race: &Race, now: Now, whole: Rect, language
 
 /// Iterations and time to its end, or that it is not there yet.
 fn standing(racer: &Racer, now: Now, language: Language) -> String {
-    let localize = |strings: Words| strings.in_language(language);
+    let localize = |strings: Message| strings.text(language);
     let Some(last) = racer.laps.last() else {
         return localize(ON_THE_WAY).to_owned();
     };
@@ -336,7 +324,7 @@ fn three(value: f64) -> f64 {
 }
 
 fn in_words(input: &PanelInput, race: &Race, now: Now) -> String {
-    let localize = |strings: Words| strings.in_language(input.language);
+    let localize = |strings: Message| strings.text(input.language);
     let mut strings = format!(
         "{} {} {}.",
         told_in_words(input),

@@ -9,11 +9,11 @@ mod smooth;
 
 use super::PanelInput;
 use super::message::{NO_PATCHES, message};
-use super::strings::{Language, Words};
 use super::values::told_in_words;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
+use crate::language::{Language, Message};
 use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, Text, elide};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
@@ -31,25 +31,19 @@ const MOST_LINES: usize = 500;
 /// By how much patches reach under their neighbours, in points, so that nothing shows between them.
 const OVERLAP: f32 = 0.4;
 
-const RADIOSITY: Words = Words::new("radiosity B", "radiositas B");
-const WITH_UNSHOT: Words = Words::new("radiosity B + unshot", "radiositas B + belum ditembakkan");
-const UNSHOT: Words = Words::new("unshot radiosity", "radiositas belum ditembakkan");
-const EMISSION: Words = Words::new("emission E", "emisi E");
-const REFLECTANCE: Words = Words::new("reflectance ρ", "reflektansi ρ");
-const PATCHES: Words = Words::new("Patches of the room:", "Patch ruangan:");
-const SEEN: Words = Words::new(
-    "seen from their front, through the backs of those that turn away:",
-    "terlihat dari depan, menembus punggung patch yang membelakangi:",
-);
-const IN_HAND: Words = Words::new("In hand:", "Sekarang:");
-const NO_ROOM: Words = Words::new(
-    "This scene cannot be divided into patches: a surface has no end, no area, or there are too many.",
-    "Adegan ini tidak dapat dibagi menjadi patch: ada permukaan tanpa batas, tanpa luas, atau jumlahnya terlalu banyak.",
-);
-const CHANNELS: [(&str, Words); 3] = [
-    ("red", Words::new("red", "merah")),
-    ("green", Words::new("green", "hijau")),
-    ("blue", Words::new("blue", "biru")),
+const RADIOSITY: Message = Message("radiosity-radiosity");
+const WITH_UNSHOT: Message = Message("radiosity-with-unshot");
+const UNSHOT: Message = Message("radiosity-unshot");
+const EMISSION: Message = Message("radiosity-emission");
+const REFLECTANCE: Message = Message("radiosity-reflectance");
+const PATCHES: Message = Message("radiosity-patches");
+const SEEN: Message = Message("radiosity-seen");
+const IN_HAND: Message = Message("common-in-hand");
+const NO_ROOM: Message = Message("radiosity-no-room");
+const CHANNELS: [(&str, Message); 3] = [
+    ("red", Message("radiosity-red")),
+    ("green", Message("radiosity-green")),
+    ("blue", Message("radiosity-blue")),
 ];
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
@@ -114,7 +108,7 @@ struct Scale {
 
 /// The light so far, and where patches shoot what they have still to shoot. Of a form factor, what the surfaces look like.
 fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
-    let localize = |strings: Words| strings.in_language(input.language);
+    let localize = |strings: Message| strings.text(input.language);
     let Run::Radiosity(_, replay) = input.run else {
         return vec![Coloring {
             title: localize(REFLECTANCE).to_string(),
@@ -164,7 +158,7 @@ fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
 
 /// What is shown, and of which channels.
 fn title(state: &State, room: &Enclosure, language: Language) -> String {
-    let localize = |strings: Words| strings.in_language(language);
+    let localize = |strings: Message| strings.text(language);
     let Some(now) = state.channel() else {
         return localize(EMISSION).to_string();
     };
@@ -184,7 +178,7 @@ fn title(state: &State, room: &Enclosure, language: Language) -> String {
 
 fn channel(name: &'static str, language: Language) -> &'static str {
     let known = CHANNELS.iter().find(|(known, _)| *known == name);
-    known.map_or(name, |(_, strings)| strings.in_language(language))
+    known.map_or(name, |(_, strings)| strings.text(language))
 }
 
 /// Two pictures beside or below each other; the first alone where there is no room for both.
@@ -284,7 +278,7 @@ fn in_words(
     view: &RoomView,
     exchange: Option<&Exchange>,
 ) -> String {
-    let localize = |strings: Words| strings.in_language(input.language);
+    let localize = |strings: Message| strings.text(input.language);
     let mut strings = format!(
         "{} {} {}, {} {}.",
         told_in_words(input),

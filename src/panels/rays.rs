@@ -15,24 +15,21 @@ pub use grip::{Grip, grip};
 use super::PanelInput;
 use super::message::{NO_RAYS, NO_STEPS, message};
 use super::names;
-use super::strings::{Language, Words};
 use super::values::{short, told_in_words};
 use crate::algorithms::visible::Intersection;
+use crate::language::{Language, Message};
 use crate::picture::{Picture, Rect};
 use crate::record::Value;
 use crate::replay::rays::State;
 use glam::Vec2;
 use view::View;
 
-const SIDE: Words = Words::new("from the side", "dari samping");
-const ABOVE: Words = Words::new("from above", "dari atas");
-const RAYS: Words = Words::new("Rays of the pixel so far:", "Sinar piksel sejauh ini:");
-const IN_HAND: Words = Words::new("In hand:", "Sekarang:");
-const LEVEL: Words = Words::new("level", "tingkat");
-const NO_PIXEL: Words = Words::new(
-    "No ray is followed yet. Go on to the first pixel.",
-    "Belum ada sinar yang diikuti. Lanjutkan ke piksel pertama.",
-);
+const SIDE: Message = Message("rays-side");
+const ABOVE: Message = Message("rays-above");
+const RAYS: Message = Message("rays-rays");
+const IN_HAND: Message = Message("common-in-hand");
+const LEVEL: Message = Message("common-level");
+const NO_PIXEL: Message = Message("rays-no-pixel");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if input.run.walk().is_empty() {
@@ -48,7 +45,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             input,
             state,
             &view,
-            title.in_language(input.language),
+            title.text(input.language),
         );
     }
     picture.alt = format!(
@@ -60,7 +57,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
 }
 
 /// Side view and view from above beside or below each other; the side view alone where there is no room for both.
-fn views(state: &State, size: Vec2) -> Vec<(View, Words)> {
+fn views(state: &State, size: Vec2) -> Vec<(View, Message)> {
     let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-4.0);
     let halves = if size.x >= 480.0 && size.x > 1.3 * size.y {
         let width = 0.5 * whole.width - 4.0;
@@ -83,7 +80,7 @@ fn views(state: &State, size: Vec2) -> Vec<(View, Words)> {
 }
 
 fn in_words(state: &State, language: Language) -> String {
-    let strings = |strings: Words| strings.in_language(language);
+    let strings = |strings: Message| strings.text(language);
     let Some(ray) = state.ray() else {
         return strings(NO_PIXEL).to_string();
     };

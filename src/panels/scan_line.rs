@@ -8,26 +8,17 @@ mod polygon;
 
 use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
-use super::strings::Words;
 use super::values::{told_in_words, value_of};
 use crate::algorithms::scan_line::Carried;
+use crate::language::Message;
 use crate::picture::{Picture, Rect};
 use crate::replay::Run;
 use crate::replay::shading::State;
 use glam::Vec2;
 
-const NO_POLYGON: Words = Words::new(
-    "No polygon is in hand at this step. Go on (→) to the next polygon: its edges, the scan line and the span stand here.",
-    "Tidak ada poligon pada langkah ini. Lanjutkan (→) ke poligon berikutnya: sisi, garis scan, dan rentangnya tampil di sini.",
-);
-const NO_WEIGHTS: Words = Words::new(
-    "The weights of an interpolation stand here.",
-    "Bobot interpolasi tampil di sini.",
-);
-const NO_LINE: Words = Words::new(
-    "No edge is being drawn at this step. Go on (→) to the next edge: its line and the pixels that it takes stand here.",
-    "Tidak ada sisi yang digambar pada langkah ini. Lanjutkan (→) ke sisi berikutnya: garis dan pikselnya tampil di sini.",
-);
+const NO_POLYGON: Message = Message("scan-line-no-polygon");
+const NO_WEIGHTS: Message = Message("scan-line-no-weights");
+const NO_LINE: Message = Message("scan-line-no-line");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     match input.run {
@@ -83,7 +74,7 @@ fn of_state<A: Carried>(input: &PanelInput, state: &State<A>, size: Vec2) -> Pic
 }
 
 /// Says why there is nothing to see.
-fn silent(input: &PanelInput, strings: Words, size: Vec2) -> Picture {
+fn silent(input: &PanelInput, strings: Message, size: Vec2) -> Picture {
     let mut picture = message(strings, input.language, size);
     picture.alt = format!("{} {}", told_in_words(input), picture.alt);
     picture

@@ -5,12 +5,14 @@
 //! too narrow is drawn as one quiet bar for many. Drawing looks at a few steps for every bar, never at all steps of the run.
 
 use super::PanelInput;
+use super::formula::in_language;
 use super::message::{NO_STEPS, message};
 use super::names;
 use super::strings::{Language, Words};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::record::{Outline, Value};
 use crate::replay::Walk;
+use crate::vocabulary::Kind;
 use glam::Vec2;
 use std::ops::Range;
 
@@ -242,7 +244,7 @@ impl Row {
 
     fn draw(&self, picture: &mut Picture, input: &PanelInput) {
         let walk = input.run.walk();
-        let mut kinds: Vec<&str> = Vec::new();
+        let mut kinds: Vec<&'static Kind> = Vec::new();
         let mut before = "";
         for bar in &self.bars {
             let current = self.is_current(bar);
@@ -257,13 +259,13 @@ impl Row {
             if bar.several {
                 continue;
             }
-            let kind = walk.kind(scope);
-            if !kinds.contains(&kind) {
+            let kind = walk.declared(scope);
+            if kinds.iter().all(|known| known.name != kind.name) {
                 kinds.push(kind);
             }
             // The first of its kind says what the numbers count.
-            let long = current || kind != before;
-            before = kind;
+            let long = current || kind.name != before;
+            before = kind.name;
             let cursor = current.then(|| self.span.middle(walk.position()));
             picture.tagged(tag(scope), |picture| {
                 label(picture, rect, input, scope, (cursor, long));
@@ -277,11 +279,11 @@ impl Row {
         &self,
         picture: &mut Picture,
         walk: &dyn Walk,
-        mut kinds: Vec<&str>,
+        mut kinds: Vec<&'static Kind>,
         language: Language,
     ) {
         if let Some(current) = self.current.map(|scope| walk.kind(scope)) {
-            kinds.sort_by_key(|&kind| kind != current);
+            kinds.sort_by_key(|kind| kind.name != current);
         }
         let style = Style::Body.size(TEXT).ink(Ink::Muted);
         let place = Rect {
@@ -319,12 +321,12 @@ fn label(
     } else {
         Style::Body.size(TEXT).ink(Ink::Muted)
     };
-    let kind = in_text(walk.kind(scope), input.language);
+    let kind = in_text(walk.declared(scope), input.language);
     let ray = names::ray(walk, scope, names::prepared(input.run), input.language);
-    let names = match (ray, number_of(walk, scope)) {
+    let names = match (ray, number_of(walk, scope, input.language)) {
         (Some(names), _) => names.to_vec(),
-        (None, Some(number)) if long => vec![format!("{kind} {number}"), number.to_string()],
-        (None, Some(number)) => vec![number.to_string()],
+        (None, Some(number)) if long => vec![format!("{kind} {number}"), number],
+        (None, Some(number)) => vec![number],
         (None, None) => vec![kind],
     };
     let fitting = names
@@ -343,42 +345,20 @@ fn label(
     }
 }
 
-/// What tells a scope from its neighbours: the scan line's y, the pixel's x, and of others the value named as they are.
-fn number_of(walk: &dyn Walk, scope: usize) -> Option<i64> {
-    let fields = walk.own_fields(scope);
-    let name = match walk.kind(scope) {
-        "ScanLine" => "y".to_string(),
-        "Pixel" => "x".to_string(),
-        "ShadowRay" => "light".to_string(),
-        kind => kind.to_lowercase(),
-    };
-    match fields.get(&name) {
-        Some(Value::Integer(number)) => Some(number),
+/// What tells a scope from its neighbours, by the declaration of its kind: a number, or a word.
+fn number_of(walk: &dyn Walk, scope: usize, language: Language) -> Option<String> {
+    let name = walk.declared(scope).number?;
+    match walk.own_fields(scope).get(name)? {
+        Value::Integer(number) => Some(number.to_string()),
+        Value::Word(word) => Some(names::word(word, language).to_string()),
         _ => None,
     }
 }
 
-const KINDS: [(&str, Words); 13] = [
-    ("Frame", Words::new("frame", "gambar")),
-    ("Polygon", Words::new("polygon", "poligon")),
-    ("Vertex", Words::new("vertex", "titik sudut")),
-    ("Illumination", Words::new("illumination", "pencahayaan")),
-    ("Light", Words::new("light", "cahaya")),
-    ("EdgeTable", Words::new("edge table", "tabel sisi")),
-    ("ScanLine", Words::new("scan line", "garis scan")),
-    ("Edge", Words::new("edge", "sisi")),
-    ("Span", Words::new("span", "bentang")),
-    ("Pixel", Words::new("pixel", "piksel")),
-    ("Ray", Words::new("ray", "sinar")),
-    ("Search", Words::new("search", "pencarian")),
-    ("ShadowRay", Words::new("shadow ray", "sinar bayangan")),
-];
-
-/// The kind of a scope in words; a kind that is not in the table as it is written.
-fn in_text(kind: &str, language: Language) -> String {
-    let strings = KINDS.iter().find(|(known, _)| *known == kind);
-    strings
-        .map_or(kind, |(_, strings)| strings.in_language(language))
+/// What the scope is called that an event of `kind` opens.
+fn in_text(kind: &Kind, language: Language) -> String {
+    kind.scope
+        .map_or(kind.name, |scope| in_language(scope, language))
         .to_string()
 }
 
@@ -455,9 +435,9 @@ fn in_words(input: &PanelInput, rows: &[Row]) -> String {
         .iter()
         .filter_map(|row| {
             let scope = row.current?;
-            let kind = in_text(walk.kind(scope), input.language);
+            let kind = in_text(walk.declared(scope), input.language);
             let ray = names::ray(walk, scope, names::prepared(input.run), input.language);
-            Some(match (ray, number_of(walk, scope)) {
+            Some(match (ray, number_of(walk, scope, input.language)) {
                 (Some([ray, ..]), _) => format!("{kind}: {ray}"),
                 (None, Some(number)) => format!("{kind} {number}"),
                 (None, None) => kind,

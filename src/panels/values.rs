@@ -1,13 +1,13 @@
 //! How panels write and colour the values that events tell.
 
 use super::PanelInput;
-use super::strings::{Language, Words};
 use crate::algorithms::scan_line::Carried;
 use crate::color::Rgb;
+use crate::language::{Language, Message};
 use crate::picture::{Ink, fixed, number};
 use crate::record::{Fields, Value};
 
-const STEP: Words = Words::new("Step", "Langkah");
+const STEP: Message = Message("panels-step");
 
 /// What the corners carry, as a value; none where nothing is carried.
 pub(super) fn value_of<A: Carried>(carried: A) -> Option<Value> {
@@ -67,7 +67,7 @@ pub(super) fn on_swatch(value: Option<Value>) -> Ink {
 /// How the sentence begins that says a step in words: its number and kind.
 pub(super) fn step_in_words(input: &PanelInput) -> String {
     let walk = input.run.walk();
-    let step = STEP.in_language(input.language);
+    let step = STEP.text(input.language);
     if walk.is_empty() {
         return format!("{step} –");
     }
@@ -75,8 +75,8 @@ pub(super) fn step_in_words(input: &PanelInput) -> String {
     format!("{step} {position}, {}", walk.kind(position))
 }
 
-const YES: Words = Words::new("yes", "ya");
-const NO: Words = Words::new("no", "tidak");
+const YES: Message = Message("panels-yes");
+const NO: Message = Message("panels-no");
 
 /// A value in one line: numbers to six digits, a grey as one number, vectors and colours with `decimals` each.
 pub(super) fn shown(value: Value, decimals: usize, language: Language) -> String {
@@ -89,8 +89,8 @@ pub(super) fn shown(value: Value, decimals: usize, language: Language) -> String
             .map(|channel| component(channel, decimals))
             .join("  "),
         Value::Vector(v) => format!("({})", v.to_array().map(|v| fixed(v, decimals)).join(", ")),
-        Value::Truth(true) => YES.in_language(language).to_string(),
-        Value::Truth(false) => NO.in_language(language).to_string(),
+        Value::Truth(true) => YES.text(language).to_string(),
+        Value::Truth(false) => NO.text(language).to_string(),
         Value::Word(word) => word.to_string(),
     }
 }

@@ -14,9 +14,9 @@ pub use plane::{Held, PlaneGrip};
 
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
-use super::strings::Words;
 use super::values::told_in_words;
 use crate::algorithms::visible::Intersection;
+use crate::language::Message;
 use crate::picture::{Picture, Rect};
 use crate::replay::rays::State;
 use crate::scene::Scene;
@@ -24,18 +24,9 @@ use angles::Angles;
 use glam::Vec2;
 use met::SurfaceInSight;
 
-const NOT_YET: Words = Words::new(
-    "This ray has met no surface yet. Go on until the nearest object is found.",
-    "Sinar ini belum mengenai permukaan. Lanjutkan sampai objek terdekat ditemukan.",
-);
-const NO_POINT: Words = Words::new(
-    "While a point is being lit, this panel shows its vectors. At this step none is.",
-    "Saat sebuah titik diberi pencahayaan, panel ini menampilkan vektor-vektornya. Pada langkah ini tidak ada.",
-);
-const NO_SURFACE: Words = Words::new(
-    "This ray meets no surface: it takes the colour of the background, or of a light. Click an object in the image.",
-    "Sinar ini tidak mengenai permukaan: mendapat warna latar belakang atau cahaya. Klik sebuah objek pada gambar.",
-);
+const NOT_YET: Message = Message("vectors-not-yet");
+const NO_POINT: Message = Message("vectors-no-point");
+const NO_SURFACE: Message = Message("vectors-no-surface");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if input.run.walk().is_empty() {

@@ -9,21 +9,15 @@ mod terms;
 
 use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
-use super::strings::Words;
 use super::values::told_in_words;
+use crate::language::Message;
 use crate::picture::{Picture, Rect};
 use crate::replay::Run;
 use crate::replay::shading::State;
 use glam::Vec2;
 
-const NOTHING: Words = Words::new(
-    "While a point is being lit, this panel shows its normal, the vectors to light and eye, and the terms of its intensity. At this step none is.",
-    "Saat sebuah titik diberi pencahayaan, panel ini menampilkan normal, vektor ke sumber cahaya dan mata, serta suku intensitasnya. Pada langkah ini tidak ada.",
-);
-const WIREFRAME: Words = Words::new(
-    "A wireframe lights nothing: it draws edges only. Open a flat or Gouraud lesson to see how a point is lit.",
-    "Rangka kawat tidak diberi pencahayaan: hanya sisi yang digambar. Buka pelajaran datar atau Gouraud.",
-);
+const NOTHING: Message = Message("vertex-nothing");
+const WIREFRAME: Message = Message("vertex-wireframe");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = match input.run {

@@ -22,7 +22,31 @@ pub trait Event: Copy + Send + Sync + 'static {
 #[derive(PartialEq, Eq, Debug)]
 pub struct Listing {
     pub name: &'static str,
-    pub lines: &'static [&'static str],
+    /// Each line after the labels, apart by spaces, by which events name it.
+    pub lines: &'static [(&'static str, &'static str)],
+}
+
+impl Listing {
+    /// The text of a line, counted from 0.
+    pub fn text(&self, number: usize) -> &'static str {
+        self.lines[number].1
+    }
+
+    /// The line of that label.
+    pub fn labelled(&'static self, label: &str) -> Option<Line> {
+        let has = |labels: &str| labels.split(' ').any(|own| own == label);
+        let number = self.lines.iter().position(|(labels, _)| has(labels))?;
+        Some(Line {
+            listing: self,
+            number,
+        })
+    }
+
+    /// The line of that label, which the listing must have.
+    pub fn line(&'static self, label: &str) -> Line {
+        self.labelled(label)
+            .unwrap_or_else(|| panic!("the listing {} has no line {label}", self.name))
+    }
 }
 
 /// A line of a listing, counted from 0.

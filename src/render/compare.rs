@@ -1,19 +1,8 @@
 //! Several methods on one stage: their pictures, what each did for it, and how long it took.
 
 use super::{Method, render};
-use crate::algorithms::exact::exact;
-use crate::algorithms::fast_phong::fast_phong;
-use crate::algorithms::flat::flat;
-use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
-use crate::algorithms::gouraud::gouraud;
-use crate::algorithms::phong::phong;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::ray_casting::{RayCaster, ray_casting};
-use crate::algorithms::ray_tracing::{RayTracer, ray_tracing};
-use crate::algorithms::visible::Bvh;
-use crate::algorithms::wireframe::wireframe;
-use crate::record::Counter;
 use std::iter::zip;
 use std::num::NonZeroUsize;
 use web_time::Instant;
@@ -79,26 +68,10 @@ pub fn compare_on(
 
 /// Heard from a run that is told, but of which nothing is kept. Radiosity tells of patches, not of pixels.
 fn operations(prepared: &PreparedScene, method: Method) -> Operations {
-    let view = &prepared.view;
-    let mut frame = Frame::new(view.width, 0..view.height, prepared.scene.background);
-    let (frame, counter, focus) = (&mut frame, &mut Counter::default(), Focus::Frame);
-    match method {
-        Method::Wireframe => wireframe(prepared, focus, frame, counter),
-        Method::Flat => flat(prepared, focus, frame, counter),
-        Method::Gouraud => gouraud(prepared, focus, frame, counter),
-        Method::Phong => phong(prepared, focus, frame, counter),
-        Method::FastPhong => fast_phong(prepared, focus, frame, counter),
-        Method::Exact => exact(prepared, focus, frame, counter),
-        Method::RayCasting => {
-            let caster = RayCaster::new(prepared, prepared.needs(), Bvh);
-            ray_casting(&caster, focus, frame, counter);
-        }
-        Method::RayTracing => {
-            let tracer = RayTracer::new(prepared, prepared.needs(), Bvh);
-            ray_tracing(&tracer, focus, frame, counter);
-        }
-        Method::Radiosity => {}
+    if method == Method::Radiosity {
+        return Operations::default();
     }
+    let counter = method.count(prepared).events;
     let sum = |kinds: &[&str]| kinds.iter().map(|kind| counter.of(kind)).sum();
     Operations {
         pixels: sum(&["PixelColored", "PixelPlotted"]),

@@ -10,115 +10,27 @@ mod skipped;
 mod tally;
 mod thread_pool;
 
-use crate::algorithms::exact::exact;
-use crate::algorithms::fast_phong::fast_phong;
-use crate::algorithms::flat::flat;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
-use crate::algorithms::gouraud::gouraud;
 use crate::algorithms::patch_view::PatchView;
-use crate::algorithms::phong::phong;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::ray_casting::RayCaster;
-use crate::algorithms::ray_tracing::RayTracer;
 use crate::algorithms::visible::Bvh;
-use crate::algorithms::wireframe::wireframe;
 use crate::color::Rgb;
-use crate::record::Unrecorded;
-use crate::scene::{Needs, Part};
+use crate::methods::ray_casting::RayCasting;
+use crate::methods::ray_tracing::RayTracing;
+use crate::methods::wireframe::Wireframe;
+use crate::methods::{Draw, RayMethod, ShadingMethod, Visitor};
+use crate::record::{Recorder, Unrecorded};
+use crate::scene::Needs;
 use std::convert::Infallible;
 use std::num::NonZeroUsize;
 use tally::Totals;
 
+pub use crate::methods::Method;
 pub use light::{matrix, race};
 pub use painter::Painter;
 pub use skipped::skipped;
 pub use tally::RayCounts;
-
-/// A way to make a picture of a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Method {
-    Wireframe,
-    Flat,
-    Gouraud,
-    Phong,
-    FastPhong,
-    /// With the normals of the true surfaces.
-    Exact,
-    RayCasting,
-    RayTracing,
-    Radiosity,
-}
-
-impl Method {
-    pub const ALL: [Method; 9] = [
-        Method::Wireframe,
-        Method::Flat,
-        Method::Gouraud,
-        Method::Phong,
-        Method::FastPhong,
-        Method::Exact,
-        Method::RayCasting,
-        Method::RayTracing,
-        Method::Radiosity,
-    ];
-
-    /// As on the command line and in lesson files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Method::Wireframe => "wireframe",
-            Method::Flat => "flat",
-            Method::Gouraud => "gouraud",
-            Method::Phong => "phong",
-            Method::FastPhong => "fast-phong",
-            Method::Exact => "exact",
-            Method::RayCasting => "ray-casting",
-            Method::RayTracing => "ray-tracing",
-            Method::Radiosity => "radiosity",
-        }
-    }
-
-    /// Whether it follows rays instead of converting polygons.
-    pub fn follows_rays(self) -> bool {
-        matches!(self, Method::RayCasting | Method::RayTracing)
-    }
-
-    /// Whether it converts polygons, scan line by scan line.
-    pub fn converts_polygons(self) -> bool {
-        !self.follows_rays() && self != Method::Radiosity
-    }
-
-    /// Whether a run of it can be told of that part.
-    pub fn tells_of(self, focus: Focus) -> bool {
-        match focus {
-            Focus::Frame => true,
-            Focus::Polygon(_) => self.converts_polygons(),
-            Focus::ScanLine(_) | Focus::Pixel { .. } => self != Method::Radiosity,
-            Focus::Iterations { .. } | Focus::Patch(_) | Focus::FormFactor { .. } => {
-                self == Method::Radiosity
-            }
-        }
-    }
-
-    /// Whether it does that part of the work, where the scene needs it.
-    pub fn does(self, part: Part) -> bool {
-        match self {
-            Method::RayCasting => part.concerns_primary_rays(),
-            Method::RayTracing => !part.concerns_patches(),
-            Method::Radiosity => part.concerns_patches(),
-            Method::Wireframe => false,
-            Method::Flat | Method::Gouraud | Method::Phong | Method::Exact => {
-                matches!(part, Part::TextureCoordinates | Part::Highlights)
-            }
-            // Its series of the highlight goes along whatever the material.
-            Method::FastPhong => part == Part::TextureCoordinates,
-        }
-    }
-
-    pub fn from_name(name: &str) -> Option<Self> {
-        Method::ALL.into_iter().find(|method| method.name() == name)
-    }
-}
 
 /// The longest side of a picture.
 pub const MAX_SIDE: u32 = 1 << 14;
@@ -189,52 +101,81 @@ fn draw<E: Send>(
     totals: Option<&Totals>,
     painter: Painter<impl Fn(usize, usize) -> Result<(), E> + Sync>,
 ) -> Result<Frame, E> {
-    match method {
-        Method::Wireframe => {
-            painter.bands(|band| wireframe(prepared, Focus::Frame, band, &mut Unrecorded))
+    method.visit(Paint {
+        prepared,
+        needs,
+        totals,
+        painter,
+    })
+}
+
+/// Paints a picture by the method that it visits.
+struct Paint<'a, 'b, P> {
+    prepared: &'a PreparedScene,
+    needs: &'a Needs,
+    totals: Option<&'a Totals>,
+    painter: Painter<'b, P>,
+}
+
+impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Paint<'_, '_, P> {
+    fn bands<M: Draw>(self) -> Result<Frame, E> {
+        let prepared = self.prepared;
+        self.painter
+            .bands(|band| M::draw(prepared, Focus::Frame, band, Bvh, &mut Unrecorded))
+    }
+
+    fn rays<M: RayMethod>(self) -> Result<Frame, E>
+    where
+        RayCounts: Recorder<M::Event>,
+    {
+        let tracer = M::tracer(self.prepared, self.needs, Bvh);
+        match self.totals {
+            None => self
+                .painter
+                .pixels(|x, y| M::pixel(&tracer, x, y, &mut Unrecorded)),
+            Some(totals) => self
+                .painter
+                .pixels(|x, y| totals.counting(|counts| M::pixel(&tracer, x, y, counts))),
         }
-        Method::Flat => painter.bands(|band| flat(prepared, Focus::Frame, band, &mut Unrecorded)),
-        Method::Gouraud => {
-            painter.bands(|band| gouraud(prepared, Focus::Frame, band, &mut Unrecorded))
-        }
-        Method::Exact => painter.bands(|band| exact(prepared, Focus::Frame, band, &mut Unrecorded)),
-        Method::Phong => painter.bands(|band| phong(prepared, Focus::Frame, band, &mut Unrecorded)),
-        Method::FastPhong => {
-            painter.bands(|band| fast_phong(prepared, Focus::Frame, band, &mut Unrecorded))
-        }
-        Method::RayCasting => {
-            let caster = RayCaster::new(prepared, needs, Bvh);
-            match totals {
-                None => painter.pixels(|x, y| caster.pixel(x, y, &mut Unrecorded)),
-                Some(totals) => {
-                    painter.pixels(|x, y| totals.counting(|counts| caster.pixel(x, y, counts)))
-                }
+    }
+}
+
+impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Visitor for Paint<'_, '_, P> {
+    type Output = Result<Frame, E>;
+
+    fn wireframe(self) -> Self::Output {
+        self.bands::<Wireframe>()
+    }
+
+    fn shading<M: ShadingMethod>(self) -> Self::Output {
+        self.bands::<M>()
+    }
+
+    fn ray_casting(self) -> Self::Output {
+        self.rays::<RayCasting>()
+    }
+
+    fn ray_tracing(self) -> Self::Output {
+        self.rays::<RayTracing>()
+    }
+
+    /// A room that cannot be divided or solved gives off no light: `PreparedScene::enclosure` and `Enclosure::solve` say why.
+    fn radiosity(self) -> Self::Output {
+        let Paint {
+            prepared, painter, ..
+        } = self;
+        let light = match prepared.enclosure() {
+            Ok(enclosure) => light::light(enclosure, &painter.thread_pool, &painter.progress)?
+                .ok()
+                .map(|light| (enclosure, light)),
+            Err(_) => None,
+        };
+        match &light {
+            Some((enclosure, light)) => {
+                let view = PatchView::new(prepared, enclosure, &light.radiosity);
+                painter.pixels(|x, y| view.pixel(x, y))
             }
-        }
-        Method::RayTracing => {
-            let tracer = RayTracer::new(prepared, needs, Bvh);
-            match totals {
-                None => painter.pixels(|x, y| tracer.pixel(x, y, &mut Unrecorded)),
-                Some(totals) => {
-                    painter.pixels(|x, y| totals.counting(|counts| tracer.pixel(x, y, counts)))
-                }
-            }
-        }
-        // A room that cannot be divided or solved gives off no light: `PreparedScene::enclosure` and `Enclosure::solve` say why.
-        Method::Radiosity => {
-            let light = match prepared.enclosure() {
-                Ok(enclosure) => light::light(enclosure, &painter.thread_pool, &painter.progress)?
-                    .ok()
-                    .map(|light| (enclosure, light)),
-                Err(_) => None,
-            };
-            match &light {
-                Some((enclosure, light)) => {
-                    let view = PatchView::new(prepared, enclosure, &light.radiosity);
-                    painter.pixels(|x, y| view.pixel(x, y))
-                }
-                None => painter.pixels(|_, _| Rgb::BLACK),
-            }
+            None => painter.pixels(|_, _| Rgb::BLACK),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{Fold, RecordedField, Timeline};
 use crate::record::{Event, Fields, Line, Outline};
+use crate::vocabulary::{Declared, Kind};
 use std::ops::Range;
 
 /// A timeline, the step at which it is looked at, and the state there.
@@ -77,6 +78,8 @@ pub trait Walk {
     fn outline(&self) -> &Outline;
     /// Whether the recording met its limit, so that only the beginning of the run is shown.
     fn truncated(&self) -> bool;
+    /// What is declared of the kind of event at `step`.
+    fn declared(&self, step: usize) -> &'static Kind;
     /// The name of the event at `step`.
     fn kind(&self, step: usize) -> &'static str;
     /// The line of pseudocode that `step` carries out.
@@ -126,7 +129,11 @@ pub trait Walk {
     }
 }
 
-impl<E: Event, S: Fold<E>> Walk for Replay<E, S> {
+impl<E: Event + Declared, S: Fold<E>> Walk for Replay<E, S> {
+    fn declared(&self, step: usize) -> &'static Kind {
+        Declared::kind(self.timeline.event(step))
+    }
+
     fn len(&self) -> usize {
         self.timeline.len()
     }
@@ -143,7 +150,7 @@ impl<E: Event, S: Fold<E>> Walk for Replay<E, S> {
         self.timeline.truncated()
     }
     fn kind(&self, step: usize) -> &'static str {
-        self.timeline.event(step).kind()
+        Event::kind(self.timeline.event(step))
     }
     fn line(&self, step: usize) -> Line {
         self.timeline.event(step).line()
@@ -196,7 +203,7 @@ mod tests {
             prop_assert_eq!(walk.truncated(), trace.recording().truncated());
             for step in 0..walk.len() {
                 let event = replay.timeline().event(step);
-                prop_assert_eq!((walk.kind(step), walk.line(step)), (event.kind(), event.line()));
+                prop_assert_eq!((walk.kind(step), walk.line(step)), (Event::kind(event), event.line()));
                 prop_assert_eq!(walk.fields(step), replay.timeline().fields(step));
                 prop_assert!(walk.recorded(step).iter().filter(|recorded| recorded.step == step).map(|recorded| &recorded.field)
                     .eq(walk.own_fields(step).iter()));

@@ -2,6 +2,7 @@
 
 use crate::record::{Event, Fields, Line, Listing, Mark, Recorder, Recording, RecordingLimit};
 use crate::replay::Fold;
+use crate::vocabulary::{Declared, Kind};
 use proptest::prelude::*;
 
 /// An event with a few values, some of them missing, so that inner and outer scopes tell different things.
@@ -15,7 +16,15 @@ impl Event for Note {
     fn line(&self) -> Line {
         static LISTING: Listing = Listing {
             name: "notes",
-            lines: &["0", "1", "2", "3", "4", "5", "6"],
+            lines: &[
+                ("", "0"),
+                ("", "1"),
+                ("", "2"),
+                ("", "3"),
+                ("", "4"),
+                ("", "5"),
+                ("", "6"),
+            ],
         };
         Line {
             listing: &LISTING,
@@ -29,6 +38,29 @@ impl Event for Note {
                 fields.push(name, number / 8);
             }
         }
+    }
+}
+
+impl Declared for Note {
+    fn kind(&self) -> &'static Kind {
+        const fn kind(name: &'static str) -> Kind {
+            Kind {
+                name,
+                quantities: &[],
+                labels: &[],
+                scope: None,
+                number: None,
+                entries: &[],
+            }
+        }
+        static KINDS: [Kind; 3] = [kind("Red"), kind("Green"), kind("Blue")];
+        &KINDS[self.0 as usize % 3]
+    }
+    fn label(&self) -> &'static str {
+        ""
+    }
+    fn push_fields(&self, fields: &mut Fields) {
+        self.fields(fields);
     }
 }
 

@@ -4,25 +4,9 @@
 use super::form::{Setting, Values};
 use super::timing::{Patience, Timing, time};
 use crate::algorithms::enclosure::Enclosure;
-use crate::algorithms::exact::exact;
-use crate::algorithms::fast_phong::fast_phong;
-use crate::algorithms::flat::flat;
-use crate::algorithms::focus::Focus;
-use crate::algorithms::frame::Frame;
-use crate::algorithms::gouraud::gouraud;
-use crate::algorithms::phong::phong;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::radiosity::RecordFilter;
-use crate::algorithms::ray_casting::{RayCaster, ray_casting};
-use crate::algorithms::ray_tracing::{RayTracer, ray_tracing};
-use crate::algorithms::visible::Bvh;
-use crate::algorithms::wireframe::wireframe;
-use crate::algorithms::{
-    exact as exact_run, fast_phong as fast_phong_run, flat as flat_run, gouraud as gouraud_run,
-    phong as phong_run, radiosity, ray_casting as casting_run, ray_tracing as tracing_run,
-    wireframe as wireframe_run,
-};
-use crate::record::{Counter, Unrecorded};
+use crate::record::Unrecorded;
 use crate::render::{Method, render, skipped};
 use crate::scene::{LeftOut, Part, Parts};
 use std::num::NonZeroUsize;
@@ -200,60 +184,10 @@ fn light(enclosure: &Enclosure) -> Result<Values, String> {
 
 /// Counts the steps of the whole run.
 fn steps(prepared: &PreparedScene, method: Method) -> Steps {
-    let mut counter = Counter::default();
-    let mut frame = Frame::new(
-        prepared.view.width,
-        0..prepared.view.height,
-        prepared.scene.background,
-    );
-    let (focus, frame, steps) = (Focus::Frame, &mut frame, &mut counter);
-    let size = match method {
-        Method::Wireframe => {
-            wireframe(prepared, focus, frame, steps);
-            size_of::<wireframe_run::Event>()
-        }
-        Method::Flat => {
-            flat(prepared, focus, frame, steps);
-            size_of::<flat_run::Event>()
-        }
-        Method::Gouraud => {
-            gouraud(prepared, focus, frame, steps);
-            size_of::<gouraud_run::Event>()
-        }
-        Method::Phong => {
-            phong(prepared, focus, frame, steps);
-            size_of::<phong_run::Event>()
-        }
-        Method::FastPhong => {
-            fast_phong(prepared, focus, frame, steps);
-            size_of::<fast_phong_run::Event>()
-        }
-        Method::Exact => {
-            exact(prepared, focus, frame, steps);
-            size_of::<exact_run::Event>()
-        }
-        Method::RayCasting => {
-            let caster = RayCaster::new(prepared, prepared.needs(), Bvh);
-            ray_casting(&caster, focus, frame, steps);
-            size_of::<casting_run::Event>()
-        }
-        Method::RayTracing => {
-            let tracer = RayTracer::new(prepared, prepared.needs(), Bvh);
-            ray_tracing(&tracer, focus, frame, steps);
-            size_of::<tracing_run::Event>()
-        }
-        Method::Radiosity => {
-            if let Ok(enclosure) = prepared.enclosure() {
-                let matrix = enclosure.matrix_or(|| enclosure.form_factors().matrix());
-                // A room without a solution was found out before.
-                let _ = enclosure.solve(matrix, &RecordFilter::default(), steps);
-            }
-            size_of::<radiosity::Event>()
-        }
-    };
-    let count = counter.all();
+    let counted = method.count(prepared);
+    let count = counted.events.all();
     Steps {
         count,
-        bytes: count * size as u64,
+        bytes: count * counted.event_size as u64,
     }
 }

@@ -1,4 +1,4 @@
-//! The solvers in a closed cube: iterations at 384 patches; seconds of each beside those of faer's LU at 500, 2000 and 6000 patches,
+//! The solvers in a closed cube: iterations at 384 patches; seconds of each beside those of elimination at 500, 2000 and 6000 patches,
 //! taken in one run; and how quickly any of a million recorded exchanges is reached.
 
 use lightwalk::algorithms::radiosity::cube::{cube, lamp};

@@ -3,6 +3,7 @@
 
 use glam::{DVec3, Vec3A};
 use lightwalk::color::Rgb;
+use lightwalk::numeric::Random;
 use lightwalk::scene::primitives::{Primitives, Ray};
 use lightwalk::scene::{Highlight, Material, Mesh, Object, Scene, Shape, Tessellation};
 use obvhs::BvhBuildParams;
@@ -43,23 +44,12 @@ fn bumpy_torus(triangles: usize) -> Mesh {
     Mesh::new(&positions, faces, &[])
 }
 
-/// xorshift64* (Vigna 2016), to [0, 1).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn direction(&mut self) -> DVec3 {
-        let z = 2.0 * self.next() - 1.0;
-        let (sin, cos) = (TAU * self.next()).sin_cos();
-        let r = (1.0 - z * z).sqrt();
-        DVec3::new(r * cos, r * sin, z)
-    }
+/// Evenly spread over the unit sphere (Archimedes: z is evenly spread over [−1, 1]).
+fn direction(random: &mut Random) -> DVec3 {
+    let z = random.number();
+    let (sin, cos) = (0.5 * TAU * random.number()).sin_cos();
+    let r = (1.0 - z * z).sqrt();
+    DVec3::new(r * cos, r * sin, z)
 }
 
 /// Through the pixels of a picture, line by line.
@@ -86,10 +76,10 @@ fn incoherent_rays() -> Vec<Ray> {
     let mut random = Random(2024);
     (0..RAYS)
         .map(|_| {
-            let mut within = |half: f64| half * (2.0 * random.next() - 1.0);
+            let mut within = |half: f64| half * random.number();
             Ray {
                 origin: DVec3::new(within(1.5), within(1.5), within(0.5)),
-                direction: random.direction(),
+                direction: direction(&mut random),
             }
         })
         .collect()

@@ -2,6 +2,7 @@
 
 use criterion::{BenchmarkId, Criterion, Throughput};
 use lightwalk::color::Rgb;
+use lightwalk::numeric::Random;
 use lightwalk::record::{Event, Fields, Line, Listing, Recorder, Recording, RecordingLimit};
 use lightwalk::replay::{Canvas, Fold, Query, Replay, Timeline, query};
 use std::hint::black_box;
@@ -138,8 +139,8 @@ fn draw(recorder: &mut impl Recorder<Drawn>, count: usize, random: &mut Random) 
     const WIDTH: usize = 24;
     const HEIGHT: usize = 16;
     for _ in 0..count.div_ceil(HEIGHT * (2 + 4 * WIDTH)) {
-        let left = random.below(640 - WIDTH);
-        let top = random.below(480 - HEIGHT);
+        let left = below(640 - WIDTH, random);
+        let top = below(480 - HEIGHT, random);
         for y in top..top + HEIGHT {
             let y = y as u16;
             recorder.enter(|| Drawn::Span { y });
@@ -161,22 +162,14 @@ fn draw(recorder: &mut impl Recorder<Drawn>, count: usize, random: &mut Random) 
     }
 }
 
-/// xorshift64* (Vigna 2016).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 33) as usize % bound
-    }
+fn below(bound: usize, random: &mut Random) -> usize {
+    (random.bits() % bound as u64) as usize
 }
 
 fn seek() {
-    let mut random = Random(2024);
+    let random = &mut Random(2024);
     let mut recording = Recording::new(RecordingLimit::default());
-    draw(&mut recording, 10_000_000, &mut random);
+    draw(&mut recording, 10_000_000, random);
     let empty = Pixel {
         color: Rgb::BLACK,
         depth: f64::INFINITY,
@@ -192,7 +185,7 @@ fn seek() {
 
     let mut times: Vec<Duration> = (0..5000)
         .map(|_| {
-            let step = random.below(len);
+            let step = below(len, random);
             let start = Instant::now();
             replay.seek(step);
             black_box(replay.state());
@@ -210,7 +203,7 @@ fn seek() {
     );
 
     for _ in 0..1000 {
-        let pixel = replay.state().0.get(random.below(640), random.below(480));
+        let pixel = replay.state().0.get(below(640, random), below(480, random));
         if pixel.writer == u32::MAX {
             continue;
         }

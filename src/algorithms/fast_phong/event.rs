@@ -2,11 +2,11 @@
 
 use super::PSEUDOCODE;
 use crate::algorithms::flat::Nothing;
-use crate::algorithms::shading::{self, Lines, Shading};
+use crate::algorithms::shading::{self, Shading};
 use crate::algorithms::{illumination, prepared_scene, scan_line, texture, vertex_normal};
 use crate::color::Rgb;
 use crate::numeric::{Differences, Quadratic};
-use crate::record::{self, Fields, Line};
+use crate::record::Listing;
 use glam::{DVec2, DVec3};
 
 /// A cosine of the illumination model.
@@ -35,14 +35,7 @@ pub enum FastPhong {}
 
 impl Shading for FastPhong {
     type Recorded = Nothing;
-    const LINES: Lines = Lines {
-        listing: &PSEUDOCODE,
-        vertex_normal: 2,
-        vertex_done: 2,
-        edge_table: 10,
-        pixel_point: texture::POINT,
-        pixel_normal: 18,
-    };
+    const LISTING: &'static Listing = &PSEUDOCODE;
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,106 +126,4 @@ impl From<shading::Event<FastPhong>> for Event {
     fn from(event: shading::Event<FastPhong>) -> Self {
         Event::Shading(event)
     }
-}
-
-impl record::Event for Event {
-    fn kind(&self) -> &'static str {
-        match self {
-            Event::Shading(event) => event.kind(),
-            Event::Triangle { .. } => "Triangle",
-            Event::NormalAtMiddle { .. } => "NormalAtMiddle",
-            Event::NormalSlopes { .. } => "NormalSlopes",
-            Event::Series { .. } => "Series",
-            Event::LightExpanded => "LightExpanded",
-            Event::Expanded => "Expanded",
-            Event::DifferencesStarted { .. } => "DifferencesStarted",
-            Event::CosineEvaluated { .. } => "CosineEvaluated",
-            Event::LightSummed { .. } => "LightSummed",
-            Event::TriangleDone => "TriangleDone",
-        }
-    }
-
-    fn line(&self) -> Line {
-        let number = match self {
-            // The directions have lines of their own here, for they are found once a triangle.
-            Event::Shading(shading::Event::Illumination(event)) => match event {
-                illumination::Event::Light { .. } => 6,
-                illumination::Event::ToLight { .. } => 7,
-                illumination::Event::Mirrored { .. } | illumination::Event::Halfway { .. } => 8,
-                _ => 5,
-            },
-            Event::Shading(event) => return event.line(),
-            Event::Triangle { .. } | Event::Expanded | Event::TriangleDone => 3,
-            Event::NormalAtMiddle { .. } | Event::NormalSlopes { .. } => 4,
-            Event::LightExpanded => 6,
-            Event::Series { .. } => 9,
-            Event::DifferencesStarted { .. } => 17,
-            Event::CosineEvaluated { .. } => 18,
-            Event::LightSummed { .. } => 19,
-        };
-        Line {
-            listing: &PSEUDOCODE,
-            number,
-        }
-    }
-
-    fn fields(&self, fields: &mut Fields) {
-        match *self {
-            Event::Shading(event) => event.fields(fields),
-            Event::Triangle { corners: [a, b, c] } => {
-                fields.push("a", a).push("b", b).push("c", c);
-            }
-            Event::NormalAtMiddle {
-                middle,
-                n_0,
-                vanished,
-            } => {
-                fields.push("x_0", middle.x).push("y_0", middle.y);
-                fields.push("N_0", n_0).push("vanished", vanished);
-            }
-            Event::NormalSlopes { n_x, n_y } => {
-                fields.push("N_x", n_x).push("N_y", n_y);
-            }
-            Event::Series { cosine, series } => {
-                fields.push("cosine", cosine.name());
-                let names = ["T_0", "T_1", "T_2", "T_3", "T_4", "T_5"];
-                for (name, term) in names.into_iter().zip(series.0) {
-                    fields.push(name, term);
-                }
-            }
-            Event::DifferencesStarted {
-                light,
-                cosine,
-                running,
-            } => {
-                fields.push("light", light).push("cosine", cosine.name());
-                tell(fields, running);
-            }
-            Event::CosineEvaluated {
-                light,
-                cosine,
-                running,
-                direct,
-                exact,
-            } => {
-                fields.push("light", light).push("cosine", cosine.name());
-                tell(fields, running);
-                fields.push("c_direct", direct).push("c_exact", exact);
-                fields.push("difference", running.value - direct);
-                fields.push("error", running.value - exact);
-            }
-            Event::LightSummed { power, i_d, i_s } => {
-                fields.push("power", power);
-                fields.push("I_d", i_d).push("I_s", i_s);
-            }
-            Event::LightExpanded | Event::Expanded | Event::TriangleDone => {}
-        }
-    }
-}
-
-fn tell(fields: &mut Fields, running: Differences<f64>) {
-    fields
-        .push("c", running.value)
-        .push("dc", running.first)
-        .push("d2c", running.second);
 }

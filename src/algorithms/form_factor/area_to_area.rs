@@ -12,11 +12,14 @@ use std::f64::consts::PI;
 pub static PSEUDOCODE: Listing = Listing {
     name: "area to area",
     lines: &[
-        "areaToArea(i, j)",
-        "  for each Gauss point x of i, with weight w_x",
-        "    for each Gauss point y of j, with weight w_y",
-        "      r ← y − x",
-        "      A_i F_ij ← A_i F_ij + w_x w_y cosθ_x cosθ_y / (π r²)",
+        ("", "areaToArea(i, j)"),
+        ("", "  for each Gauss point x of i, with weight w_x"),
+        ("", "    for each Gauss point y of j, with weight w_y"),
+        ("points", "      r ← y − x"),
+        (
+            "pair",
+            "      A_i F_ij ← A_i F_ij + w_x w_y cosθ_x cosθ_y / (π r²)",
+        ),
     ],
 };
 

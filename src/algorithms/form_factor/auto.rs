@@ -12,22 +12,16 @@ use crate::record::{Listing, Recorder};
 pub static PSEUDOCODE: Listing = Listing {
     name: "auto",
     lines: &[
-        "auto(i, j)",
-        "  clip i to the front of j, and j to the front of i",
-        "  far, both small:       areaToArea",
-        "  apart, i small:        elementToPolygon",
-        "  near or touching:      contour",
+        ("", "auto(i, j)"),
+        ("", "  clip i to the front of j, and j to the front of i"),
+        ("area_to_area", "  far, both small:       areaToArea"),
+        (
+            "element_to_polygon",
+            "  apart, i small:        elementToPolygon",
+        ),
+        ("contour", "  near or touching:      contour"),
     ],
 };
-
-/// The line of a choice.
-pub fn line_of(method: &str) -> usize {
-    match method {
-        "area_to_area" => 2,
-        "element_to_polygon" => 3,
-        _ => 4,
-    }
-}
 
 /// How much one evaluation of each kind costs, in units of one pair of points.
 const SAFETY: f64 = 0.1;

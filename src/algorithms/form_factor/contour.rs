@@ -15,11 +15,14 @@ use std::f64::consts::TAU;
 pub static PSEUDOCODE: Listing = Listing {
     name: "contour",
     lines: &[
-        "contour(i, j)",
-        "  for each edge of i, with direction e",
-        "    for each edge of j, with direction f",
-        "      I ← ∫∫ ln r ds dt:  exact along s;  exact along t on one line, else by Gauss points",
-        "      A_i F_ij ← A_i F_ij + e·f I / 2π",
+        ("", "contour(i, j)"),
+        ("", "  for each edge of i, with direction e"),
+        ("", "    for each edge of j, with direction f"),
+        (
+            "",
+            "      I ← ∫∫ ln r ds dt:  exact along s;  exact along t on one line, else by Gauss points",
+        ),
+        ("edge-pair", "      A_i F_ij ← A_i F_ij + e·f I / 2π"),
     ],
 };
 

@@ -1,5 +1,7 @@
 //! Sobol points in four dimensions (Sobol' 1967; direction numbers of Joe & Kuo 2008), shifted digit by digit.
 
+use crate::numeric::Random;
+
 /// The numbers m_k of the primitive polynomials 1 + x, 1 + x + x², 1 + x + x³ with which the recurrences start.
 const POLYNOMIALS: [(u32, u32, [u32; 3]); 3] =
     [(1, 0, [1, 0, 0]), (2, 1, [1, 3, 0]), (3, 1, [1, 3, 1])];
@@ -48,14 +50,8 @@ const fn directions() -> [[u32; 32]; 4] {
 
 impl Sobol {
     pub fn new(seed: u64) -> Self {
-        // SplitMix64 (Steele, Lea & Flood 2014).
-        let mut state = seed;
-        let mut next = || {
-            state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-            let z = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-            let z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-            (z ^ (z >> 31)) as u32
-        };
+        let mut random = Random(seed);
+        let mut next = || random.bits() as u32;
         Sobol {
             directions: &DIRECTIONS,
             shift: [next(), next(), next(), next()],

@@ -18,12 +18,24 @@ use glam::DVec3;
 pub static PSEUDOCODE: Listing = Listing {
     name: "visibility",
     lines: &[
-        "visible(i, j)",
-        "  if no group of patches can stand between i and j: return 1",
-        "  for each of n points (s, t, u, v) of a Sobol sequence",
-        "    x ← point of i at (s, t);  y ← point of j at (u, v)",
-        "    K ← cosθ_x cosθ_y / (π r²);  blocked ← whether the ray from x to y meets a surface",
-        "  return Σ K over what is not blocked / Σ K",
+        ("", "visible(i, j)"),
+        (
+            "",
+            "  if no group of patches can stand between i and j: return 1",
+        ),
+        (
+            "",
+            "  for each of n points (s, t, u, v) of a Sobol sequence",
+        ),
+        (
+            "",
+            "    x ← point of i at (s, t);  y ← point of j at (u, v)",
+        ),
+        (
+            "sight",
+            "    K ← cosθ_x cosθ_y / (π r²);  blocked ← whether the ray from x to y meets a surface",
+        ),
+        ("visible", "  return Σ K over what is not blocked / Σ K"),
     ],
 };
 

@@ -14,23 +14,22 @@ use crate::record::{Listing, Recorder};
 pub static PSEUDOCODE: Listing = Listing {
     name: "Chebyshev iteration on [a, b]",
     lines: &[
-        "B ← E;  γ ← 2 / (2 − a − b);  σ ← (b − a) / (2 − a − b);  ω ← 1",
-        "for k = 0, 1, 2, … until ‖r‖ ≤ ε‖E‖, r = E − (I − ρF)B",
-        "  ω ← 1, then 1 / (1 − σ²/2), then 1 / (1 − σ²ω/4)",
-        "  B' ← B_before + ω (γ r + B − B_before)",
-        "  B_before ← B;  B ← B'",
+        (
+            "start started",
+            "B ← E;  γ ← 2 / (2 − a − b);  σ ← (b − a) / (2 − a − b);  ω ← 1",
+        ),
+        (
+            "iteration",
+            "for k = 0, 1, 2, … until ‖r‖ ≤ ε‖E‖, r = E − (I − ρF)B",
+        ),
+        (
+            "weight",
+            "  ω ← 1, then 1 / (1 − σ²/2), then 1 / (1 − σ²ω/4)",
+        ),
+        ("updated", "  B' ← B_before + ω (γ r + B − B_before)"),
+        ("", "  B_before ← B;  B ← B'"),
     ],
 };
-
-pub(super) fn line(recorded: &SolverEvent) -> usize {
-    match recorded {
-        SolverEvent::Iteration { .. } | SolverEvent::IterationDone { .. } => 1,
-        SolverEvent::Converged { .. } | SolverEvent::NotConverged { .. } => 1,
-        SolverEvent::Weighted { .. } => 2,
-        SolverEvent::Updated { .. } => 3,
-        _ => 0,
-    }
-}
 
 pub(super) struct Chebyshev<'a> {
     system: System<'a>,

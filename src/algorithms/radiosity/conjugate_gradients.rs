@@ -15,26 +15,21 @@ use std::iter::zip;
 pub static PSEUDOCODE: Listing = Listing {
     name: "conjugate gradients, symmetrised",
     lines: &[
-        "w_i ← A_i / ρ_i;  S ← w (I − ρF)",
-        "B ← E;  s ← w (E − (I − ρF)B);  p ← M⁻¹s, M = w;  δ ← s·M⁻¹s",
-        "for k = 0, 1, 2, … until ‖r‖ ≤ ε‖E‖, r = M⁻¹s",
-        "  α ← δ / (p·Sp)",
-        "  B ← B + α p",
-        "  s ← s − α Sp;  β ← (s·M⁻¹s) / δ;  δ ← s·M⁻¹s",
-        "  p ← M⁻¹s + β p",
+        ("start", "w_i ← A_i / ρ_i;  S ← w (I − ρF)"),
+        (
+            "started",
+            "B ← E;  s ← w (E − (I − ρF)B);  p ← M⁻¹s, M = w;  δ ← s·M⁻¹s",
+        ),
+        ("iteration", "for k = 0, 1, 2, … until ‖r‖ ≤ ε‖E‖, r = M⁻¹s"),
+        ("", "  α ← δ / (p·Sp)"),
+        ("updated", "  B ← B + α p"),
+        (
+            "step-lengths",
+            "  s ← s − α Sp;  β ← (s·M⁻¹s) / δ;  δ ← s·M⁻¹s",
+        ),
+        ("", "  p ← M⁻¹s + β p"),
     ],
 };
-
-pub(super) fn line(recorded: &SolverEvent) -> usize {
-    match recorded {
-        SolverEvent::Started { .. } => 1,
-        SolverEvent::Iteration { .. } | SolverEvent::IterationDone { .. } => 2,
-        SolverEvent::Converged { .. } | SolverEvent::NotConverged { .. } => 2,
-        SolverEvent::StepLengths { .. } => 5,
-        SolverEvent::Updated { .. } => 4,
-        _ => 0,
-    }
-}
 
 pub(super) struct ConjugateGradients<'a> {
     system: System<'a>,

@@ -6,32 +6,25 @@ use super::iterate::Method;
 use super::outcome::Unsolved;
 use super::record_filter::Followed;
 use super::system::System;
+use crate::numeric::Lu;
 use crate::record::{Listing, Recorder};
-use faer::linalg::solvers::{PartialPivLu, Solve};
-use faer::{Col, Mat};
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "direct",
     lines: &[
-        "P (I − ρF) = L U;  B ← E",
-        "for k = 0, 1, … until ‖r‖ ≤ ε‖E‖, r = E − (I − ρF)B",
-        "  solve L U d = P r",
-        "  B ← B + d",
+        ("start started", "P (I − ρF) = L U;  B ← E"),
+        (
+            "iteration",
+            "for k = 0, 1, … until ‖r‖ ≤ ε‖E‖, r = E − (I − ρF)B",
+        ),
+        ("", "  solve L U d = P r"),
+        ("updated", "  B ← B + d"),
     ],
 };
 
-pub(super) fn line(recorded: &SolverEvent) -> usize {
-    match recorded {
-        SolverEvent::Iteration { .. } | SolverEvent::IterationDone { .. } => 1,
-        SolverEvent::Converged { .. } | SolverEvent::NotConverged { .. } => 1,
-        SolverEvent::Updated { .. } => 3,
-        _ => 0,
-    }
-}
-
 pub(super) struct Direct<'a> {
     system: System<'a>,
-    lu: Option<PartialPivLu<f64>>,
+    lu: Option<Lu>,
     /// The patches whose light is unknown: of the others B = E.
     unknown: Vec<usize>,
     b: Vec<f64>,
@@ -56,14 +49,17 @@ impl<'a> Direct<'a> {
 }
 
 /// LU of the rows and columns of I − ρF that belong to `unknown` patches.
-fn factorise(system: &System, unknown: &[usize]) -> PartialPivLu<f64> {
-    let (n, rho) = (unknown.len(), system.patches.rho);
-    let entry = |row: usize, column: usize| {
-        let [i, j] = [row, column].map(|k| unknown[k]);
-        let diagonal = if i == j { 1.0 } else { 0.0 };
-        diagonal - rho[i] * system.matrix.of(i)[j]
-    };
-    Mat::from_fn(n, n, entry).partial_piv_lu()
+fn factorise(system: &System, unknown: &[usize]) -> Lu {
+    let rho = system.patches.rho;
+    let mut a = Vec::with_capacity(unknown.len() * unknown.len());
+    for &i in unknown {
+        let f = system.matrix.of(i);
+        a.extend(unknown.iter().map(|&j| {
+            let diagonal = if i == j { 1.0 } else { 0.0 };
+            diagonal - rho[i] * f[j]
+        }));
+    }
+    Lu::new(unknown.len(), a)
 }
 
 impl Method for Direct<'_> {
@@ -75,9 +71,8 @@ impl Method for Direct<'_> {
         let lu = self
             .lu
             .get_or_insert_with(|| factorise(&self.system, &self.unknown));
-        let d = lu.solve(Col::from_fn(self.unknown.len(), |k| {
-            self.r[self.unknown[k]]
-        }));
+        let r: Vec<f64> = self.unknown.iter().map(|&i| self.r[i]).collect();
+        let d = lu.solve(&r);
         for (k, &i) in self.unknown.iter().enumerate() {
             let b_old = self.b[i];
             self.b[i] += d[k];

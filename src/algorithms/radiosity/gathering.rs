@@ -10,20 +10,6 @@ use super::record_filter::Followed;
 use super::system::{System, gather};
 use crate::record::{Recorder, Unrecorded};
 
-/// The line of each step, the same in the three listings.
-pub(super) fn line(recorded: &SolverEvent) -> usize {
-    match recorded {
-        SolverEvent::Gathering { .. } => 2,
-        SolverEvent::Exchanged { .. } => 4,
-        SolverEvent::Gathered { .. } => 5,
-        SolverEvent::Iteration { .. }
-        | SolverEvent::IterationDone { .. }
-        | SolverEvent::Weighted { .. } => 1,
-        SolverEvent::Converged { .. } | SolverEvent::NotConverged { .. } => 1,
-        _ => 0,
-    }
-}
-
 /// One iteration: every patch that reflects gathers once, in order.
 pub(super) trait Sweep {
     fn sweep<R: Recorder<SolverEvent>>(

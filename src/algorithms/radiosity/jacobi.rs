@@ -9,13 +9,16 @@ use crate::record::{Listing, Recorder};
 pub static PSEUDOCODE: Listing = Listing {
     name: "Jacobi",
     lines: &[
-        "B ← E",
-        "for k = 0, 1, 2, … until ‖E − (I − ρF)B‖ ≤ ε‖E‖",
-        "  for each patch i",
-        "    for each patch j",
-        "      sum ← sum + F_ij B_j",
-        "    B'_i ← E_i + ρ_i sum",
-        "  B ← B'",
+        ("start started", "B ← E"),
+        (
+            "iteration weight",
+            "for k = 0, 1, 2, … until ‖E − (I − ρF)B‖ ≤ ε‖E‖",
+        ),
+        ("gathering", "  for each patch i"),
+        ("", "    for each patch j"),
+        ("exchange", "      sum ← sum + F_ij B_j"),
+        ("gathered", "    B'_i ← E_i + ρ_i sum"),
+        ("", "  B ← B'"),
     ],
 };
 

@@ -8,12 +8,15 @@ use crate::record::{Listing, Recorder};
 pub static PSEUDOCODE: Listing = Listing {
     name: "successive over-relaxation",
     lines: &[
-        "B ← E",
-        "for k = 0, 1, 2, … until ‖E − (I − ρF)B‖ ≤ ε‖E‖",
-        "  for each patch i",
-        "    for each patch j",
-        "      sum ← sum + F_ij B_j",
-        "    B_i ← B_i + ω (E_i + ρ_i sum − B_i)",
+        ("start started", "B ← E"),
+        (
+            "iteration weight",
+            "for k = 0, 1, 2, … until ‖E − (I − ρF)B‖ ≤ ε‖E‖",
+        ),
+        ("gathering", "  for each patch i"),
+        ("", "    for each patch j"),
+        ("exchange", "      sum ← sum + F_ij B_j"),
+        ("gathered", "    B_i ← B_i + ω (E_i + ρ_i sum − B_i)"),
     ],
 };
 

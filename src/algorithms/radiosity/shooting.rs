@@ -15,50 +15,44 @@ use std::iter::zip;
 pub static SHOOTING: Listing = Listing {
     name: "shooting",
     lines: &[
-        "B ← 0;  unshot ← E",
-        "for k = 0, 1, 2, … until ‖unshot‖ ≤ ε‖E‖",
-        "  i ← the patch of largest |unshot_i| A_i",
-        "  for each patch j",
-        "    F_ji ← F_ij A_i / A_j",
-        "    unshot_j ← unshot_j + ρ_j F_ji unshot_i",
-        "  B_i ← B_i + unshot_i;  unshot_i ← what it received",
+        ("start started", "B ← 0;  unshot ← E"),
+        ("iteration", "for k = 0, 1, 2, … until ‖unshot‖ ≤ ε‖E‖"),
+        ("shooting", "  i ← the patch of largest |unshot_i| A_i"),
+        ("", "  for each patch j"),
+        ("", "    F_ji ← F_ij A_i / A_j"),
+        ("received", "    unshot_j ← unshot_j + ρ_j F_ji unshot_i"),
+        (
+            "shot",
+            "  B_i ← B_i + unshot_i;  unshot_i ← what it received",
+        ),
     ],
 };
 
 pub static OVERSHOOTING: Listing = Listing {
     name: "overshooting",
     lines: &[
-        "B ← 0;  unshot ← E",
-        "for k = 0, 1, 2, … until ‖unshot‖ ≤ ε‖E‖",
-        "  ambient ← ⟨ρ⟩⟨unshot⟩ / (1 − ⟨ρ⟩), means by area",
-        "  i ← the patch of largest |unshot_i + ambient| A_i",
-        "  for each patch j",
-        "    F_ji ← F_ij A_i / A_j",
-        "    unshot_j ← unshot_j + ρ_j F_ji (unshot_i + ambient)",
-        "  B_i ← B_i + unshot_i + ambient;  unshot_i ← −ambient + what it received",
+        ("start started", "B ← 0;  unshot ← E"),
+        ("iteration", "for k = 0, 1, 2, … until ‖unshot‖ ≤ ε‖E‖"),
+        (
+            "ambient",
+            "  ambient ← ⟨ρ⟩⟨unshot⟩ / (1 − ⟨ρ⟩), means by area",
+        ),
+        (
+            "shooting",
+            "  i ← the patch of largest |unshot_i + ambient| A_i",
+        ),
+        ("", "  for each patch j"),
+        ("", "    F_ji ← F_ij A_i / A_j"),
+        (
+            "received",
+            "    unshot_j ← unshot_j + ρ_j F_ji (unshot_i + ambient)",
+        ),
+        (
+            "shot",
+            "  B_i ← B_i + unshot_i + ambient;  unshot_i ← −ambient + what it received",
+        ),
     ],
 };
-
-pub(super) fn line(recorded: &SolverEvent) -> usize {
-    match recorded {
-        SolverEvent::Shooting { .. } => 2,
-        SolverEvent::Received { .. } => 5,
-        SolverEvent::ShotDone { .. } => 6,
-        SolverEvent::Iteration { .. } | SolverEvent::IterationDone { .. } => 1,
-        SolverEvent::Converged { .. } | SolverEvent::NotConverged { .. } => 1,
-        _ => 0,
-    }
-}
-
-pub(super) fn overshooting_line(recorded: &SolverEvent) -> usize {
-    match recorded {
-        SolverEvent::Ambient { .. } => 2,
-        SolverEvent::Shooting { .. } => 3,
-        SolverEvent::Received { .. } => 6,
-        SolverEvent::ShotDone { .. } => 7,
-        _ => line(recorded),
-    }
-}
 
 pub(super) struct Shooter<'a, F> {
     rows: F,

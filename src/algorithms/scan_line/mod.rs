@@ -24,7 +24,7 @@ use glam::{DVec2, DVec3};
 use std::fmt::Debug;
 
 pub use clip::clip_near;
-pub use event::{Event, Names, Part};
+pub use event::{Event, Names};
 
 #[cfg(test)]
 mod tests;

@@ -2,8 +2,8 @@
 
 use super::{Refused, Session};
 use crate::app::strings;
+use crate::language::Message;
 use crate::lesson::{Change, NotAllowed, Parameter};
-use crate::panels::strings::Words;
 use crate::scene::Scene;
 use std::sync::Arc;
 
@@ -22,7 +22,7 @@ impl Session {
     }
 
     /// Why a parameter cannot be changed, if it cannot.
-    pub(super) fn cannot_change(&self, parameter: Parameter) -> Option<Words> {
+    pub(super) fn cannot_change(&self, parameter: Parameter) -> Option<Message> {
         let may = self.open.lesson.parameters.contains(&parameter);
         (!may).then_some(strings::STAYS)
     }

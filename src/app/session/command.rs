@@ -2,9 +2,9 @@
 
 use super::StudyCommand;
 use crate::algorithms::focus::Focus;
+use crate::language::{Language, Message};
 use crate::lesson::Change;
 use crate::panels::TreeView;
-use crate::panels::strings::{Language, Words};
 use crate::picture::{Tag, Theme};
 use crate::scene::Part;
 
@@ -110,7 +110,7 @@ pub enum Guess {
 /// Why a command was not carried out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refused {
-    Because(Words),
+    Because(Message),
     /// With details, which are in English.
     Error(String),
 }
@@ -118,14 +118,14 @@ pub enum Refused {
 impl Refused {
     pub fn in_language(&self, language: Language) -> &str {
         match self {
-            Refused::Because(strings) => strings.in_language(language),
+            Refused::Because(strings) => strings.text(language),
             Refused::Error(text) => text,
         }
     }
 }
 
-impl From<Words> for Refused {
-    fn from(strings: Words) -> Self {
+impl From<Message> for Refused {
+    fn from(strings: Message) -> Self {
         Refused::Because(strings)
     }
 }

@@ -4,7 +4,7 @@
 use super::preview::Times;
 use super::{Refused, Session};
 use crate::app::strings;
-use crate::panels::strings::Words;
+use crate::language::Message;
 use crate::render::skipped;
 use crate::scene::{LeftOut, Part, Parts};
 use std::sync::Arc;
@@ -21,7 +21,7 @@ impl Session {
     }
 
     /// Why a part cannot be left out or done all the same, if it cannot.
-    pub(super) fn cannot_leave_out(&self, part: Part) -> Option<Words> {
+    pub(super) fn cannot_leave_out(&self, part: Part) -> Option<Message> {
         let skipped = self.skipped();
         let is_needed = skipped.iter().all(|skipped| skipped.part != part);
         is_needed.then_some(strings::IS_NEEDED)

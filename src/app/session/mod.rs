@@ -20,8 +20,8 @@ pub use study::{Outcome, PointAt, StudyCommand, Studying};
 
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::language::{Language, Message};
 use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson, builtins};
-use crate::panels::strings::{Language, Words};
 use crate::panels::{Panel, PanelInput, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::replay::Walk;
@@ -307,8 +307,8 @@ impl Session {
         panels
     }
 
-    pub fn localize(&self, strings: Words) -> &'static str {
-        strings.in_language(self.look.language)
+    pub fn localize(&self, strings: Message) -> &'static str {
+        strings.text(self.look.language)
     }
 
     /// The lesson's number, where it has one, and title.
@@ -333,7 +333,7 @@ impl Session {
     }
 
     /// The command that opens this lesson at this step. Errors: why there is none.
-    pub fn command_line(&self) -> Result<String, Words> {
+    pub fn command_line(&self) -> Result<String, Message> {
         if self.lesson().number == Lesson::UNNUMBERED {
             Err(super::strings::SHARE_NO_STUDY)
         } else if !self.follows_lesson() {

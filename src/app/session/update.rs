@@ -2,8 +2,8 @@
 
 use super::{Command, Direction, Guess, Refused, Session, TEXT_SIZES};
 use crate::app::strings;
+use crate::language::{Language, Message};
 use crate::lesson::builtin;
-use crate::panels::strings::{Language, Words};
 use crate::picture::{Tag, Theme};
 use crate::record::Outline;
 use crate::replay::{Query, moves, query};
@@ -108,8 +108,8 @@ impl Session {
     /// The step that a command goes to; none for a command that is no move.
     fn target(&self, command: &Command) -> Result<Option<usize>, Refused> {
         let (here, last) = (self.step(), self.last_step());
-        let go = |go: Move, why: Words| self.walk().target(go).ok_or(why);
-        let narrated = |found: Option<&usize>, why: Words| found.copied().ok_or(why);
+        let go = |go: Move, why: Message| self.walk().target(go).ok_or(why);
+        let narrated = |found: Option<&usize>, why: Message| found.copied().ok_or(why);
         let target = match *command {
             Command::Forward(_) | Command::End if here == last => Err(strings::AT_THE_END),
             Command::Back(_) | Command::Start if here == 0 => Err(strings::AT_THE_START),
@@ -167,7 +167,7 @@ impl Session {
         self.go_to(found.ok_or(strings::NOT_FOUND)?)
     }
 
-    fn cannot_play(&self, direction: Direction) -> Option<Words> {
+    fn cannot_play(&self, direction: Direction) -> Option<Message> {
         match direction {
             Direction::Forward if self.question_at(self.step()) => Some(strings::ANSWER_FIRST),
             _ if self.can_play(direction) => None,
@@ -232,7 +232,7 @@ impl Session {
             Command::OtherLanguage => {
                 look.language = match look.language {
                     Language::English => Language::Indonesian,
-                    Language::Indonesian => Language::English,
+                    _ => Language::English,
                 }
             }
             Command::Theme(theme) => look.theme = theme,

@@ -146,7 +146,10 @@ fn letters_typed_into_the_search_are_no_commands() {
 #[test]
 fn a_focused_button_keeps_its_space() {
     let mut screen = triangle([]);
-    screen.harness.get_by_label(strings::ONE_ON.en).focus();
+    screen
+        .harness
+        .get_by_label(strings::ONE_ON.text(Language::English))
+        .focus();
     screen.harness.run();
     screen.press(Modifiers::NONE, Key::Space);
     assert_eq!(
@@ -172,7 +175,7 @@ fn buttons_do_what_their_keys_do() {
     assert_eq!(screen.session().step(), 0);
     screen.click("ID");
     assert_eq!(screen.session().look.language, Language::Indonesian);
-    screen.click(strings::KEYS.id);
+    screen.click(strings::KEYS.text(Language::Indonesian));
     assert!(screen.session().look.keys);
     screen.press(Modifiers::NONE, Key::F1);
     assert!(!screen.session().look.keys);
@@ -210,7 +213,9 @@ fn a_question_is_answered_in_its_card() {
         asked,
         "the end lies behind the question"
     );
-    screen.harness.get_by_label(strings::BEFORE_YOU_GO_ON.en);
+    screen
+        .harness
+        .get_by_label(strings::BEFORE_YOU_GO_ON.text(Language::English));
     let answer = screen
         .session()
         .question()
@@ -220,7 +225,10 @@ fn a_question_is_answered_in_its_card() {
         .clone();
     match answer {
         Answer::Number { value, .. } => {
-            screen.harness.get_by_label(strings::YOUR_ANSWER.en).focus();
+            screen
+                .harness
+                .get_by_label(strings::YOUR_ANSWER.text(Language::English))
+                .focus();
             screen.harness.run();
             screen.harness.event(egui::Event::Text(value.to_string()));
             screen.press(Modifiers::NONE, Key::Enter);
@@ -262,11 +270,16 @@ fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
     }
     screen.harness.run();
     let step = screen.session().step();
-    screen.harness.get_by_label(strings::YOUR_ANSWER.en).focus();
+    screen
+        .harness
+        .get_by_label(strings::YOUR_ANSWER.text(Language::English))
+        .focus();
     screen.harness.run();
     screen.harness.event(egui::Event::Text("much".into()));
     screen.press(Modifiers::NONE, Key::Enter);
-    screen.harness.get_by_label(strings::NOT_A_NUMBER.en);
+    screen
+        .harness
+        .get_by_label(strings::NOT_A_NUMBER.text(Language::English));
     screen.keep("misread");
     screen.press(Modifiers::NONE, Key::L);
     assert_eq!(screen.session().look.language, Language::English);
@@ -297,7 +310,7 @@ fn escape_ends_the_presentation() {
 #[test]
 fn an_open_menu_leaves_keys_their_meaning_and_closes() {
     let mut screen = triangle([]);
-    let loop_off = format!("{} ▾", strings::LOOP_OFF.en);
+    let loop_off = format!("{} ▾", strings::LOOP_OFF.text(Language::English));
     let open = |screen: &Screen| egui::Popup::is_any_open(&screen.harness.ctx);
     screen.click(&loop_off);
     assert!(open(&screen));

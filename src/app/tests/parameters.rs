@@ -41,7 +41,7 @@ fn lights(screen: &Screen) -> [DVec3; 2] {
 fn place(screen: &Screen, light: usize) -> egui::Pos2 {
     let panel = screen
         .harness
-        .get_by_role_and_label(Role::Image, strings::RAYS.en);
+        .get_by_role_and_label(Role::Image, strings::RAYS.text(Language::English));
     let rect = panel.rect();
     let size = glam::Vec2::new(rect.width(), rect.height());
     let picture = draw(Panel::Rays, &screen.session().show(), size);
@@ -88,7 +88,11 @@ fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
     let mut screen = ball();
     let step = screen.session().step();
     let before = lights(&screen);
-    let name = format!("{} 0, {}", strings::LIGHT.en, strings::DISTANCE.en);
+    let name = format!(
+        "{} 0, {}",
+        strings::LIGHT.text(Language::English),
+        strings::DISTANCE.text(Language::English)
+    );
     let slider = screen.harness.get_by_role_and_label(Role::Slider, &name);
     slider.focus();
     screen.harness.run();
@@ -103,7 +107,7 @@ fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
     assert!(screen.session().is_changed());
     screen.keep("parameters");
 
-    screen.click(strings::PUT_BACK.en);
+    screen.click(strings::PUT_BACK.text(Language::English));
     assert_eq!(lights(&screen), before);
     screen.press(Modifiers::NONE, Key::ArrowRight);
     assert_eq!(screen.session().step(), step + 1);
@@ -112,7 +116,9 @@ fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
 #[test]
 fn what_cannot_be_changed_has_no_card() {
     let screen = triangle([]);
-    let title = screen.harness.query_by_label(strings::PARAMETERS.en);
+    let title = screen
+        .harness
+        .query_by_label(strings::PARAMETERS.text(Language::English));
     assert!(title.is_none());
 }
 
@@ -122,7 +128,7 @@ fn the_eye_is_dragged_by_its_vector_and_stays_as_far_away() {
     let mut screen = screen("illumination-model", [1280, 800], 1.0, narrated);
     let panel = screen
         .harness
-        .get_by_role_and_label(Role::Image, strings::VECTORS.en);
+        .get_by_role_and_label(Role::Image, strings::VECTORS.text(Language::English));
     let rect = panel.rect();
     let size = glam::Vec2::new(rect.width(), rect.height());
     let places =

@@ -2,6 +2,7 @@
 
 use super::{Screen, screen, strings};
 use crate::app::session::Command;
+use crate::language::Language;
 use crate::panels::{Panel, TreeView, draw};
 use crate::picture::Tag;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -18,7 +19,9 @@ fn tree_screen() -> Screen {
 
 /// The place of the panel on the screen.
 fn panel(screen: &Screen) -> egui::Rect {
-    let images = screen.harness.get_all_by_label(strings::RAY_TREE.en);
+    let images = screen
+        .harness
+        .get_all_by_label(strings::RAY_TREE.text(Language::English));
     let mut panel = images.filter(|node| node.accesskit_node().role() == egui::Role::Image);
     panel.next_back().expect("the panel").rect()
 }
@@ -44,12 +47,12 @@ fn tree(screen: &Screen) -> TreeView {
 fn buttons_zoom_and_fit() {
     let mut screen = tree_screen();
     screen.keep("ray-tree");
-    screen.click(strings::LARGER_TREE.en);
+    screen.click(strings::LARGER_TREE.text(Language::English));
     assert!((tree(&screen).zoom - 1.5).abs() < 1e-6);
-    screen.click(strings::LARGER_TREE.en);
-    screen.click(strings::SMALLER_TREE.en);
+    screen.click(strings::LARGER_TREE.text(Language::English));
+    screen.click(strings::SMALLER_TREE.text(Language::English));
     assert!((tree(&screen).zoom - 1.5).abs() < 1e-6);
-    screen.click(strings::WHOLE_TREE.en);
+    screen.click(strings::WHOLE_TREE.text(Language::English));
     assert_eq!(tree(&screen), TreeView::WHOLE);
     // What cannot act is refused.
     let whole = Command::ViewTree(TreeView::WHOLE);

@@ -27,7 +27,10 @@ fn a_ticked_part_is_done_all_the_same_and_timed() {
     assert!(screen.session().walk().len() > steps);
     screen.session_mut().wait_for_picture();
     screen.harness.run();
-    let recorded = [strings::TIME_WITH.en, strings::TIMES_NONE.en];
+    let recorded = [
+        strings::TIME_WITH.text(Language::English),
+        strings::TIMES_NONE.text(Language::English),
+    ];
     assert!(recorded.iter().any(|label| text(label, &screen)));
     screen.keep("left-out-ticked");
     screen.click("Reflected rays");
@@ -39,8 +42,11 @@ fn a_ticked_part_is_done_all_the_same_and_timed() {
 #[test]
 fn the_menu_opens_it_in_both_languages() {
     for (language, name) in [
-        (Language::English, strings::LEFT_OUT.en),
-        (Language::Indonesian, strings::LEFT_OUT.id),
+        (Language::English, strings::LEFT_OUT.text(Language::English)),
+        (
+            Language::Indonesian,
+            strings::LEFT_OUT.text(Language::Indonesian),
+        ),
     ] {
         let commands = [Command::Questions, Command::Speak(language)];
         let mut screen = screen("shadows", [1280, 800], 1.0, commands);

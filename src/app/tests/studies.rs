@@ -27,10 +27,12 @@ fn study(commands: impl IntoIterator<Item = Command>) -> Screen {
 #[test]
 fn the_view_is_opened_from_the_menu_or_by_its_key_and_escape_closes_it() {
     let mut screen = triangle([]);
-    screen.click(strings::MENU.en);
-    screen.click(strings::STUDIES.en);
+    screen.click(strings::MENU.text(Language::English));
+    screen.click(strings::STUDIES.text(Language::English));
     assert!(screen.session().studying().is_open);
-    screen.harness.get_by_label(strings::MEASURE.en);
+    screen
+        .harness
+        .get_by_label(strings::MEASURE.text(Language::English));
     screen.press(Modifiers::NONE, Key::ArrowRight);
     assert_eq!(
         screen.session().step(),
@@ -47,11 +49,15 @@ fn the_view_is_opened_from_the_menu_or_by_its_key_and_escape_closes_it() {
 #[test]
 fn a_study_is_measured_from_its_button_and_no_frame_waits() {
     let mut screen = triangle([Command::Study(StudyCommand::View)]);
-    screen.click(strings::MEASURE.en);
+    screen.click(strings::MEASURE.text(Language::English));
     assert!(screen.session().studying().percent().is_some());
-    screen.harness.get_by_label(strings::CALL_OFF.en);
-    screen.click(strings::CALL_OFF.en);
-    screen.harness.get_by_label(strings::CALLED_OFF.en);
+    screen
+        .harness
+        .get_by_label(strings::CALL_OFF.text(Language::English));
+    screen.click(strings::CALL_OFF.text(Language::English));
+    screen
+        .harness
+        .get_by_label(strings::CALLED_OFF.text(Language::English));
 }
 
 #[test]
@@ -59,7 +65,7 @@ fn a_point_that_is_pointed_at_is_named_and_a_click_opens_it() {
     let mut screen = study([]);
     let plot = screen
         .harness
-        .get_by_role_and_label(Role::Image, strings::STUDY_PLOT.en);
+        .get_by_role_and_label(Role::Image, strings::STUDY_PLOT.text(Language::English));
     let rect = plot.rect();
     // Somewhere in the plot is the only point that draws something.
     let mut found = None;
@@ -73,7 +79,7 @@ fn a_point_that_is_pointed_at_is_named_and_a_click_opens_it() {
             screen.harness.step();
             let here = screen
                 .harness
-                .query_all_by_label_contains(strings::CLICK_OPENS_IT.en)
+                .query_all_by_label_contains(strings::CLICK_OPENS_IT.text(Language::English))
                 .next();
             if here.is_some() {
                 found = Some(at);

@@ -50,7 +50,7 @@ pub fn draw(picture: &mut Picture, layout: &Layout, place: Rect) {
         let at = y(exact);
         let stroke = Ink::Text.stroke(1.0).dashed();
         picture.line((frame.x, at), (frame.right(), at), stroke);
-        let strings = EXACT.in_language(layout.input.language);
+        let strings = EXACT.text(layout.input.language);
         let label = Rect::new(place.x + 40.0, place.y, place.width - 40.0, 16.0);
         // In the header, where no curve is.
         picture.line(

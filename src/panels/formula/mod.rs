@@ -2,7 +2,6 @@
 //! a sentence. All numbers are told values.
 
 mod set;
-mod table;
 mod template;
 
 use super::PanelInput;
@@ -11,11 +10,12 @@ use super::names;
 use super::strings::{Language, Words};
 use super::values::shown;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::language::Message;
 use crate::picture::{Ink, Picture, Style, symbol, wrap};
 use crate::record::Value;
+use crate::vocabulary::{Entry, Formula, Kind, Sentence, When};
 use glam::Vec2;
 use set::{Atom, Voice, flow, set_pieces};
-use table::{Entry, Formula, TABLES, When};
 use template::{Known, Piece, parse, places};
 
 const MARGIN: f32 = 10.0;
@@ -31,7 +31,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         return message(NO_STEPS, input.language, size);
     }
     let known = Known::at(walk, walk.position());
-    let Some(entry) = entry(walk.kind(walk.position()), &known) else {
+    let Some(entry) = entry(walk.declared(walk.position()), &known) else {
         return message(NO_FORMULA, input.language, size);
     };
     let formulas = formulas(entry, &known);
@@ -67,17 +67,16 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     picture
 }
 
-const NO_FORMULA: Words = Words::new(
-    "This step has no formula. Go on to the next.",
-    "Langkah ini tidak memiliki rumus. Lanjutkan ke langkah berikutnya.",
-);
+const NO_FORMULA: Message = Message("formula-no-formula");
 
-/// The entry of the table for a step of `kind`.
-fn entry(kind: &str, known: &Known) -> Option<&'static Entry> {
-    TABLES
-        .into_iter()
-        .flatten()
-        .find(|entry| entry.kind == kind && holds(entry.when, known))
+/// The first entry of `kind` that fits.
+fn entry(kind: &'static Kind, known: &Known) -> Option<&'static Entry> {
+    kind.entries.iter().find(|entry| holds(entry.when, known))
+}
+
+/// A declared sentence in a language.
+pub fn in_language(sentence: Sentence, language: Language) -> &'static str {
+    Words::new(sentence.en, sentence.id).in_language(language)
 }
 
 fn holds(when: When, known: &Known) -> bool {
@@ -89,8 +88,8 @@ fn holds(when: When, known: &Known) -> bool {
     };
     match when {
         When::Always => true,
-        When::RecordedField(name) => value(name).is_some(),
-        When::Untold(name) => value(name).is_none(),
+        When::Recorded(name) => value(name).is_some(),
+        When::Unrecorded(name) => value(name).is_none(),
         When::Is(name, word) => value(name) == Some(Value::Word(word)),
         When::True(name) => value(name) == Some(Value::Truth(true)),
         When::Negative(name) => number(name) < 0.0,
@@ -103,7 +102,7 @@ fn holds(when: When, known: &Known) -> bool {
 struct Parsed {
     left: Vec<Piece>,
     right: Vec<Piece>,
-    note: Option<Words>,
+    note: Option<Sentence>,
 }
 
 fn formulas(entry: &Entry, known: &Known) -> Vec<Parsed> {
@@ -147,9 +146,14 @@ impl Parsed {
 }
 
 /// A sentence of the table with its values; things of the scene by their names.
-fn filled(strings: Words, known: &Known, prepared: &PreparedScene, language: Language) -> String {
+fn filled(
+    sentence: Sentence,
+    known: &Known,
+    prepared: &PreparedScene,
+    language: Language,
+) -> String {
     let mut text = String::new();
-    for piece in parse(strings.in_language(language)) {
+    for piece in parse(in_language(sentence, language)) {
         match piece {
             Piece::Text(part) => text.push_str(&part),
             Piece::Place(place) => match known.values(&place).as_deref() {
@@ -262,7 +266,7 @@ impl Layout {
         for formula in formulas {
             let above = 0.5 * text;
             if let Some(note) = formula.note.filter(|_| detail.sentences) {
-                sentence(&mut layout, note.in_language(language), above);
+                sentence(&mut layout, in_language(note, language), above);
             }
             formula_lines(&mut layout, formula, known, language, width, text, detail);
         }

@@ -4,10 +4,11 @@ use super::*;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::texture::Mapping;
 use crate::render::Method;
+use crate::vocabulary::FAMILIES;
 use std::collections::HashSet;
 
 /// Every step of the crowd, by every method, of rays among spheres, of every solver and method of form factors.
-fn each_step(mut look: impl FnMut(&str, &Known, &PreparedScene)) {
+fn each_step(mut look: impl FnMut(&'static Kind, &Known, &PreparedScene)) {
     let crowds = Method::ALL.map(fixtures::fixtures);
     let rays = [
         fixtures::rays(Method::RayCasting, 2),
@@ -28,7 +29,7 @@ fn each_step(mut look: impl FnMut(&str, &Known, &PreparedScene)) {
         for step in 0..fixture.walk().len() {
             let known = Known::at(fixture.walk(), step);
             look(
-                fixture.walk().kind(step),
+                fixture.walk().declared(step),
                 &known,
                 names::prepared(&fixture.run),
             );
@@ -40,10 +41,10 @@ fn each_step(mut look: impl FnMut(&str, &Known, &PreparedScene)) {
 fn every_step_has_an_entry_and_every_entry_and_formula_is_used_with_all_its_values() {
     let mut used = HashSet::new();
     each_step(|kind, known, prepared| {
-        let entry = entry(kind, known).unwrap_or_else(|| panic!("{kind} has no entry"));
+        let entry = entry(kind, known).unwrap_or_else(|| panic!("{} has no entry", kind.name));
         for language in Language::ALL {
             let says = filled(entry.says, known, prepared, language).replace("f_{att}", "");
-            assert!(!says.contains('{'), "{kind}: {says}");
+            assert!(!says.contains('{'), "{}: {says}", kind.name);
         }
         for formula in entry
             .formulas
@@ -52,17 +53,25 @@ fn every_step_has_an_entry_and_every_entry_and_formula_is_used_with_all_its_valu
         {
             for place in places(&parse(formula.template)) {
                 let values = known.values(place);
-                assert!(values.is_some(), "{kind}: nobody told {}", place.name);
+                assert!(
+                    values.is_some(),
+                    "{}: nobody told {}",
+                    kind.name,
+                    place.name
+                );
             }
             used.insert(formula.template);
         }
         used.insert(entry.says.en);
     });
-    for entry in TABLES.into_iter().flatten() {
+    let declared = FAMILIES.into_iter().flatten();
+    for (kind, entry) in
+        declared.flat_map(|kind| kind.entries.iter().map(move |entry| (kind, entry)))
+    {
         assert!(
             used.contains(entry.says.en),
             "{}: {}",
-            entry.kind,
+            kind.name,
             entry.says.en
         );
         for formula in entry.formulas {
@@ -78,7 +87,8 @@ fn the_result_is_printed_as_the_field_is() {
         fixture.seek(step);
         let picture = draw(&fixture.input(), SIZES[5]);
         let known = Known::at(fixture.walk(), step);
-        let entry = entry(fixture.walk().kind(step), &known).expect("every step has one");
+        let kind = fixture.walk().declared(step);
+        let entry = entry(kind, &known).expect("every step has one");
         for formula in formulas(entry, &known) {
             let Some(value) = formula.result(&known) else {
                 continue;
@@ -91,7 +101,7 @@ fn the_result_is_printed_as_the_field_is() {
                     shown(value, 4, Language::English)
                 };
                 let found = texts(&picture).iter().any(|(text, _)| *text == expected);
-                assert!(found, "{}: {expected}", entry.kind);
+                assert!(found, "{}: {expected}", kind.name);
             }
         }
     }

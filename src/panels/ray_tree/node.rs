@@ -50,8 +50,8 @@ impl Describer<'_> {
         }
     }
 
-    pub fn localize(&self, strings: crate::panels::strings::Words) -> String {
-        strings.in_language(self.language).to_owned()
+    pub fn localize(&self, strings: crate::language::Message) -> String {
+        strings.text(self.language).to_owned()
     }
 
     /// Where the ray met it, or why it has no t; and the same in short.

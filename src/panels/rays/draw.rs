@@ -2,17 +2,17 @@
 
 use super::super::labels::Labels;
 use super::super::names;
-use super::super::strings::Words;
 use super::outline;
 use super::view::View;
+use crate::language::Message;
 use crate::panels::PanelInput;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::replay::rays::{State, Target};
 use crate::scene::Shape;
 use glam::{DVec3, Vec2};
 
-const EYE: Words = Words::new("eye", "mata");
-const PLANE: Words = Words::new("picture plane", "bidang gambar");
+const EYE: Message = Message("common-eye");
+const PLANE: Message = Message("rays-plane");
 /// Beyond so many rays, those are drawn faintly, and without letters, from which the ray in hand does not come.
 const MOST_RAYS: usize = 24;
 /// Where the picture plane is drawn, in distances from eye to target.
@@ -195,7 +195,7 @@ impl Layout<'_> {
             self.picture,
             (eye, 5.0),
             Vec2::NEG_X,
-            EYE.in_language(language),
+            EYE.text(language),
             style,
         );
         let top = if ends[0].y < ends[1].y {
@@ -209,7 +209,7 @@ impl Layout<'_> {
                 self.picture,
                 (top, 2.0),
                 Vec2::NEG_Y,
-                PLANE.in_language(language),
+                PLANE.text(language),
                 style,
             );
         }

@@ -1,21 +1,21 @@
 //! An interpolation as bars: how much weight each end has, the ramp from end to end, and the direct and the incremental value.
 //! The ramp of a colour is its shades, that of a normal a fan of arrows: how it turns, and how it grows shorter on the way.
 
-use super::super::strings::{Language, Words};
 use super::super::values::{difference, short, value_of};
 use crate::algorithms::scan_line::Carried;
 use crate::color::Rgb;
+use crate::language::{Language, Message};
 use crate::numeric::interpolate;
 use crate::picture::{Image, Ink, Picture, Rect, Stroke, Style, Tag, Text, measure};
 use crate::record::Value;
 use crate::replay::shading::State;
 use glam::{DVec3, Vec2};
 
-const WEIGHTS: Words = Words::new("weights", "bobot");
-const RAMP: Words = Words::new("ramp", "gradasi");
-const DIRECT: Words = Words::new("direct", "langsung");
-const INCREMENTAL: Words = Words::new("incremental", "inkremental");
-const DIFFERENCE: Words = Words::new("difference", "selisih");
+const WEIGHTS: Message = Message("scan-line-weights");
+const RAMP: Message = Message("scan-line-ramp");
+const DIRECT: Message = Message("scan-line-direct");
+const INCREMENTAL: Message = Message("scan-line-incremental");
+const DIFFERENCE: Message = Message("scan-line-difference");
 
 /// Height of a bar with the gap under it, and of a line of text.
 const BAR: f32 = 24.0;
@@ -100,7 +100,7 @@ impl Interpolation {
 
     pub fn draw(&self, picture: &mut Picture, area: Rect, language: Language) {
         let title = Style::Body.size(12.0).ink(Ink::Muted);
-        let titles = [WEIGHTS, RAMP].map(|strings| strings.in_language(language));
+        let titles = [WEIGHTS, RAMP].map(|strings| strings.text(language));
         // Titles only where the bars stay long.
         let left = if area.width >= 380.0 { 72.0 } else { 4.0 };
         let ramp = BAR + extra(self.ends[0].1);
@@ -228,7 +228,7 @@ impl Interpolation {
             let below = 0.5 * LINE + title.baseline_below_middle();
             picture.text(
                 (words_at.0, words_at.1 + below),
-                strings.in_language(language),
+                strings.text(language),
                 title,
             );
             picture.tagged(Tag::Field(name), |picture| {

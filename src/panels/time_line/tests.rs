@@ -99,3 +99,53 @@ fn nothing_recorded_is_said() {
         assert_legible(&draw(&fixture.show_in(language), SIZES[0]), "empty");
     }
 }
+
+#[test]
+fn iterations_and_gathering_patches_show_their_numbers() {
+    for fixture in fixtures::solvers() {
+        let walk = fixture.walk();
+        for step in (0..walk.len()).filter(|&step| walk.outline().opens(step)) {
+            let (field, kind) = match walk.kind(step) {
+                "Iteration" => ("k", "iteration"),
+                "Gathering" | "Shooting" => ("i", "patch"),
+                _ => continue,
+            };
+            let Some(Value::Integer(number)) = walk.own_fields(step).get(field) else {
+                panic!("{kind} has {field}");
+            };
+            let shown = number_of(walk, step, Language::English);
+            assert_eq!(shown, Some(number.to_string()));
+            assert_eq!(in_text(walk.declared(step), Language::English), kind);
+        }
+    }
+}
+
+#[test]
+fn every_scope_of_every_method_has_a_name_and_its_line_a_label() {
+    let shaded = Method::ALL.map(fixtures::fixtures);
+    let rays = [
+        fixtures::rays(Method::RayCasting, 2),
+        fixtures::rays(Method::RayTracing, 1),
+    ];
+    let light = fixtures::solvers()
+        .into_iter()
+        .chain(fixtures::form_factors());
+    for fixture in shaded.into_iter().chain(rays).chain(light) {
+        let walk = fixture.walk();
+        for step in 0..walk.len() {
+            let line = walk.line(step);
+            assert!(
+                !line.listing.lines[line.number].0.is_empty(),
+                "{}",
+                walk.kind(step)
+            );
+            if walk.outline().opens(step) {
+                assert!(
+                    walk.declared(step).scope.is_some(),
+                    "{} has no name",
+                    walk.kind(step)
+                );
+            }
+        }
+    }
+}

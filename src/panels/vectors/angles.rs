@@ -1,10 +1,10 @@
 //! The angles with the normal, and what each light's shadow ray found, as a list.
 
 use super::super::names;
-use super::super::strings::{Language, Words};
 use super::super::values::short;
 use super::met::SurfaceInSight;
 use crate::color::Rgb;
+use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide};
 use crate::record::Value;
 use crate::replay::rays::Verdict;
@@ -14,13 +14,13 @@ use glam::DVec3;
 const LINE: f32 = 1.5;
 /// The least width of a column beside another one, in sizes of the text.
 pub(super) const COLUMN: f32 = 13.0;
-const ANGLES: Words = Words::new("angle with N", "sudut dengan N");
-const BLOCKED: Words = Words::new("blocked by", "terhalang oleh");
-const ARRIVES: Words = Words::new("arrives", "sampai");
-const AWAY: Words = Words::new("behind the surface", "di balik permukaan");
-const LEANS: Words = Words::new("out of the plane", "keluar bidang");
-const TOTAL: Words = Words::new("total internal reflection", "pantulan internal total");
-const CRITICAL: Words = Words::new("critical", "kritis");
+const ANGLES: Message = Message("vectors-angles");
+const BLOCKED: Message = Message("vectors-blocked");
+const ARRIVES: Message = Message("vectors-arrives");
+const AWAY: Message = Message("vectors-away");
+const LEANS: Message = Message("vectors-leans");
+const TOTAL: Message = Message("common-total-internal-reflection");
+const CRITICAL: Message = Message("vectors-critical");
 
 /// A line of the list: a symbol, a number, and what is to be said of it.
 struct Row {
@@ -78,7 +78,7 @@ pub(super) fn height(scene: &Scene, text: f32, columns: usize) -> f32 {
 
 impl Angles {
     pub fn of(surface: &SurfaceInSight, language: Language) -> Self {
-        let strings = |strings: Words| strings.in_language(language);
+        let strings = |strings: Message| strings.text(language);
         let mut rows = Vec::new();
         if let Some((_, cosine, _)) = surface.surface.facing {
             rows.push(row(
@@ -194,7 +194,7 @@ fn note_start(row: &Row, style: Text) -> f32 {
 
 /// What blocks a light, from the longest form to the shortest.
 fn blocked(surface: &SurfaceInSight, verdict: &Verdict, language: Language) -> Vec<String> {
-    let strings = BLOCKED.in_language(language);
+    let strings = BLOCKED.text(language);
     let Some(hit) = verdict.by else {
         return vec![strings.to_string()];
     };
@@ -209,7 +209,7 @@ fn blocked(surface: &SurfaceInSight, verdict: &Verdict, language: Language) -> V
 
 /// Each light: the angle of L with N, N·L, what the shadow ray found; then H or R of the light in hand.
 fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
-    let strings = |strings: Words| strings.in_language(language);
+    let strings = |strings: Message| strings.text(language);
     let lean = |vector: DVec3| match surface.lean(vector) {
         lean if lean < 0.05 => String::new(),
         lean => format!(", {}° {}", short(Value::Number(lean), 1), strings(LEANS)),

@@ -1,15 +1,15 @@
 //! The drawing: the surface, the media, the vectors and the arcs of their angles.
 
 use super::super::labels::Labels;
-use super::super::strings::{Language, Words};
 use super::met::SurfaceInSight;
 use super::plane::Plane;
 use crate::algorithms::ray_tree::RayKind;
+use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::replay::rays::{CurrentBranch, Outcome};
 use glam::{DVec3, Vec2};
 
-const NO_T: Words = Words::new("no T", "tanpa T");
+const NO_T: Message = Message("vectors-no-t");
 const POINT: f32 = 4.0;
 /// Of V, which lies beside u, as a share of it.
 pub(super) const V_LENGTH: f32 = 0.62;
@@ -140,7 +140,7 @@ impl Drawing<'_> {
             });
             self.labels.avoid(self.middle, end);
             let style = self.style(kind == "Refraction");
-            let name = NO_T.in_language(language);
+            let name = NO_T.text(language);
             self.labels.put(self.picture, (end, 3.0), u, name, style);
         }
     }

@@ -1,16 +1,16 @@
 //! The surface in sight, its plane of incidence, and the media on both sides.
 
 use super::super::names;
-use super::super::strings::{Language, Words};
 use super::arrows::V_LENGTH;
 use super::plane::{Held, Plane, Tip};
 use crate::algorithms::ray_tree::RayKind;
 use crate::color::Rgb;
+use crate::language::{Language, Message};
 use crate::replay::rays::{CurrentSurface, RayState, State, Verdict};
 use crate::replay::shading::{CurrentLight, CurrentPoint};
 use glam::{DVec3, Vec2};
 
-const AIR: Words = Words::new("air", "udara");
+const AIR: Message = Message("vectors-air");
 
 /// The surface that the ray in hand met, or, while it has met none yet, the surface that it leaves.
 pub struct SurfaceInSight<'a> {
@@ -144,7 +144,7 @@ impl<'a> SurfaceInSight<'a> {
     pub fn media(&self, language: Language) -> [String; 2] {
         let named = |object: Option<&u32>| match object {
             Some(&object) => names::object(&self.state.prepared, object).to_string(),
-            None => AIR.in_language(language).to_string(),
+            None => AIR.text(language).to_string(),
         };
         let around = self.media_around();
         let object = self.surface.object;

@@ -1,8 +1,8 @@
 //! The values of the point in hand, and its intensity as a sum of terms.
 
-use super::super::strings::{Language, Words};
 use super::super::values::short;
 use crate::color::Rgb;
+use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, measure, symbol};
 use crate::record::Value;
 use crate::replay::shading::{CurrentPoint, State};
@@ -22,7 +22,7 @@ const CHANNELS: [&str; 3] = ["r", "g", "b"];
 /// The least decimals that still say something.
 const FEWEST: usize = 2;
 
-const LIGHT: Words = Words::new("light", "cahaya");
+const LIGHT: Message = Message("common-light");
 
 #[derive(Clone, Copy)]
 struct Term(Ink, &'static str, Ink);
@@ -121,7 +121,7 @@ fn rows_of_point(point: &CurrentPoint, language: Language) -> Vec<Row> {
     );
     if let Some(light) = point.lights.last() {
         let mut number = Row::new("light", light.light);
-        number.shown = LIGHT.in_language(language).to_string();
+        number.shown = LIGHT.text(language).to_string();
         rows.push(number);
         rows.push(Row::new("f_att", light.attenuation));
         rows.extend(

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::color::Rgb;
+use crate::numeric::Random;
 use crate::scene::{Material, Mesh, Object};
 use proptest::prelude::*;
 
@@ -196,31 +197,11 @@ proptest! {
     }
 }
 
-/// xorshift64* (Vigna 2016), to [-1, 1).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 ^= self.0 >> 12;
-        self.0 ^= self.0 << 25;
-        self.0 ^= self.0 >> 27;
-        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-    }
-
-    fn point(&mut self) -> DVec3 {
-        DVec3::new(self.next(), self.next(), self.next())
-    }
-
-    fn direction(&mut self) -> DVec3 {
-        self.point().normalize_or(DVec3::X)
-    }
-}
-
 /// Directions to either side of a surface: anywhere, mirrored, straight on, and grazing down to a slope of 10⁻¹⁷.
 fn departures(random: &mut Random, surface: &Surface, incoming: DVec3) -> [DVec3; 8] {
     let n = surface.normal;
     let tangent = n.cross(random.direction()).normalize_or(DVec3::X);
-    let slope = 10_f64.powf(-17.0 * random.next().abs());
+    let slope = 10_f64.powf(-17.0 * random.number().abs());
     let mirrored = incoming - 2.0 * incoming.dot(n) * n;
     let grazing = (tangent + slope * n).normalize();
     let anywhere = random.direction();
@@ -247,7 +228,7 @@ fn no_ray_meets_the_surface_that_it_leaves_at_any_scale() {
                 let shape = match i % 3 {
                     0 => Shape::Sphere {
                         center,
-                        radius: scale * 10_f64.powf(random.next()),
+                        radius: scale * 10_f64.powf(random.number()),
                     },
                     1 => Shape::Plane {
                         point: center,
@@ -269,7 +250,7 @@ fn no_ray_meets_the_surface_that_it_leaves_at_any_scale() {
                 let target = match &primitives.primitives[0] {
                     Solid::Faces { faces, .. } => {
                         let [a, b, c] = faces.corners(0);
-                        let (u, v) = (random.next().abs(), random.next().abs());
+                        let (u, v) = (random.number().abs(), random.number().abs());
                         a + u * (1.0 - v) * (b - a) + u * v * (c - a)
                     }
                     _ => center + 0.5 * scale * random.point(),

@@ -150,6 +150,7 @@ pub(super) fn weights_at(corners: [DVec3; 3], point: DVec3) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numeric::Random;
 
     /// The usual test, without the care (Möller & Trumbore 1997, "Fast, Minimum Storage Ray-Triangle Intersection").
     fn moller_trumbore(ray: &Ray, [a, b, c]: [DVec3; 3]) -> bool {
@@ -171,15 +172,9 @@ mod tests {
     /// Of rays aimed exactly at an edge that two triangles share, the share that passes between them.
     fn leaks(meets: fn(&Ray, [DVec3; 3]) -> bool) -> f64 {
         const COUNT: u32 = 20_000;
-        let mut state = 1_u64;
-        let mut random = || {
-            // SplitMix64 (Steele, Lea & Flood 2014)
-            state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
-        };
-        let mut point = |z: f64| DVec3::new(random(), random(), z + 0.1 * random());
+        let mut random = Random(1);
+        let mut point =
+            |z: f64| DVec3::new(random.number(), random.number(), z + 0.1 * random.number());
         let leaked = (0..COUNT).filter(|&i| {
             let (from, to) = (point(0.0), point(0.0));
             let across = (to - from).cross(DVec3::Z);

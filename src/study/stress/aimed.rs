@@ -1,8 +1,8 @@
 //! Rays aimed at one object alone, and how many of them go wrong.
 
 use super::case::{Measured, Ran};
-use super::random::Random;
 use super::scenes::alone;
+use crate::numeric::Random;
 use crate::scene::primitives::{Primitives, Ray, Surface, leaving};
 use crate::scene::{Mesh, Shape};
 use glam::DVec3;

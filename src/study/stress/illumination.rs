@@ -1,9 +1,9 @@
 //! The illumination model: sharp highlights, light in the surface, very long and very short ways.
 
 use super::case::{Case, Measured, Ran, degrades, holds};
-use super::random::Random;
 use crate::algorithms::illumination::{Event, Lighting, SurfacePoint, illuminate};
 use crate::color::Rgb;
+use crate::numeric::Random;
 use crate::numeric::{power_of_chord, power_of_cosine};
 use crate::record::Unrecorded;
 use crate::scene::{Highlight, Light, Material};

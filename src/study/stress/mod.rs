@@ -11,7 +11,6 @@ mod measured;
 mod nearest;
 mod radiosity;
 mod ramps;
-mod random;
 mod rays;
 mod refraction;
 mod refusals;

@@ -1,8 +1,8 @@
 //! Rays that go on: the critical angle, glass that is not there, slabs and bubbles, trees that are deep or large.
 
 use super::case::{Case, Measured, Ran, holds};
-use super::random::Random;
 use super::scenes::{look, picture, scene, staged};
+use crate::numeric::Random;
 use crate::numeric::{refracted, refraction_radicand};
 use crate::render::{Method, render_counted};
 use glam::DVec3;

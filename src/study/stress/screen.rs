@@ -2,12 +2,12 @@
 
 use super::case::{Measured, Ran};
 use super::ramps::Single;
-use super::random::Random;
 use super::scenes::{picture, scene, staged};
 use crate::algorithms::focus::Region;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::scan_line::{Carried, Corner, Event, Fragment, Names, ScanLine};
 use crate::color::Rgb;
+use crate::numeric::Random;
 use crate::numeric::interpolate;
 use crate::record::{Fields, Unrecorded};
 use crate::render::{MAX_SIDE, Method};

@@ -5,8 +5,8 @@ mod tests;
 
 use super::{Refused, Session};
 use crate::app::strings;
+use crate::language::Message;
 use crate::lesson::Lesson;
-use crate::panels::strings::Words;
 use crate::render::Cancelled;
 use crate::study::families;
 use crate::study::form::{Request, Study};
@@ -241,7 +241,7 @@ impl Session {
     }
 
     /// Why a command about studies cannot act, if it cannot.
-    pub(super) fn cannot_study(&self, command: StudyCommand) -> Option<Words> {
+    pub(super) fn cannot_study(&self, command: StudyCommand) -> Option<Message> {
         let measures = self.studying.percent().is_some();
         match command {
             StudyCommand::Measure => measures.then_some(strings::STILL_MEASURING),

@@ -1,0 +1,83 @@
+//! The languages of the program. All text that people read stands in one catalogue a language (`en.ftl`, `id.ftl`, in the
+//! format of Project Fluent), as data; the code names a message of the catalogues by its key.
+
+mod catalogue;
+
+/// A language of the window, the panels and the lessons.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]
+pub enum Language {
+    #[default]
+    English,
+    Indonesian,
+    /// English between `[!!` and `!!]`: what a panel shows outside of these marks comes from no catalogue.
+    #[cfg(test)]
+    Pseudo,
+}
+
+impl Language {
+    pub const ALL: [Language; 2] = [Language::English, Language::Indonesian];
+
+    /// ISO 639-1.
+    pub fn code(self) -> &'static str {
+        match self {
+            Language::English => "en",
+            Language::Indonesian => "id",
+            #[cfg(test)]
+            Language::Pseudo => "qps",
+        }
+    }
+}
+
+/// A message of the catalogues, by its key.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Message(pub &'static str);
+
+impl Message {
+    /// The message without arguments. A key that the catalogue lacks stands for itself.
+    pub fn text(self, language: Language) -> &'static str {
+        catalogue::of(language).text(self.0).unwrap_or(self.0)
+    }
+
+    /// The message with its arguments put in, by name. Numbers come as text, already written as the language writes them;
+    /// a whole number without separators also selects the message's plural form.
+    pub fn format(self, language: Language, arguments: &[(&'static str, &str)]) -> String {
+        catalogue::of(language)
+            .format(self.0, arguments)
+            .unwrap_or_else(|| self.0.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FOCUS: Message = Message("focus-polygon");
+
+    #[test]
+    fn a_message_is_read_in_each_language() {
+        assert_eq!(
+            FOCUS.format(Language::English, &[("number", "3")]),
+            "polygon 3"
+        );
+        assert_eq!(
+            FOCUS.format(Language::Indonesian, &[("number", "3")]),
+            "poligon 3"
+        );
+        assert_eq!(
+            Message("focus-frame").text(Language::Indonesian),
+            "seluruh gambar"
+        );
+    }
+
+    #[test]
+    fn the_pseudo_language_marks_the_text_and_keeps_the_arguments_outside() {
+        assert_eq!(
+            FOCUS.format(Language::Pseudo, &[("number", "3")]),
+            "[!!polygon !!]3"
+        );
+        assert_eq!(
+            Message("focus-frame").text(Language::Pseudo),
+            "[!!the whole picture!!]"
+        );
+    }
+}

@@ -1,0 +1,74 @@
+//! What a whole run of a method does, counted by kinds of events, of which none is kept.
+
+use super::ray_casting::RayCasting;
+use super::ray_tracing::RayTracing;
+use super::wireframe::Wireframe;
+use super::{Draw, Method, ShadingMethod, Visitor};
+use crate::algorithms::focus::Focus;
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::radiosity::{self, RecordFilter};
+use crate::algorithms::visible::Bvh;
+use crate::record::Counter;
+
+/// The events of a whole run.
+pub struct Counted {
+    pub events: Counter,
+    /// Bytes of one event in a recording.
+    pub event_size: usize,
+}
+
+impl Method {
+    /// Counts the events of the whole frame, or of the solution of the room; none where the room has no patches.
+    pub fn count(self, prepared: &PreparedScene) -> Counted {
+        self.visit(Count { prepared })
+    }
+}
+
+struct Count<'a> {
+    prepared: &'a PreparedScene,
+}
+
+impl Count<'_> {
+    fn frame<M: Draw>(self) -> Counted {
+        let mut events = Counter::default();
+        let frame = &mut self.prepared.empty_frame();
+        M::draw(self.prepared, Focus::Frame, frame, Bvh, &mut events);
+        Counted {
+            events,
+            event_size: size_of::<M::Event>(),
+        }
+    }
+}
+
+impl Visitor for Count<'_> {
+    type Output = Counted;
+
+    fn wireframe(self) -> Counted {
+        self.frame::<Wireframe>()
+    }
+
+    fn shading<M: ShadingMethod>(self) -> Counted {
+        self.frame::<M>()
+    }
+
+    fn ray_casting(self) -> Counted {
+        self.frame::<RayCasting>()
+    }
+
+    fn ray_tracing(self) -> Counted {
+        self.frame::<RayTracing>()
+    }
+
+    fn radiosity(self) -> Counted {
+        let mut events = Counter::default();
+        if let Ok(enclosure) = self.prepared.enclosure() {
+            let matrix = enclosure.matrix_or(|| enclosure.form_factors().matrix());
+            // Why there is no solution, whoever needs one hears from `Enclosure::solve`.
+            let _ = enclosure.solve(matrix, &RecordFilter::default(), &mut events);
+        }
+        Counted {
+            events,
+            event_size: size_of::<radiosity::Event>(),
+        }
+    }
+}

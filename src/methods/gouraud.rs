@@ -1,0 +1,41 @@
+//! Gouraud shading: intensity interpolated from the vertices.
+
+use super::{Draw, Family, Properties, ShadingMethod, Visitor};
+use crate::algorithms::focus::Focus;
+use crate::algorithms::frame::Frame;
+use crate::algorithms::gouraud::{self as algorithm, gouraud};
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::visible::Search;
+use crate::record::Recorder;
+use crate::scene::Part;
+
+pub enum Gouraud {}
+
+impl Properties for Gouraud {
+    const NAME: &'static str = "gouraud";
+    const FAMILY: Family = Family::Polygons;
+
+    fn does(part: Part) -> bool {
+        matches!(part, Part::TextureCoordinates | Part::Highlights)
+    }
+
+    fn visit<V: Visitor>(visitor: V) -> V::Output {
+        visitor.shading::<Self>()
+    }
+}
+
+impl Draw for Gouraud {
+    type Event = algorithm::Event;
+
+    fn draw<R: Recorder<Self::Event>>(
+        prepared: &PreparedScene,
+        focus: Focus,
+        frame: &mut Frame,
+        _: impl Search,
+        recorder: &mut R,
+    ) {
+        gouraud(prepared, focus, frame, recorder);
+    }
+}
+
+impl ShadingMethod for Gouraud {}

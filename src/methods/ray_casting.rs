@@ -1,0 +1,62 @@
+//! Ray casting: the visible surface of each pixel, lit.
+
+use super::{Draw, Family, Properties, RayMethod, Visitor};
+use crate::algorithms::focus::Focus;
+use crate::algorithms::frame::Frame;
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::ray_casting::{self as algorithm, RayCaster, ray_casting};
+use crate::algorithms::visible::Search;
+use crate::color::Rgb;
+use crate::record::Recorder;
+use crate::scene::{Needs, Part};
+
+pub enum RayCasting {}
+
+impl Properties for RayCasting {
+    const NAME: &'static str = "ray-casting";
+    const FAMILY: Family = Family::Rays;
+
+    fn does(part: Part) -> bool {
+        part.concerns_primary_rays()
+    }
+
+    fn visit<V: Visitor>(visitor: V) -> V::Output {
+        visitor.ray_casting()
+    }
+}
+
+impl Draw for RayCasting {
+    type Event = algorithm::Event;
+
+    fn draw<R: Recorder<Self::Event>>(
+        prepared: &PreparedScene,
+        focus: Focus,
+        frame: &mut Frame,
+        search: impl Search,
+        recorder: &mut R,
+    ) {
+        let tracer = RayCaster::new(prepared, prepared.needs(), search);
+        ray_casting(&tracer, focus, frame, recorder);
+    }
+}
+
+impl RayMethod for RayCasting {
+    type Tracer<'a, S: Search + Sync + 'a> = RayCaster<'a, S>;
+
+    fn tracer<'a, S: Search + Sync>(
+        prepared: &'a PreparedScene,
+        needs: &'a Needs,
+        search: S,
+    ) -> RayCaster<'a, S> {
+        RayCaster::new(prepared, needs, search)
+    }
+
+    fn pixel<S: Search + Sync, R: Recorder<Self::Event>>(
+        tracer: &RayCaster<'_, S>,
+        x: u32,
+        y: u32,
+        recorder: &mut R,
+    ) -> Rgb {
+        tracer.pixel(x, y, recorder)
+    }
+}

@@ -1,0 +1,62 @@
+//! Ray tracing: shadows, reflection and refraction.
+
+use super::{Draw, Family, Properties, RayMethod, Visitor};
+use crate::algorithms::focus::Focus;
+use crate::algorithms::frame::Frame;
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::ray_tracing::{self as algorithm, RayTracer, ray_tracing};
+use crate::algorithms::visible::Search;
+use crate::color::Rgb;
+use crate::record::Recorder;
+use crate::scene::{Needs, Part};
+
+pub enum RayTracing {}
+
+impl Properties for RayTracing {
+    const NAME: &'static str = "ray-tracing";
+    const FAMILY: Family = Family::Rays;
+
+    fn does(part: Part) -> bool {
+        !part.concerns_patches()
+    }
+
+    fn visit<V: Visitor>(visitor: V) -> V::Output {
+        visitor.ray_tracing()
+    }
+}
+
+impl Draw for RayTracing {
+    type Event = algorithm::Event;
+
+    fn draw<R: Recorder<Self::Event>>(
+        prepared: &PreparedScene,
+        focus: Focus,
+        frame: &mut Frame,
+        search: impl Search,
+        recorder: &mut R,
+    ) {
+        let tracer = RayTracer::new(prepared, prepared.needs(), search);
+        ray_tracing(&tracer, focus, frame, recorder);
+    }
+}
+
+impl RayMethod for RayTracing {
+    type Tracer<'a, S: Search + Sync + 'a> = RayTracer<'a, S>;
+
+    fn tracer<'a, S: Search + Sync>(
+        prepared: &'a PreparedScene,
+        needs: &'a Needs,
+        search: S,
+    ) -> RayTracer<'a, S> {
+        RayTracer::new(prepared, needs, search)
+    }
+
+    fn pixel<S: Search + Sync, R: Recorder<Self::Event>>(
+        tracer: &RayTracer<'_, S>,
+        x: u32,
+        y: u32,
+        recorder: &mut R,
+    ) -> Rgb {
+        tracer.pixel(x, y, recorder)
+    }
+}

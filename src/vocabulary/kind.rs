@@ -1,0 +1,28 @@
+//! A kind of event, as it is declared.
+
+use super::entry::{Entry, Sentence};
+use super::quantity::Quantity;
+
+#[derive(Debug)]
+pub struct Kind {
+    /// As search, lessons and `steps` write it: `EdgeInterpolated`.
+    pub name: &'static str,
+    /// All values that an event of this kind may have, in their order.
+    pub quantities: &'static [Quantity],
+    /// The labels of the lines of pseudocode that it carries out: one, or two of which the event chooses.
+    pub labels: &'static [&'static str],
+    /// What the scope is called that such an event opens.
+    pub scope: Option<Sentence>,
+    /// The value that tells the scope from its neighbours.
+    pub number: Option<&'static str>,
+    /// The first that fits says what the step does.
+    pub entries: &'static [Entry],
+}
+
+impl Kind {
+    pub fn quantity(&self, name: &str) -> Option<&'static Quantity> {
+        self.quantities
+            .iter()
+            .find(|quantity| quantity.name == name)
+    }
+}
