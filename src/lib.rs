@@ -21,6 +21,7 @@
 //! | [`render`] | a whole frame or a whole matrix of form factors, unrecorded, on all cores; frames all at once or coarse first; spans in lanes of f32 ([`render::lanes`]) |
 //! | [`replay`] | timelines with checkpoints, walking, searching; the state of each algorithm at a step |
 //! | [`picture`] | display lists with tags, text, themes, and their rasteriser; uses [`color`] alone |
+//! | [`figure`] | plot areas and colour scales, for panels and studies; uses [`picture`], [`color`] and [`numeric`] alone |
 //! | [`panels`] | one file a panel: what it draws of a run at its step |
 //! | [`lesson`] | lesson files, tied to the steps of their run |
 //! | [`study`] | error against run time, how work grows, and what the algorithms make of what is stiff, extreme or wrong |
@@ -71,6 +72,7 @@ pub mod app;
 pub mod color;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod commands;
+pub mod figure;
 pub mod language;
 pub mod lesson;
 pub mod methods;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Floors in one row may use each other.
-const FLOORS: [&[&str]; 14] = [
+const FLOORS: [&[&str]; 15] = [
     &["color", "language", "numeric"],
     &["record"],
     &["scene"],
@@ -14,6 +14,7 @@ const FLOORS: [&[&str]; 14] = [
     &["render"],
     &["replay"],
     &["picture"],
+    &["figure"],
     &["panels"],
     &["lesson"],
     &["study"],
@@ -23,6 +24,9 @@ const FLOORS: [&[&str]; 14] = [
 
 /// What `picture` may use, although it stands lower: it knows no algorithm.
 const OF_PICTURE: [&str; 2] = ["color", "picture"];
+
+/// What `figure` may use: values come in ready to be drawn.
+const OF_FIGURE: [&str; 4] = ["color", "figure", "numeric", "picture"];
 
 fn level(floor: &str) -> Option<usize> {
     FLOORS.iter().position(|row| row.contains(&floor))
@@ -88,6 +92,7 @@ fn faults(floor: &str, source: &str) -> Vec<String> {
         .into_iter()
         .filter(|named| match level(named) {
             Some(_) if floor == "picture" => !OF_PICTURE.contains(&named.as_str()),
+            Some(_) if floor == "figure" => !OF_FIGURE.contains(&named.as_str()),
             Some(used) => used > own,
             None => panic!("src/{floor} names crate::{named}, which is no floor"),
         })
@@ -177,6 +182,7 @@ fn the_check_sees_what_it_should() {
         ["panels"]
     );
     assert_eq!(faults("picture", "crate::scene::Mesh"), ["scene"]);
+    assert_eq!(faults("figure", "crate::replay::Run"), ["replay"]);
     assert_eq!(
         faults("lesson", "crate::panels::Panel, crate::color::Rgb"),
         [""; 0]

@@ -2,12 +2,12 @@
 //! the slide's, and both against the distance of the light.
 
 use super::PanelInput;
-use super::log_axes::LogAxes;
 use super::message::{NO_STEPS, message};
 use super::values::{short, told_in_words};
 use crate::algorithms::illumination::{attenuation, slide_factor};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
+use crate::figure::LogAxes;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, symbol};
 use crate::record::Value;

@@ -2,7 +2,6 @@
 
 mod draw;
 mod grid;
-mod viridis;
 
 use super::PanelInput;
 use super::message::{NO_PATCHES, NO_STEPS, message};

@@ -16,7 +16,6 @@ mod illumination;
 mod image;
 mod inspector;
 pub(crate) mod labels;
-mod log_axes;
 mod matrix;
 mod message;
 mod names;

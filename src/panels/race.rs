@@ -3,11 +3,11 @@
 
 use super::PanelInput;
 use super::labels::Labels;
-use super::log_axes::LogAxes;
 use super::message::{NO_PATCHES, message};
 use super::values::told_in_words;
 use crate::algorithms::radiosity::race::{Lap, Race, Racer};
 use crate::algorithms::radiosity::{Solver, Unsolved};
+use crate::figure::LogAxes;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide, number};
 use crate::replay::Run;

@@ -1,9 +1,9 @@
 //! The map, what is marked in it, and what stands around it.
 
 use super::grid::Grid;
-use super::viridis::viridis;
 use super::{Hand, Layout};
 use crate::algorithms::radiosity::SolverEvent;
+use crate::figure::viridis;
 use crate::picture::{Image, Ink, Paint, Picture, Rect, Style, Tag, elide, fixed, number};
 use std::ops::Range;
 

@@ -1,6 +1,6 @@
 //! The matrix in as many cells as there is room for, and the scale of its colours.
 
-use super::viridis::viridis;
+use crate::figure::viridis;
 use crate::picture::{Image, Rect};
 use std::ops::Range;
 

@@ -133,30 +133,14 @@ impl Unshot {
     }
 }
 
-/// Smith & van der Walt's scale of 2015, from 0 to 1, between nine of its colours.
+/// The colour at `share` of the scale of unshot light, from 0 to 1.
 pub(super) fn viridis(share: f64) -> Rgb {
-    const COLORS: [u32; 9] = [
-        0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c, 0x28ae80, 0x5ec962, 0xaddc30, 0xfde725,
-    ];
-    let at = share.clamp(0.0, 1.0) * (COLORS.len() - 1) as f64;
-    let first = (at as usize).min(COLORS.len() - 2);
-    let part = at - first as f64;
-    let [from, to] = [first, first + 1].map(|i| COLORS[i].to_be_bytes());
-    let mixed = |c: usize| f64::from(from[c]) * (1.0 - part) + f64::from(to[c]) * part;
-    Rgb::from_srgb8([1, 2, 3].map(|c| mixed(c).round() as u8))
+    Rgb::from_srgb8(crate::figure::viridis(share))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_scale_grows_brighter_all_along() {
-        let luminance = |step: u32| viridis(f64::from(step) / 64.0).luminance();
-        assert!((0..64).all(|step| luminance(step) < luminance(step + 1)));
-        assert_eq!(viridis(1.0).to_srgb8(), [0xfd, 0xe7, 0x25]);
-        assert_eq!(viridis(0.5).to_srgb8(), [0x21, 0x91, 0x8c]);
-    }
 
     #[test]
     fn few_bright_patches_do_not_darken_the_rest() {

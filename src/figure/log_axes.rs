@@ -1,4 +1,4 @@
-//! A field with logarithmic axes, powers of ten on both.
+//! A plot area with logarithmic axes, powers of ten on both.
 
 use crate::picture::{Ink, Picture, Rect, Style, Text, power_of_ten};
 use glam::Vec2;
@@ -10,7 +10,7 @@ const TICKS_APART: f32 = 22.0;
 const TICKS_BESIDE: f32 = 34.0;
 
 /// Where powers of ten lie; what is smaller or larger lies on the border.
-pub(super) struct LogAxes {
+pub struct LogAxes {
     /// The field, without numbers and names.
     pub place: Rect,
     x: [i32; 2],

@@ -39,5 +39,7 @@ mod tests {
         };
         assert!((1..=100).all(|i| luma(i) > luma(i - 1)));
         assert_eq!(viridis(f64::NAN.max(0.0)), COLORS[0]);
+        assert_eq!(viridis(0.5), [0x21, 0x91, 0x8c]);
+        assert_eq!(viridis(1.0), [0xfd, 0xe7, 0x25]);
     }
 }
