@@ -92,6 +92,7 @@ pub enum FocusFile {
 pub struct StepFile {
     /// The first such event behind the narrated step before.
     pub at: Query,
+    #[serde(rename = "say")]
     pub localize: Text,
     /// What the lecture's slide prints, where it differs from the standard form.
     #[serde(default, deserialize_with = "present")]
