@@ -88,7 +88,7 @@ impl Image {
     }
 
     /// The bytes of a row of pixels, counted from the top.
-    pub(super) fn row(&self, y: usize) -> &[u8] {
+    pub fn row(&self, y: usize) -> &[u8] {
         let bytes = self.width as usize * self.channels();
         &self.pixels[y * bytes..(y + 1) * bytes]
     }

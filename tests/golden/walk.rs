@@ -1,0 +1,87 @@
+//! A lesson with all that its panels need, for a walk through its narrated steps.
+
+use lightwalk::algorithms::frame::Frame;
+use lightwalk::lesson::{OpenLesson, builtin};
+use lightwalk::panels::strings::Language;
+use lightwalk::panels::{Panel, PanelInput, TreeView, draw};
+use lightwalk::picture::Picture;
+use lightwalk::render::compare::{Compared, compare_on};
+use lightwalk::render::render;
+use std::num::NonZeroUsize;
+
+pub struct Walk {
+    pub open: OpenLesson,
+    pub narrated: Vec<usize>,
+    finished: Frame,
+    compared: Vec<Compared>,
+}
+
+impl Walk {
+    pub fn of(lesson: &str) -> Walk {
+        let open = builtin(lesson).unwrap().read().unwrap().open().unwrap();
+        let finished = render(
+            &open.prepared,
+            open.lesson.method,
+            NonZeroUsize::MIN,
+            &|_, _| {},
+        );
+        // Run times are measured by a clock that ticks each time it is read: the same on every machine.
+        let mut ticks = 0.0;
+        let mut clock = || {
+            ticks += 1e-5;
+            ticks
+        };
+        if open.lesson.panels.contains(&Panel::Race) {
+            let enclosure = open.prepared.enclosure().unwrap();
+            enclosure
+                .race_or(enclosure.matrix().unwrap(), &mut clock)
+                .unwrap();
+        }
+        let methods = open.lesson.compare.iter();
+        let compared = methods
+            .map(|&method| compare_on(&open.prepared, method, &mut clock))
+            .collect();
+        let narrated = open.narrated.iter().map(|narrated| narrated.step).collect();
+        Walk {
+            open,
+            narrated,
+            finished,
+            compared,
+        }
+    }
+
+    /// The lesson's own panels, and those that stand beside every lesson.
+    pub fn panels(&self) -> Vec<Panel> {
+        let mut panels = self.open.lesson.panels.clone();
+        panels.extend([Panel::Code, Panel::Formula, Panel::TimeLine]);
+        panels
+    }
+
+    /// A panel at a narrated step, in a usual size divided by `shrink`.
+    pub fn panel(
+        &mut self,
+        index: usize,
+        panel: Panel,
+        language: Language,
+        shrink: f32,
+    ) -> Picture {
+        self.open.run.walk_mut().seek(self.narrated[index]);
+        let input = PanelInput {
+            run: &self.open.run,
+            finished: &self.finished,
+            compared: &self.compared,
+            focus: self.open.lesson.focus,
+            language,
+            narrated: &self.narrated,
+            breakpoints: &[],
+            tree: TreeView::whole(),
+            smooth: self.open.prepared.radiosity.smooth,
+        };
+        let size = if panel == Panel::TimeLine {
+            (800.0 / shrink, 130.0 / shrink)
+        } else {
+            (380.0 / shrink, 280.0 / shrink)
+        };
+        draw(panel, &input, size.into())
+    }
+}
