@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 /// Floors in one row may use each other.
 const FLOORS: [&[&str]; 15] = [
     &["color", "language", "numeric"],
+    &["picture"],
+    &["figure"],
     &["record"],
     &["scene"],
     &["algorithms"],
@@ -13,8 +15,6 @@ const FLOORS: [&[&str]; 15] = [
     &["methods"],
     &["render"],
     &["replay"],
-    &["picture"],
-    &["figure"],
     &["panels"],
     &["lesson"],
     &["study"],
@@ -22,7 +22,7 @@ const FLOORS: [&[&str]; 15] = [
     &["commands"],
 ];
 
-/// What `picture` may use, although it stands lower: it knows no algorithm.
+/// What `picture` may use: it knows no algorithm.
 const OF_PICTURE: [&str; 2] = ["color", "picture"];
 
 /// What `figure` may use: values come in ready to be drawn.
