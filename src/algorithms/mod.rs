@@ -20,7 +20,7 @@
 //! | [`radiosity`] | solvers of the radiosity system: gathering, shooting, Chebyshev, conjugate gradients, LU | Goral et al. 1984, Cohen et al. 1988 |
 //! | [`enclosure`], [`enclosure_needs`], [`patch_view`] | a scene's patches with their form factors and light, and the picture of it | Cohen & Greenberg 1985 |
 //!
-//! [`prepared`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
+//! [`prepared_scene`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
 
 pub mod enclosure;
 pub mod enclosure_needs;

@@ -5,6 +5,7 @@ use lightwalk::color::Rgb;
 use lightwalk::numeric::Random;
 use lightwalk::record::{Event, Fields, Line, Listing, Recorder, Recording, RecordingLimit};
 use lightwalk::replay::{Canvas, Fold, Query, Replay, Timeline, query};
+use lightwalk::vocabulary::{Declared, Kind};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -86,7 +87,7 @@ impl Event for Drawn {
     fn line(&self) -> Line {
         static LISTING: Listing = Listing {
             name: "spans",
-            lines: &["draw"],
+            lines: &[("draw", "draw")],
         };
         Line {
             listing: &LISTING,
@@ -102,6 +103,39 @@ impl Event for Drawn {
                 fields.push("x", x).push("y", y).push("depth", depth)
             }
         };
+    }
+}
+
+impl Declared for Drawn {
+    fn kind(&self) -> &'static Kind {
+        const fn kind(name: &'static str) -> Kind {
+            Kind {
+                name,
+                quantities: &[],
+                labels: &[],
+                scope: None,
+                number: None,
+                entries: &[],
+            }
+        }
+        static KINDS: [Kind; 4] = [
+            kind("Span"),
+            kind("Interpolated"),
+            kind("DepthTested"),
+            kind("Pixel"),
+        ];
+        match self {
+            Drawn::Span { .. } => &KINDS[0],
+            Drawn::Interpolated { .. } => &KINDS[1],
+            Drawn::DepthTested { .. } => &KINDS[2],
+            Drawn::Pixel { .. } => &KINDS[3],
+        }
+    }
+    fn label(&self) -> &'static str {
+        "draw"
+    }
+    fn push_fields(&self, fields: &mut Fields) {
+        self.fields(fields);
     }
 }
 

@@ -7,7 +7,7 @@
 //! | [`contour`] | the double contour integral | Sparrow 1963 |
 //! | [`monte_carlo`] | rays of a cosine distribution | Malley 1988 |
 //! | [`hemicube`] | a half cube of pixels | Cohen & Greenberg 1985 |
-//! | [`auto`], [`far`] | the cheapest of the first three that is exact enough | |
+//! | [`auto`], [`far_field`] | the cheapest of the first three that is exact enough | |
 //!
 //! The first three and their choice compute the exchange A_i F_ij = A_j F_ji (reciprocity), once a pair, between those parts of the patches
 //! that lie in front of each other. [`visibility`] says how much of it passes what stands between.
