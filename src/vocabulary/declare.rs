@@ -94,6 +94,7 @@ macro_rules! vocabulary {
                 [$($crate::vocabulary::entry::says $scope)?], [$($($field)+)*], [$($entry),*])
         ),*];
 
+        // A declaration binds its values once, and each of the three functions uses some of them only.
         impl<$($generics)*> $crate::vocabulary::Declared for $event {
             #[allow(unused_variables)]
             fn kind(&self) -> &'static $crate::vocabulary::Kind {

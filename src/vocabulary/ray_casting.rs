@@ -1,8 +1,7 @@
 //! Rays that end at the first surface.
 
 use super::Declared;
-use super::entry::{When, entry, is, only};
-use super::ray_tree::RAY;
+use super::entry::{entry, is};
 use crate::algorithms::ray_casting::{Event, PSEUDOCODE};
 use crate::algorithms::{illumination, primary};
 use crate::record::{self, Fields, Line};
@@ -21,24 +20,6 @@ vocabulary! {
             "u" = ray.direction,
         }
         [
-            only(
-                When::Is("ray", "reflected"),
-                "The reflected ray begins, at level {level}: it starts at the surface and goes the way R.",
-                "Sinar pantul dimulai, pada tingkat {level}: dari permukaan ke arah R.",
-                RAY,
-            ),
-            only(
-                When::Is("ray", "transmitted"),
-                "The transmitted ray begins, at level {level}: it passes the surface and goes the way T.",
-                "Sinar bias dimulai, pada tingkat {level}: menembus permukaan ke arah T.",
-                RAY,
-            ),
-            only(
-                When::Is("ray", "total_internal_reflection"),
-                "Nothing passed the surface: this ray, at level {level}, is its total internal reflection.",
-                "Tidak ada yang menembus permukaan: sinar ini, pada tingkat {level}, adalah pantulan internal totalnya.",
-                RAY,
-            ),
             entry(
                 "The primary ray begins at the eye O and goes through P_s, the point on the screen; u is its unit direction.",
                 "Sinar primer mulai dari mata O melewati P_s, titik di layar; u arah satuannya.",

@@ -252,6 +252,6 @@ vocabulary! {
         ];
 }
 
-pub(super) const RAY: &[Formula] = &[is("{O}"), is("{u}")];
+const RAY: &[Formula] = &[is("{O}"), is("{u}")];
 const COSINE: &str = "{cos2_theta_r} = 1 − ([{η_i=eta_i}; {η_r=eta_r}])^2 (1 − ({cos_theta_i})^2)";
 const ANGLE: &str = "{θ_r in °=theta_r_degrees} = arccos √{cos2_theta_r}";
