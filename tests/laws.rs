@@ -11,13 +11,14 @@ use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::gouraud::gouraud;
 use lightwalk::algorithms::phong::phong;
 use lightwalk::algorithms::prepared_scene::PreparedScene;
-use lightwalk::algorithms::ray_casting::{RayCaster, ray_casting};
-use lightwalk::algorithms::ray_tracing::{RayTracer, ray_tracing};
 use lightwalk::algorithms::visible::BruteForce;
-use lightwalk::algorithms::wireframe::wireframe;
+use lightwalk::methods::ray_casting::RayCasting;
+use lightwalk::methods::ray_tracing::RayTracing;
+use lightwalk::methods::wireframe::Wireframe;
+use lightwalk::methods::{Draw, ShadingMethod, Visitor};
 use lightwalk::record::{Recording, RecordingLimit, Unrecorded};
 use lightwalk::render::{Cancelled, Method, preview, render};
-use lightwalk::replay::{Canvas, Run, Walk};
+use lightwalk::replay::{Run, Walk};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -27,7 +28,7 @@ fn unrecorded(prepared: &PreparedScene, method: Method) -> Frame {
     render(prepared, method, ONE, &|_, _| {})
 }
 
-/// The methods whose runs tell of pixels.
+/// The methods that draw pixels.
 const PIXEL_BY_PIXEL: [Method; 8] = [
     Method::Wireframe,
     Method::Flat,
@@ -39,62 +40,62 @@ const PIXEL_BY_PIXEL: [Method; 8] = [
     Method::RayTracing,
 ];
 
-/// The frame that a recorded run draws, and how many steps it kept.
+/// The frame that a recorded run draws, how many steps it kept, and whether it met its limit.
 fn recorded(
     prepared: &PreparedScene,
     method: Method,
     focus: Focus,
     limit: RecordingLimit,
 ) -> (Frame, usize, bool) {
-    let mut frame = Frame::new(
-        prepared.view.width,
-        0..prepared.view.height,
-        prepared.scene.background,
-    );
-    match method {
-        Method::Wireframe => {
-            let mut recording = Recording::new(limit);
-            wireframe(prepared, focus, &mut frame, &mut recording);
-            (frame, recording.len(), recording.truncated())
-        }
-        Method::Flat => {
-            let mut recording = Recording::new(limit);
-            flat(prepared, focus, &mut frame, &mut recording);
-            (frame, recording.len(), recording.truncated())
-        }
-        Method::Gouraud => {
-            let mut recording = Recording::new(limit);
-            gouraud(prepared, focus, &mut frame, &mut recording);
-            (frame, recording.len(), recording.truncated())
-        }
-        Method::Exact => {
-            let mut recording = Recording::new(limit);
-            exact(prepared, focus, &mut frame, &mut recording);
-            (frame, recording.len(), recording.truncated())
-        }
-        Method::Phong => {
-            let mut recording = Recording::new(limit);
-            phong(prepared, focus, &mut frame, &mut recording);
-            (frame, recording.len(), recording.truncated())
-        }
-        Method::FastPhong => {
-            let mut recording = Recording::new(limit);
-            fast_phong(prepared, focus, &mut frame, &mut recording);
-            (frame, recording.len(), recording.truncated())
-        }
-        Method::RayCasting => {
-            let mut recording = Recording::new(limit);
-            let caster = RayCaster::new(prepared, prepared.needs(), BruteForce);
-            ray_casting(&caster, focus, &mut frame, &mut recording);
-            (frame, recording.len(), recording.truncated())
-        }
-        Method::RayTracing => {
-            let mut recording = Recording::new(limit);
-            let tracer = RayTracer::new(prepared, prepared.needs(), BruteForce);
-            ray_tracing(&tracer, focus, &mut frame, &mut recording);
-            (frame, recording.len(), recording.truncated())
-        }
-        Method::Radiosity => unreachable!("it tells of patches, not of pixels"),
+    method.visit(Recorded {
+        prepared,
+        focus,
+        limit,
+    })
+}
+
+struct Recorded<'a> {
+    prepared: &'a PreparedScene,
+    focus: Focus,
+    limit: RecordingLimit,
+}
+
+impl Recorded<'_> {
+    fn draw<M: Draw>(self) -> (Frame, usize, bool) {
+        let mut recording = Recording::new(self.limit);
+        let mut frame = self.prepared.empty_frame();
+        M::draw(
+            self.prepared,
+            self.focus,
+            &mut frame,
+            BruteForce,
+            &mut recording,
+        );
+        (frame, recording.len(), recording.truncated())
+    }
+}
+
+impl Visitor for Recorded<'_> {
+    type Output = (Frame, usize, bool);
+
+    fn wireframe(self) -> Self::Output {
+        self.draw::<Wireframe>()
+    }
+
+    fn shading<M: ShadingMethod>(self) -> Self::Output {
+        self.draw::<M>()
+    }
+
+    fn ray_casting(self) -> Self::Output {
+        self.draw::<RayCasting>()
+    }
+
+    fn ray_tracing(self) -> Self::Output {
+        self.draw::<RayTracing>()
+    }
+
+    fn radiosity(self) -> Self::Output {
+        unreachable!("radiosity draws no pixels")
     }
 }
 
@@ -233,20 +234,8 @@ fn the_polygons_drawn_one_by_one_make_the_frame() {
 }
 
 fn canvas_of(run: &Run) -> Vec<lightwalk::color::Rgb> {
-    fn colors(canvas: &Canvas<lightwalk::replay::shading::Dot>) -> Vec<lightwalk::color::Rgb> {
-        canvas.iter().map(|dot| dot.color).collect()
-    }
-    match run {
-        Run::Wireframe(replay) => colors(&replay.state().canvas),
-        Run::Flat(replay) => colors(&replay.state().canvas),
-        Run::Gouraud(replay) => colors(&replay.state().canvas),
-        Run::Phong(replay) => colors(&replay.state().canvas),
-        Run::FastPhong(replay) => colors(&replay.state().canvas),
-        Run::Exact(replay) => colors(&replay.state().canvas),
-        Run::RayCasting(replay) => colors(&replay.state().canvas),
-        Run::RayTracing(replay) => colors(&replay.state().canvas),
-        Run::Radiosity(..) | Run::FormFactor(..) => unreachable!("they draw no pixels"),
-    }
+    let canvas = run.canvas().expect("its run draws pixels");
+    canvas.iter().map(|dot| dot.color).collect()
 }
 
 #[test]

@@ -10,7 +10,7 @@ use super::prepared_scene::{self, PreparedScene};
 use super::scan_line::{Carried, Names};
 use super::shading::{self, Shading, pixel_point};
 use crate::numeric::Linear;
-use crate::record::{Fields, Listing, Recorder};
+use crate::record::{Listing, Recorder, Value};
 use glam::DVec3;
 use std::ops::{Add, Mul, Sub};
 
@@ -84,7 +84,9 @@ pub struct Nothing;
 
 impl Carried for Nothing {
     const NAMES: Option<&'static Names> = None;
-    fn tell(self, _: &'static str, _: &mut Fields) {}
+    fn value(self) -> Option<Value> {
+        None
+    }
 }
 
 impl Linear for Nothing {}

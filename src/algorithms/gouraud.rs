@@ -16,7 +16,7 @@ use super::scan_line::{Carried, Names};
 use super::shading::{self, OnceAVertex, Shading, pixel_point};
 use super::vertex_normal::vertex_normal;
 use crate::color::Rgb;
-use crate::record::{Fields, Listing, Recorder};
+use crate::record::{Listing, Recorder, Value};
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "Gouraud",
@@ -108,8 +108,8 @@ impl Carried for Rgb {
         step: "dI_dy",
     });
 
-    fn tell(self, name: &'static str, fields: &mut Fields) {
-        fields.push(name, self);
+    fn value(self) -> Option<Value> {
+        Some(self.into())
     }
 }
 

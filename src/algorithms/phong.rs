@@ -14,7 +14,7 @@ use super::scan_line::{Carried, Fragment, Names};
 use super::shading::{self, OnceAVertex, Shading, pixel_point};
 use super::texture::AtPixel;
 use super::vertex_normal::{VANISHED, vertex_normal};
-use crate::record::{Fields, Listing, Recorder};
+use crate::record::{Listing, Recorder, Value};
 use glam::DVec3;
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -157,8 +157,8 @@ impl Carried for DVec3 {
         step: "dN_dy",
     });
 
-    fn tell(self, name: &'static str, fields: &mut Fields) {
-        fields.push(name, self);
+    fn value(self) -> Option<Value> {
+        Some(self.into())
     }
 }
 

@@ -22,6 +22,7 @@ use crate::algorithms::visible::Search;
 use crate::color::Rgb;
 use crate::record::{self, Recorder};
 use crate::scene::{Needs, Part};
+use crate::vocabulary::Declared;
 
 pub use count::Counted;
 
@@ -64,7 +65,7 @@ pub trait Properties {
 
 /// A method that draws pixels into a frame.
 pub trait Draw {
-    type Event: record::Event;
+    type Event: record::Event + Declared;
 
     /// Draws what `focus` takes of the frame. `search` finds what a ray meets, where the method follows rays.
     fn draw<R: Recorder<Self::Event>>(

@@ -4,8 +4,7 @@ mod columns;
 
 use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
-use super::values::{told_in_words, value_of};
-use crate::algorithms::scan_line::Carried;
+use super::values::told_in_words;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, fixed};
 use crate::record::Value;
@@ -32,13 +31,9 @@ const MORE: Message = Message("active-edges-more");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = match input.run {
-        Run::Gouraud(replay) => table(input, replay.state(), size),
-        Run::Phong(replay) => table(input, replay.state(), size),
-        Run::FastPhong(replay) => table(input, replay.state(), size),
-        Run::Exact(replay) => table(input, replay.state(), size),
-        Run::Flat(replay) => table(input, replay.state(), size),
+        Run::Shading(_, replay) => table(input, replay.state(), size),
         Run::Wireframe(_) => message(NO_TABLE, input.language, size),
-        Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
+        Run::Rays(..) | Run::Radiosity(..) | Run::FormFactor(..) => {
             message(NO_POLYGONS, input.language, size)
         }
     };
@@ -64,7 +59,7 @@ struct Row {
     cells: [String; 7],
 }
 
-fn table<A: Carried>(input: &PanelInput, state: &State<A>, size: Vec2) -> Picture {
+fn table(input: &PanelInput, state: &State, size: Vec2) -> Picture {
     if state.edges.is_empty() {
         return message(NO_EDGES, input.language, size);
     }
@@ -75,7 +70,7 @@ fn table<A: Carried>(input: &PanelInput, state: &State<A>, size: Vec2) -> Pictur
         .enumerate()
         .map(|(index, edge)| row(edge, y, state.edge == Some(index), input.language))
         .collect();
-    let titles = titles::<A>(input.language);
+    let titles = titles(state, input.language);
     let columns = columns(&titles, &rows, size.x - 2.0 * MARGIN);
     let mut picture = Picture::new(size.x, size.y);
 
@@ -124,7 +119,7 @@ fn table<A: Carried>(input: &PanelInput, state: &State<A>, size: Vec2) -> Pictur
 }
 
 /// The scan line in hand; as it is left, the one that was.
-fn current_row<A>(walk: &dyn Walk, state: &State<A>) -> Option<u32> {
+fn current_row(walk: &dyn Walk, state: &State) -> Option<u32> {
     let recorded = || match walk.fields(walk.position()).get("y") {
         Some(Value::Integer(y)) => u32::try_from(y).ok(),
         _ => None,
@@ -132,7 +127,7 @@ fn current_row<A>(walk: &dyn Walk, state: &State<A>) -> Option<u32> {
     state.scan_line.map(|row| row.y).or_else(recorded)
 }
 
-fn row<A: Carried>(edge: &ActiveEdge<A>, y: Option<u32>, current: bool, language: Language) -> Row {
+fn row(edge: &ActiveEdge, y: Option<u32>, current: bool, language: Language) -> Row {
     let turn = match y {
         Some(y) if y >= edge.end => Turn::Done,
         Some(y) if y >= edge.first => Turn::Active,
@@ -141,13 +136,13 @@ fn row<A: Carried>(edge: &ActiveEdge<A>, y: Option<u32>, current: bool, language
     let cut = edge.cut.as_ref();
     let carried = cut
         .and_then(|cut| cut.values)
-        .and_then(|(_, incremental)| value_of(incremental));
+        .map(|values| values.incremental);
     let yet = match turn {
         Turn::Waits => WAITS.text(language),
         Turn::Done => DONE.text(language),
         Turn::Active => "–",
     };
-    let step = value_of(edge.value_step);
+    let step = edge.value_step;
     let numbers = |value| numbers(value, 3);
     Row {
         number: edge.edge as usize,
@@ -179,8 +174,8 @@ fn numbers(value: Value, digits: usize) -> String {
     }
 }
 
-fn titles<A: Carried>(language: Language) -> [String; 7] {
-    let carried = A::NAMES.map_or("", |names| names.corner);
+fn titles(state: &State, language: Language) -> [String; 7] {
+    let carried = state.varying.map_or("", |varying| varying.names.corner);
     let step = match carried {
         "" => String::new(),
         name => format!("Δ{name}/{}", A_LINE.text(language)),

@@ -64,7 +64,7 @@ impl Fit {
 }
 
 /// The corners of the polygon in hand on the screen: as they were told, and before that as the stage has them.
-pub(super) fn outline<A>(state: &State<A>) -> Vec<DVec2> {
+pub(super) fn outline(state: &State) -> Vec<DVec2> {
     if !state.edges.is_empty() {
         let corners = state.corners.iter();
         return corners

@@ -299,10 +299,8 @@ pub fn rays(method: Method, samples: u32) -> Fixture {
 /// A run with no steps: there is no room to record any.
 pub fn nothing() -> Fixture {
     let mut fixture = fixtures(Method::Gouraud);
-    if let Run::Gouraud(replay) = &fixture.run {
-        let prepared = replay.state().prepared.clone();
-        fixture.run = Run::record(prepared, Method::Gouraud, Focus::Frame, RecordingLimit(0));
-    }
+    let prepared = fixture.run.prepared().clone();
+    fixture.run = Run::record(prepared, Method::Gouraud, Focus::Frame, RecordingLimit(0));
     fixture
 }
 

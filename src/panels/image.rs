@@ -33,13 +33,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
     let marks = match input.run {
         Run::Wireframe(replay) => Marks::of_wireframe(replay.state()),
-        Run::Flat(replay) => Marks::of_shading(replay.state()),
-        Run::Gouraud(replay) => Marks::of_shading(replay.state()),
-        Run::Phong(replay) => Marks::of_shading(replay.state()),
-        Run::FastPhong(replay) => Marks::of_shading(replay.state()),
-        Run::Exact(replay) => Marks::of_shading(replay.state()),
-        Run::RayCasting(replay) => Marks::of_rays(replay.state()),
-        Run::RayTracing(replay) => Marks::of_rays(replay.state()),
+        Run::Shading(_, replay) => Marks::of_shading(replay.state()),
+        Run::Rays(_, replay) => Marks::of_rays(replay.state()),
         Run::Radiosity(..) | Run::FormFactor(..) => return finished(input, size),
     };
     let (canvas, background) = (marks.canvas, marks.prepared.scene.background);
@@ -114,7 +109,7 @@ fn image(input: &PanelInput, canvas: &Canvas<Dot>, background: Rgb) -> (Image, u
     let ground = background.to_srgb8();
     let mut bytes = vec![0; 3 * canvas.width() * canvas.height()];
     let (pixels, _) = bytes.as_chunks_mut();
-    let follows_rays = matches!(input.run, Run::RayCasting(_) | Run::RayTracing(_));
+    let follows_rays = matches!(input.run, Run::Rays(..));
     let around = follows_rays && matches!(input.focus, Focus::Pixel { .. });
     let mut both = iter::zip(pixels, &input.finished.color);
     let mut drawn = 0;

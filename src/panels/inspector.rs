@@ -174,7 +174,7 @@ impl Layout {
     ) -> Self {
         let walk = input.run.walk();
         let strings = |strings: Words| strings.in_language(input.language);
-        let prepared = names::prepared(input.run);
+        let prepared = input.run.prepared();
         let value = |field: Field| {
             let value = shown(field.value, decimals, input.language);
             match names::of_field(prepared, field.name, field.value, input.language) {

@@ -4,7 +4,7 @@ use super::strings::{Language, Words};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::record::Value;
-use crate::replay::{Run, Walk};
+use crate::replay::Walk;
 use crate::scene::Light;
 
 const POINT: Words = Words::new("point light", "cahaya titik");
@@ -61,21 +61,6 @@ const WORDS: [(&str, Words); 11] = [
 pub(super) fn word(word: &'static str, language: Language) -> &'static str {
     let known = WORDS.iter().find(|(recorded, _)| *recorded == word);
     known.map_or(word, |(_, strings)| strings.in_language(language))
-}
-
-/// What the run shows.
-pub(super) fn prepared(run: &Run) -> &PreparedScene {
-    match run {
-        Run::Wireframe(replay) => &replay.state().prepared,
-        Run::Flat(replay) => &replay.state().prepared,
-        Run::Gouraud(replay) => &replay.state().prepared,
-        Run::Phong(replay) => &replay.state().prepared,
-        Run::FastPhong(replay) => &replay.state().prepared,
-        Run::Exact(replay) => &replay.state().prepared,
-        Run::RayCasting(replay) => &replay.state().prepared,
-        Run::RayTracing(replay) => &replay.state().prepared,
-        Run::Radiosity(prepared, _) | Run::FormFactor(prepared, _) => prepared,
-    }
 }
 
 /// The object of that number.

@@ -19,8 +19,8 @@ use super::PanelInput;
 use super::message::message;
 use super::values::step_in_words;
 use crate::algorithms::ray_tree::RayKind;
+use crate::methods::Method;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
-use crate::replay::Run;
 use crate::replay::rays::{Outcome, RayState, State};
 use arrange::{Arrangement, Detail, arrange};
 use glam::Vec2;
@@ -56,7 +56,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
     edges::draw(&mut picture, &rays, &arrangement, rising, places.tree);
     nodes(&mut picture, &describer, &rays, &arrangement, places.tree);
-    let levels = matches!(input.run, Run::RayTracing(_));
+    let levels = input.run.method() == Method::RayTracing;
     let said = said_of_tree(&describer, &rays, &arrangement, levels);
     let branches = arrangement.tree.nodes.len() > 1;
     head(&mut picture, &said, branches, places.head);

@@ -8,8 +8,7 @@ mod polygon;
 
 use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
-use super::values::{told_in_words, value_of};
-use crate::algorithms::scan_line::Carried;
+use super::values::told_in_words;
 use crate::language::Message;
 use crate::picture::{Picture, Rect};
 use crate::replay::Run;
@@ -22,11 +21,7 @@ const NO_LINE: Message = Message("scan-line-no-line");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     match input.run {
-        Run::Gouraud(replay) => of_state(input, replay.state(), size),
-        Run::Phong(replay) => of_state(input, replay.state(), size),
-        Run::FastPhong(replay) => of_state(input, replay.state(), size),
-        Run::Exact(replay) => of_state(input, replay.state(), size),
-        Run::Flat(replay) => of_state(input, replay.state(), size),
+        Run::Shading(_, replay) => of_state(input, replay.state(), size),
         Run::Wireframe(replay) => match replay.state().line {
             Some(ends) => {
                 let mut picture = Picture::new(size.x, size.y);
@@ -36,20 +31,20 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             }
             None => silent(input, NO_LINE, size),
         },
-        Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
+        Run::Rays(..) | Run::Radiosity(..) | Run::FormFactor(..) => {
             message(NO_POLYGONS, input.language, size)
         }
     }
 }
 
-fn of_state<A: Carried>(input: &PanelInput, state: &State<A>, size: Vec2) -> Picture {
+fn of_state(input: &PanelInput, state: &State, size: Vec2) -> Picture {
     if state.polygon.is_none() {
         return silent(input, NO_POLYGON, size);
     }
     let mut picture = Picture::new(size.x, size.y);
     // The bars keep their place whether they are filled or not, so that the polygon stands still.
-    let bars = match value_of(A::default()) {
-        Some(value) => bars::height(value, size),
+    let bars = match state.varying {
+        Some(varying) => bars::height(varying.zero, size),
         None => 0.0,
     };
     let area = Rect::new(0.0, 0.0, size.x, size.y - bars);

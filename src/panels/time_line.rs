@@ -322,7 +322,7 @@ fn label(
         Style::Body.size(TEXT).ink(Ink::Muted)
     };
     let kind = in_text(walk.declared(scope), input.language);
-    let ray = names::ray(walk, scope, names::prepared(input.run), input.language);
+    let ray = names::ray(walk, scope, input.run.prepared(), input.language);
     let names = match (ray, number_of(walk, scope, input.language)) {
         (Some(names), _) => names.to_vec(),
         (None, Some(number)) if long => vec![format!("{kind} {number}"), number],
@@ -436,7 +436,7 @@ fn in_words(input: &PanelInput, rows: &[Row]) -> String {
         .filter_map(|row| {
             let scope = row.current?;
             let kind = in_text(walk.declared(scope), input.language);
-            let ray = names::ray(walk, scope, names::prepared(input.run), input.language);
+            let ray = names::ray(walk, scope, input.run.prepared(), input.language);
             Some(match (ray, number_of(walk, scope, input.language)) {
                 (Some([ray, ..]), _) => format!("{kind}: {ray}"),
                 (None, Some(number)) => format!("{kind} {number}"),

@@ -1,21 +1,12 @@
 //! How panels write and colour the values that events tell.
 
 use super::PanelInput;
-use crate::algorithms::scan_line::Carried;
 use crate::color::Rgb;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, fixed, number};
-use crate::record::{Fields, Value};
+use crate::record::Value;
 
 const STEP: Message = Message("panels-step");
-
-/// What the corners carry, as a value; none where nothing is carried.
-pub(super) fn value_of<A: Carried>(carried: A) -> Option<Value> {
-    let names = A::NAMES?;
-    let mut fields = Fields::default();
-    carried.tell(names.corner, &mut fields);
-    fields.get(names.corner)
-}
 
 /// A value with at most `digits` decimals: one number for a grey colour, three for another.
 pub(super) fn short(value: Value, digits: usize) -> String {
@@ -147,7 +138,6 @@ mod tests {
         assert_eq!(short(Value::Number(6.0), 2), "6");
         assert_eq!(difference(Value::Number(-f64::EPSILON)), "−2.2e−16");
         assert_eq!(difference(Rgb::BLACK.into()), "0");
-        assert_eq!(value_of(crate::algorithms::flat::Nothing), None);
         assert_eq!(on_swatch(Some(Rgb::BLACK.into())), Ink::Rgb(Rgb::WHITE));
     }
 

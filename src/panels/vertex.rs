@@ -21,13 +21,9 @@ const WIREFRAME: Message = Message("vertex-wireframe");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = match input.run {
-        Run::Gouraud(replay) => of_state(input, replay.state(), size),
-        Run::Phong(replay) => of_state(input, replay.state(), size),
-        Run::FastPhong(replay) => of_state(input, replay.state(), size),
-        Run::Exact(replay) => of_state(input, replay.state(), size),
-        Run::Flat(replay) => of_state(input, replay.state(), size),
+        Run::Shading(_, replay) => of_state(input, replay.state(), size),
         Run::Wireframe(_) => message(WIREFRAME, input.language, size),
-        Run::RayCasting(_) | Run::RayTracing(_) | Run::Radiosity(..) | Run::FormFactor(..) => {
+        Run::Rays(..) | Run::Radiosity(..) | Run::FormFactor(..) => {
             message(NO_POLYGONS, input.language, size)
         }
     };
@@ -35,7 +31,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     picture
 }
 
-fn of_state<A>(input: &PanelInput, state: &State<A>, size: Vec2) -> Picture {
+fn of_state(input: &PanelInput, state: &State, size: Vec2) -> Picture {
     if state.vertex.is_none() && state.point.is_none() {
         return message(NOTHING, input.language, size);
     }

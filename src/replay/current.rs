@@ -1,8 +1,10 @@
-//! What a scan-line method has in hand at a step: the polygon, vertex, point, edge, scan line, span and pixel that it is at,
-//! with what has been told of each so far and the step that told it.
+//! The current polygon, vertex, point, edge, scan line, span and pixel of a scan-line method, each with what is known of it so
+//! far and the step that opened it.
 
 use crate::algorithms::illumination;
+use crate::algorithms::scan_line::{Carried, Names};
 use crate::color::Rgb;
+use crate::record::Value;
 use glam::DVec3;
 
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +40,7 @@ pub struct CurrentPoint {
 }
 
 impl CurrentPoint {
-    /// What the illumination model told of the point in hand.
+    /// Follows the illumination model at the current point.
     pub(super) fn light(current: &mut Option<Self>, step: usize, event: &illumination::Event) {
         use illumination::Event;
         if let Event::Illumination { position, normal } = *event {
@@ -126,35 +128,69 @@ pub struct CurrentLight {
     pub step: usize,
 }
 
+/// What a method interpolates from the corners to the pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Varying {
+    pub names: &'static Names,
+    /// Zero: a colour or a vector, as all its values are.
+    pub zero: Value,
+}
+
+impl Varying {
+    pub(super) fn of<A: Carried>() -> Option<Self> {
+        Some(Varying {
+            names: A::NAMES?,
+            zero: A::default().value()?,
+        })
+    }
+}
+
+/// A value found in both ways, and what rounding makes of them.
+#[derive(Clone, Copy, Debug)]
+pub struct Interpolated {
+    pub direct: Value,
+    pub incremental: Value,
+    pub difference: Value,
+}
+
+impl Interpolated {
+    pub(super) fn new<A: Carried>(direct: A, incremental: A) -> Option<Self> {
+        Some(Interpolated {
+            direct: direct.value()?,
+            incremental: incremental.value()?,
+            difference: (incremental - direct).value()?,
+        })
+    }
+}
+
 /// On the screen; `z` is the depth.
 #[derive(Clone, Copy, Debug)]
-pub struct CurrentCorner<A> {
+pub struct CurrentCorner {
     pub x: f64,
     pub y: f64,
     pub z: f64,
-    pub value: A,
+    pub value: Option<Value>,
     pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct ActiveEdge<A> {
+pub struct ActiveEdge {
     pub edge: u32,
     pub upper: u32,
     pub lower: u32,
     pub first: u32,
     pub end: u32,
     pub slope: f64,
-    pub value_step: A,
-    /// Where the scan line in hand cuts it, once that was told.
-    pub cut: Option<CurrentCut<A>>,
+    pub value_step: Option<Value>,
+    /// Where the current scan line cuts it, once that is known.
+    pub cut: Option<CurrentCut>,
     pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct CurrentCut<A> {
+pub struct CurrentCut {
     pub x_4: f64,
-    /// Direct and incremental value, once they are told.
-    pub values: Option<(A, A)>,
+    pub values: Option<Interpolated>,
     pub step: usize,
 }
 
@@ -166,24 +202,23 @@ pub struct CurrentRow {
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct CurrentSpan<A> {
+pub struct CurrentSpan {
     pub x_4: f64,
     pub x_5: f64,
     pub first: u32,
     pub end: u32,
-    /// a_4 and a_5, once they are told.
-    pub ends: Option<(A, A)>,
+    /// The values at x_4 and x_5, once they are known.
+    pub ends: Option<[Value; 2]>,
     pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
-pub struct CurrentPixel<A> {
+pub struct CurrentPixel {
     pub x: u32,
     pub y: u32,
     pub x_p: f64,
     /// Depth, the depth drawn before, and whether the pixel is nearer.
     pub depth: Option<(f64, f64, bool)>,
-    /// Direct and incremental value.
-    pub values: Option<(A, A)>,
+    pub values: Option<Interpolated>,
     pub step: usize,
 }

@@ -7,7 +7,6 @@ mod canvas;
 mod cow_vec;
 mod current;
 mod cursor;
-mod fast_phong;
 pub mod form_factor;
 #[cfg(test)]
 mod generators;
@@ -23,5 +22,5 @@ pub mod wireframe;
 pub use canvas::{Canvas, MAX_SIDE};
 pub use cursor::{Replay, Walk};
 pub use query::{Comparison, Condition, Operand, Query, QueryError};
-pub use run::Run;
+pub use run::{Run, WalkOf};
 pub use timeline::{Fold, RecordedField, Timeline};

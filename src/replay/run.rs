@@ -2,38 +2,29 @@
 
 use super::current::CurrentPoint;
 use super::{Fold, Replay, Timeline, Walk, form_factor, radiosity, rays, shading, wireframe};
-use crate::algorithms::exact;
-use crate::algorithms::fast_phong;
-use crate::algorithms::flat::{self, Nothing};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::form_factor::{FormFactors, Method as Integration};
-use crate::algorithms::frame::Frame;
-use crate::algorithms::gouraud;
-use crate::algorithms::phong;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::radiosity::RecordFilter;
-use crate::algorithms::ray_casting::{self, RayCaster};
-use crate::algorithms::ray_tracing::{self, RayTracer};
+use crate::algorithms::shading::Shading;
 use crate::algorithms::visible::BruteForce;
-use crate::color::Rgb;
-use crate::record::{Recorder, Recording, RecordingLimit, Unrecorded};
-use crate::render::{Method, matrix};
-use glam::DVec3;
+use crate::methods::ray_casting::RayCasting;
+use crate::methods::ray_tracing::RayTracing;
+use crate::methods::wireframe::Wireframe;
+use crate::methods::{Draw, Method, ShadingEvent, ShadingMethod, Visitor};
+use crate::record::{Event, Recorder, Recording, RecordingLimit, Unrecorded};
+use crate::render::matrix;
+use crate::vocabulary::Declared;
 use std::convert::Infallible;
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::thread::available_parallelism;
 
-/// A recorded run, standing at one of its steps.
+/// A recorded run, standing at one of its steps: an arm for each kind of state.
 pub enum Run {
     Wireframe(Box<Replay<crate::algorithms::wireframe::Event, wireframe::State>>),
-    Flat(Box<Replay<flat::Event, shading::State<Nothing>>>),
-    Gouraud(Box<Replay<gouraud::Event, shading::State<Rgb>>>),
-    Phong(Box<Replay<phong::Event, shading::State<DVec3>>>),
-    FastPhong(Box<Replay<fast_phong::Event, shading::State<Nothing>>>),
-    Exact(Box<Replay<exact::Event, shading::State<DVec3>>>),
-    RayCasting(Box<Replay<ray_casting::Event, rays::State>>),
-    RayTracing(Box<Replay<ray_tracing::Event, rays::State>>),
+    Shading(Method, Box<dyn WalkOf<shading::State>>),
+    Rays(Method, Box<dyn WalkOf<rays::State>>),
     Radiosity(
         Arc<PreparedScene>,
         Box<Replay<crate::algorithms::radiosity::Event, radiosity::State>>,
@@ -44,138 +35,85 @@ pub enum Run {
     ),
 }
 
+/// A replay whose states are of type `S`, whatever its events are.
+pub trait WalkOf<S>: Walk + Send + Sync {
+    fn state(&self) -> &S;
+}
+
+impl<E: Event + Declared, S: Fold<E> + Send + Sync> WalkOf<S> for Replay<E, S> {
+    fn state(&self) -> &S {
+        Replay::state(self)
+    }
+}
+
 /// How exact the form factor is that others are compared with.
 const REFERENCE: Integration = Integration::Contour { tolerance: 1e-10 };
 
 impl Run {
-    /// Runs `method` on the part of the stage that `focus` takes, and keeps its steps within `limit`.
+    /// Records what `method` does within `focus`, up to `limit` steps.
     pub fn record(
         prepared: Arc<PreparedScene>,
         method: Method,
         focus: Focus,
         limit: RecordingLimit,
     ) -> Run {
-        match method {
-            Method::Wireframe => Run::Wireframe(replay(
-                Recording::new(limit),
-                &prepared,
-                wireframe::State::new,
-                |frame, recording| {
-                    crate::algorithms::wireframe::wireframe(&prepared, focus, frame, recording);
-                },
-            )),
-            Method::Flat => Run::Flat(replay(
-                Recording::new(limit),
-                &prepared,
-                shading::State::new,
-                |frame, recording| {
-                    flat::flat(&prepared, focus, frame, recording);
-                },
-            )),
-            Method::Gouraud => Run::Gouraud(replay(
-                Recording::new(limit),
-                &prepared,
-                shading::State::new,
-                |frame, recording| {
-                    gouraud::gouraud(&prepared, focus, frame, recording);
-                },
-            )),
-            Method::Exact => Run::Exact(replay(
-                Recording::new(limit),
-                &prepared,
-                shading::State::new,
-                |frame, recording| {
-                    exact::exact(&prepared, focus, frame, recording);
-                },
-            )),
-            Method::Phong => Run::Phong(replay(
-                Recording::new(limit),
-                &prepared,
-                shading::State::new,
-                |frame, recording| {
-                    phong::phong(&prepared, focus, frame, recording);
-                },
-            )),
-            Method::FastPhong => Run::FastPhong(replay(
-                Recording::new(limit),
-                &prepared,
-                shading::State::new,
-                |frame, recording| {
-                    fast_phong::fast_phong(&prepared, focus, frame, recording);
-                },
-            )),
-            Method::RayCasting => Run::RayCasting(replay(
-                Recording::new(limit),
-                &prepared,
-                rays::State::new,
-                |frame, recording| {
-                    let caster = RayCaster::new(&prepared, prepared.needs(), BruteForce);
-                    ray_casting::ray_casting(&caster, focus, frame, recording);
-                },
-            )),
-            Method::RayTracing => Run::RayTracing(replay(
-                Recording::new(limit),
-                &prepared,
-                rays::State::new,
-                |frame, recording| {
-                    let tracer = RayTracer::new(&prepared, prepared.needs(), BruteForce);
-                    ray_tracing::ray_tracing(&tracer, focus, frame, recording);
-                },
-            )),
-            Method::Radiosity => match focus {
-                Focus::FormFactor { i, j } => {
-                    let run = form_factor_run(&prepared, i as usize, j as usize, limit);
-                    Run::FormFactor(prepared, run)
-                }
-                _ => {
-                    let run = radiosity_run(&prepared, focus, limit);
-                    Run::Radiosity(prepared, run)
-                }
-            },
+        method.visit(Record {
+            prepared,
+            method,
+            focus,
+            limit,
+        })
+    }
+
+    /// The rays of the current pixel, where the run follows rays.
+    pub fn rays(&self) -> Option<&rays::State> {
+        match self {
+            Run::Rays(_, replay) => Some(replay.state()),
+            _ => None,
         }
     }
 
-    /// The rays in hand, where the run follows rays.
-    pub fn rays(&self) -> Option<&rays::State> {
+    /// The scene of the run.
+    pub fn prepared(&self) -> &Arc<PreparedScene> {
         match self {
-            Run::RayCasting(replay) => Some(replay.state()),
-            Run::RayTracing(replay) => Some(replay.state()),
-            _ => None,
+            Run::Wireframe(replay) => &replay.state().prepared,
+            Run::Shading(_, replay) => &replay.state().prepared,
+            Run::Rays(_, replay) => &replay.state().prepared,
+            Run::Radiosity(prepared, _) | Run::FormFactor(prepared, _) => prepared,
+        }
+    }
+
+    /// The picture so far, where the run draws pixels.
+    pub fn canvas(&self) -> Option<&super::Canvas<shading::Dot>> {
+        match self {
+            Run::Wireframe(replay) => Some(&replay.state().canvas),
+            Run::Shading(_, replay) => Some(&replay.state().canvas),
+            Run::Rays(_, replay) => Some(&replay.state().canvas),
+            Run::Radiosity(..) | Run::FormFactor(..) => None,
         }
     }
 
     /// The point that is being lit, or was lit last, where the run lights points; with the lights of its scene.
     pub fn lit(&self) -> (Option<&PreparedScene>, Option<&CurrentPoint>) {
-        fn of<A>(state: &shading::State<A>) -> (Option<&PreparedScene>, Option<&CurrentPoint>) {
-            (Some(&state.prepared), state.point.as_ref())
-        }
         match self {
-            Run::Flat(replay) => of(replay.state()),
-            Run::Gouraud(replay) => of(replay.state()),
-            Run::Phong(replay) => of(replay.state()),
-            Run::FastPhong(replay) => of(replay.state()),
-            Run::Exact(replay) => of(replay.state()),
-            Run::RayCasting(_) | Run::RayTracing(_) => {
-                let state = self.rays();
-                let ray = state.and_then(|state| state.ray()?.lit.as_deref());
-                let lit = state.and_then(|state| state.point.as_ref()).or(ray);
-                (state.map(|state| &*state.prepared), lit)
+            Run::Shading(_, replay) => {
+                let state = replay.state();
+                (Some(&*state.prepared), state.point.as_ref())
+            }
+            Run::Rays(_, replay) => {
+                let state = replay.state();
+                let ray = state.ray().and_then(|ray| ray.lit.as_deref());
+                (Some(&*state.prepared), state.point.as_ref().or(ray))
             }
             Run::Wireframe(_) | Run::Radiosity(..) | Run::FormFactor(..) => (None, None),
         }
     }
 
-    /// What was recorded.
+    /// The method that was recorded.
     pub fn method(&self) -> Method {
         match self {
             Run::Wireframe(_) => Method::Wireframe,
-            Run::Flat(_) => Method::Flat,
-            Run::Gouraud(_) => Method::Gouraud,
-            Run::Phong(_) => Method::Phong,
-            Run::FastPhong(_) => Method::FastPhong,
-            Run::Exact(_) => Method::Exact,
-            Run::RayCasting(_) => Method::RayCasting,
-            Run::RayTracing(_) => Method::RayTracing,
+            Run::Shading(method, _) | Run::Rays(method, _) => *method,
             Run::Radiosity(..) | Run::FormFactor(..) => Method::Radiosity,
         }
     }
@@ -183,13 +121,8 @@ impl Run {
     pub fn walk(&self) -> &dyn Walk {
         match self {
             Run::Wireframe(replay) => &**replay,
-            Run::Flat(replay) => &**replay,
-            Run::Gouraud(replay) => &**replay,
-            Run::Phong(replay) => &**replay,
-            Run::FastPhong(replay) => &**replay,
-            Run::Exact(replay) => &**replay,
-            Run::RayCasting(replay) => &**replay,
-            Run::RayTracing(replay) => &**replay,
+            Run::Shading(_, replay) => &**replay,
+            Run::Rays(_, replay) => &**replay,
             Run::Radiosity(_, replay) => &**replay,
             Run::FormFactor(_, replay) => &**replay,
         }
@@ -198,38 +131,83 @@ impl Run {
     pub fn walk_mut(&mut self) -> &mut dyn Walk {
         match self {
             Run::Wireframe(replay) => &mut **replay,
-            Run::Flat(replay) => &mut **replay,
-            Run::Gouraud(replay) => &mut **replay,
-            Run::Phong(replay) => &mut **replay,
-            Run::FastPhong(replay) => &mut **replay,
-            Run::Exact(replay) => &mut **replay,
-            Run::RayCasting(replay) => &mut **replay,
-            Run::RayTracing(replay) => &mut **replay,
+            Run::Shading(_, replay) => &mut **replay,
+            Run::Rays(_, replay) => &mut **replay,
             Run::Radiosity(_, replay) => &mut **replay,
             Run::FormFactor(_, replay) => &mut **replay,
         }
     }
 }
 
-fn replay<E, S: Fold<E>>(
-    mut recording: Recording<E>,
-    prepared: &Arc<PreparedScene>,
-    initial: impl FnOnce(Arc<PreparedScene>) -> S,
-    run: impl FnOnce(&mut Frame, &mut Recording<E>),
-) -> Box<Replay<E, S>> {
-    let mut frame = Frame::new(
-        prepared.view.width,
-        0..prepared.view.height,
-        prepared.scene.background,
-    );
-    run(&mut frame, &mut recording);
-    Box::new(Replay::new(Timeline::new(
-        recording,
-        initial(prepared.clone()),
-    )))
+/// Records a run of the method that it visits.
+struct Record {
+    prepared: Arc<PreparedScene>,
+    method: Method,
+    focus: Focus,
+    limit: RecordingLimit,
 }
 
-/// The solution of a room. A room that cannot be divided tells nothing: `PreparedScene::enclosure` says why.
+impl Record {
+    fn frame<M: Draw, S: Fold<M::Event>>(
+        &self,
+        initial: fn(Arc<PreparedScene>) -> S,
+    ) -> Box<Replay<M::Event, S>> {
+        let mut recording = Recording::new(self.limit);
+        let frame = &mut self.prepared.empty_frame();
+        M::draw(
+            &self.prepared,
+            self.focus,
+            frame,
+            BruteForce,
+            &mut recording,
+        );
+        let initial = initial(self.prepared.clone());
+        Box::new(Replay::new(Timeline::new(recording, initial)))
+    }
+}
+
+impl Visitor for Record {
+    type Output = Run;
+
+    fn wireframe(self) -> Run {
+        Run::Wireframe(self.frame::<Wireframe, _>(wireframe::State::new))
+    }
+
+    fn shading<M: ShadingMethod>(self) -> Run {
+        type Recorded<E> = <<E as ShadingEvent>::Shading as Shading>::Recorded;
+        let replay = self.frame::<M, _>(shading::State::new::<Recorded<M::Event>>);
+        Run::Shading(self.method, replay)
+    }
+
+    fn ray_casting(self) -> Run {
+        Run::Rays(self.method, self.frame::<RayCasting, _>(rays::State::new))
+    }
+
+    fn ray_tracing(self) -> Run {
+        Run::Rays(self.method, self.frame::<RayTracing, _>(rays::State::new))
+    }
+
+    fn radiosity(self) -> Run {
+        let Record {
+            prepared,
+            focus,
+            limit,
+            ..
+        } = self;
+        match focus {
+            Focus::FormFactor { i, j } => {
+                let run = form_factor_run(&prepared, i as usize, j as usize, limit);
+                Run::FormFactor(prepared, run)
+            }
+            _ => {
+                let run = radiosity_run(&prepared, focus, limit);
+                Run::Radiosity(prepared, run)
+            }
+        }
+    }
+}
+
+/// The solution of the enclosure. Nothing is recorded of a scene that cannot be divided: `PreparedScene::enclosure` says why.
 fn radiosity_run(
     prepared: &Arc<PreparedScene>,
     focus: Focus,
@@ -245,7 +223,7 @@ fn radiosity_run(
             Focus::Patch(patch) => filter.patch = Some(patch),
             _ => {}
         }
-        // What kept it from a solution is the last that the run tells.
+        // The last event says what kept it from a solution.
         let _ = enclosure.solve(matrix, &filter, &mut recording);
     }
     Box::new(Replay::new(Timeline::new(

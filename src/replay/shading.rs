@@ -1,17 +1,19 @@
-//! The state of a scan-line method at one step: what has been told so far of the polygon, vertex, scan line and pixel in hand,
-//! and the picture as far as it is drawn. One state serves every method that carries something from corners to pixels.
+//! The state of a scan-line method at one step: what is known so far of the current polygon, vertex, scan line and pixel, and
+//! the picture as far as it is drawn. One state serves every method, whatever it interpolates.
 
 use super::Canvas;
 use super::Fold;
 pub use super::current::{
     ActiveEdge, CurrentCorner, CurrentCut, CurrentLight, CurrentPixel, CurrentPoint,
-    CurrentPolygon, CurrentRow, CurrentSpan, CurrentVertex,
+    CurrentPolygon, CurrentRow, CurrentSpan, CurrentVertex, Interpolated, Varying,
 };
 use crate::algorithms::prepared_scene::{self, PreparedScene};
 use crate::algorithms::scan_line::Carried;
-use crate::algorithms::shading::{Event, Shading};
+use crate::algorithms::shading::Event;
 use crate::algorithms::{scan_line, vertex_normal};
 use crate::color::Rgb;
+use crate::methods::ShadingEvent;
+use crate::record::Value;
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -36,32 +38,35 @@ impl Canvas<Dot> {
 }
 
 #[derive(Clone, Debug)]
-pub struct State<A> {
+pub struct State {
     /// What does not change from step to step.
     pub prepared: Arc<PreparedScene>,
+    /// What the method interpolates, if anything.
+    pub varying: Option<Varying>,
     pub canvas: Canvas<Dot>,
     pub polygon: Option<CurrentPolygon>,
     /// The vertex whose normal and intensity are being found.
     pub vertex: Option<CurrentVertex>,
-    /// The vertices that were lit for the polygon in hand, with their intensities; others were lit for one before it.
+    /// The vertices that were lit for the current polygon, with their intensities; others were lit for an earlier one.
     pub lit: Vec<(u32, Rgb)>,
     /// The point that is being lit.
     pub point: Option<CurrentPoint>,
-    pub corners: Vec<CurrentCorner<A>>,
-    pub edges: Vec<ActiveEdge<A>>,
+    pub corners: Vec<CurrentCorner>,
+    pub edges: Vec<ActiveEdge>,
     pub scan_line: Option<CurrentRow>,
     /// The edge that is being cut, an index into `edges`.
     pub edge: Option<usize>,
-    /// The edges that the scan line in hand has cut so far.
+    /// The edges that the current scan line has cut so far.
     cut: Vec<usize>,
-    pub span: Option<CurrentSpan<A>>,
-    pub pixel: Option<CurrentPixel<A>>,
+    pub span: Option<CurrentSpan>,
+    pub pixel: Option<CurrentPixel>,
 }
 
-impl<A> State<A> {
+impl State {
     /// Before the first step: an empty picture.
-    pub fn new(prepared: Arc<PreparedScene>) -> Self {
+    pub fn new<A: Carried>(prepared: Arc<PreparedScene>) -> Self {
         State {
+            varying: Varying::of::<A>(),
             canvas: Canvas::blank(&prepared),
             prepared,
             polygon: None,
@@ -152,8 +157,8 @@ impl<A> State<A> {
     }
 }
 
-impl<A: Carried> State<A> {
-    fn convert(&mut self, step: usize, event: &scan_line::Event<A>) {
+impl State {
+    fn convert<A: Carried>(&mut self, step: usize, event: &scan_line::Event<A>) {
         use scan_line::Event;
         match *event {
             Event::EdgeTable { .. } => {
@@ -164,7 +169,7 @@ impl<A: Carried> State<A> {
                 x,
                 y,
                 z,
-                value,
+                value: value.value(),
                 step,
             }),
             Event::EdgeEntered {
@@ -183,7 +188,7 @@ impl<A: Carried> State<A> {
                     first,
                     end,
                     slope,
-                    value_step,
+                    value_step: value_step.value(),
                     cut: None,
                     step,
                 });
@@ -215,7 +220,7 @@ impl<A: Carried> State<A> {
                 incremental,
             } => self.current_cut(|edge| {
                 if let Some(cut) = &mut edge.cut {
-                    cut.values = Some((direct, incremental));
+                    cut.values = Interpolated::new(direct, incremental);
                     cut.step = step;
                 }
             }),
@@ -239,7 +244,7 @@ impl<A: Carried> State<A> {
             }
             Event::SpanEnds { a_4, a_5 } => {
                 if let Some(span) = &mut self.span {
-                    span.ends = Some((a_4, a_5));
+                    span.ends = a_4.value().zip(a_5.value()).map(<[Value; 2]>::from);
                 }
             }
             Event::SpanDone => {
@@ -266,7 +271,7 @@ impl<A: Carried> State<A> {
                 incremental,
             } => {
                 if let Some(pixel) = &mut self.pixel {
-                    pixel.values = Some((direct, incremental));
+                    pixel.values = Interpolated::new(direct, incremental);
                 }
             }
             Event::PixelColored { color } => {
@@ -285,15 +290,19 @@ impl<A: Carried> State<A> {
         }
     }
 
-    fn current_cut(&mut self, change: impl FnOnce(&mut ActiveEdge<A>)) {
+    fn current_cut(&mut self, change: impl FnOnce(&mut ActiveEdge)) {
         if let Some(edge) = self.edge.and_then(|edge| self.edges.get_mut(edge)) {
             change(edge);
         }
     }
 }
 
-impl<M: Shading> Fold<Event<M>> for State<M::Recorded> {
-    fn apply(&mut self, step: usize, event: &Event<M>) {
+/// Events that a method has beyond its family change nothing here.
+impl<E: ShadingEvent> Fold<E> for State {
+    fn apply(&mut self, step: usize, event: &E) {
+        let Some(event) = event.shading() else {
+            return;
+        };
         match *event {
             Event::PreparedScene(ref event) => self.walk_stage(step, event),
             Event::Middle { .. }

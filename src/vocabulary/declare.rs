@@ -44,8 +44,8 @@ pub struct Interpolated<A>(pub A, pub fn(&Names) -> &'static str);
 
 impl<A: Carried> Recorded for Interpolated<A> {
     fn push(self, _: &'static str, fields: &mut Fields) {
-        if let Some(names) = A::NAMES {
-            self.0.tell(self.1(names), fields);
+        if let (Some(names), Some(value)) = (A::NAMES, self.0.value()) {
+            fields.push(self.1(names), value);
         }
     }
 }

@@ -17,7 +17,7 @@ use super::focus::Region;
 use super::frame::Frame;
 use crate::color::Rgb;
 use crate::numeric::{Linear, Ramp, interpolate};
-use crate::record::Recorder;
+use crate::record::{Recorder, Value};
 use crate::scene::View;
 use edge::Edge;
 use glam::{DVec2, DVec3};
@@ -33,8 +33,8 @@ mod tests;
 pub trait Carried: Linear + Default + PartialEq + Debug + Send + Sync + 'static {
     /// Names of the interpolated values; `None` where nothing is carried and so nothing is told of it.
     const NAMES: Option<&'static Names>;
-    /// Appends a value under a name.
-    fn tell(self, name: &'static str, fields: &mut crate::record::Fields);
+    /// As a recorded value.
+    fn value(self) -> Option<Value>;
 }
 
 /// What goes from the corners to the pixels: a carried value alone, or with more that goes along untold.

@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::panels::{Held, Panel, draw, vector_grip};
-use crate::replay::Run;
 use crate::scene::Light;
 use egui::Role;
 use glam::DVec3;
@@ -27,10 +26,7 @@ fn ball() -> Screen {
 
 fn lights(screen: &Screen) -> [DVec3; 2] {
     let show = screen.session().show();
-    let Run::RayTracing(replay) = show.run else {
-        unreachable!("the lesson is on ray tracing")
-    };
-    let lights = &replay.state().prepared.scene.lights;
+    let lights = &show.run.prepared().scene.lights;
     [0, 1].map(|number| match lights[number] {
         Light::Point { position, .. } => position,
         Light::Directional { .. } => unreachable!("both are point lights"),

@@ -8,7 +8,6 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::picture::{Shape, Tag};
 use crate::render::Method;
 use crate::render::compare::compare_on;
-use crate::replay::Run;
 
 const METHODS: [Method; 4] = [
     Method::Wireframe,
@@ -19,11 +18,7 @@ const METHODS: [Method; 4] = [
 const PANELS: [Panel; 3] = [Panel::Comparison, Panel::Difference, Panel::Profile];
 
 fn prepared(fixture: &Fixture) -> &PreparedScene {
-    match &fixture.run {
-        Run::Gouraud(replay) => &replay.state().prepared,
-        Run::Phong(replay) => &replay.state().prepared,
-        _ => panic!("the sample converts polygons"),
-    }
+    fixture.run.prepared()
 }
 
 /// On a clock that ticks a microsecond each time it is looked at.

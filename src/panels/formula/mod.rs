@@ -35,12 +35,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         return message(NO_FORMULA, input.language, size);
     };
     let formulas = formulas(entry, &known);
-    let says = filled(
-        entry.says,
-        &known,
-        names::prepared(input.run),
-        input.language,
-    );
+    let says = filled(entry.says, &known, input.run.prepared(), input.language);
 
     let mut picture = Picture::new(size.x, size.y);
     let layout = |detail: &Detail, text: f32| {

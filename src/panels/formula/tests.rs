@@ -31,7 +31,7 @@ fn each_step(mut look: impl FnMut(&'static Kind, &Known, &PreparedScene)) {
             look(
                 fixture.walk().declared(step),
                 &known,
-                names::prepared(&fixture.run),
+                fixture.run.prepared(),
             );
         }
     }

@@ -33,7 +33,7 @@ pub(super) struct Marks<'a> {
 }
 
 impl<'a> Marks<'a> {
-    pub fn of_shading<A>(state: &'a shading::State<A>) -> Self {
+    pub fn of_shading(state: &'a shading::State) -> Self {
         let prepared = &*state.prepared;
         let current = state.vertex.as_ref().map(|vertex| vertex.position);
         // The point of a pixel is marked by the pixel.

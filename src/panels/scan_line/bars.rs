@@ -1,14 +1,13 @@
 //! An interpolation as bars: how much weight each end has, the ramp from end to end, and the direct and the incremental value.
 //! The ramp of a colour is its shades, that of a normal a fan of arrows: how it turns, and how it grows shorter on the way.
 
-use super::super::values::{difference, short, value_of};
-use crate::algorithms::scan_line::Carried;
+use super::super::values::{difference, short};
 use crate::color::Rgb;
 use crate::language::{Language, Message};
 use crate::numeric::interpolate;
 use crate::picture::{Image, Ink, Picture, Rect, Stroke, Style, Tag, Text, measure};
 use crate::record::Value;
-use crate::replay::shading::State;
+use crate::replay::shading::{Interpolated, State, Varying};
 use glam::{DVec3, Vec2};
 
 const WEIGHTS: Message = Message("scan-line-weights");
@@ -57,44 +56,30 @@ pub(super) struct Interpolation {
     weights: [f64; 2],
     /// Names of the direct and the incremental value.
     names: [&'static str; 2],
-    values: Option<[Value; 2]>,
-    difference: Option<Value>,
+    values: Option<Interpolated>,
 }
 
 impl Interpolation {
     /// That of the pixel in hand on its span, or of the edge in hand on the scan line.
-    pub fn current<A: Carried>(state: &State<A>) -> Option<Self> {
-        let names = A::NAMES?;
-        let both = |(direct, incremental): (A, A)| {
-            Some((
-                [value_of(direct)?, value_of(incremental)?],
-                value_of(incremental - direct)?,
-            ))
-        };
+    pub fn current(state: &State) -> Option<Self> {
+        let Varying { names, .. } = state.varying?;
         if let (Some(pixel), Some(span)) = (&state.pixel, &state.span) {
-            let (four, five) = span.ends?;
-            let recorded = pixel.values.and_then(both);
+            let [four, five] = span.ends?;
             return Some(Interpolation {
-                ends: [(names.four, value_of(four)?), (names.five, value_of(five)?)],
+                ends: [(names.four, four), (names.five, five)],
                 weights: weights(span.x_4, span.x_5, pixel.x_p),
                 names: [names.pixel, names.pixel_incremental],
-                values: recorded.map(|(values, _)| values),
-                difference: recorded.map(|(_, difference)| difference),
+                values: pixel.values,
             });
         }
         let edge = state.edges.get(state.edge?)?;
         let upper = state.corners.get(edge.upper as usize)?;
         let lower = state.corners.get(edge.lower as usize)?;
-        let recorded = edge.cut.as_ref().and_then(|cut| cut.values).and_then(both);
         Some(Interpolation {
-            ends: [
-                (names.one, value_of(upper.value)?),
-                (names.two, value_of(lower.value)?),
-            ],
+            ends: [(names.one, upper.value?), (names.two, lower.value?)],
             weights: weights(upper.y, lower.y, state.scan_line?.y_4),
             names: [names.four, names.four_incremental],
-            values: recorded.map(|(values, _)| values),
-            difference: recorded.map(|(_, difference)| difference),
+            values: edge.cut.and_then(|cut| cut.values),
         })
     }
 
@@ -192,7 +177,12 @@ impl Interpolation {
 
     /// Direct value, incremental value, and what lies between them: side by side where there is room.
     fn draw_values(&self, picture: &mut Picture, area: Rect, language: Language) {
-        let Some([direct, incremental]) = self.values else {
+        let Some(Interpolated {
+            direct,
+            incremental,
+            difference: rounding,
+        }) = self.values
+        else {
             return;
         };
         let digits = |value| match value {
@@ -207,11 +197,7 @@ impl Interpolation {
                 self.names[1],
                 exact(incremental, digits(incremental)),
             ),
-            (
-                DIFFERENCE,
-                "difference",
-                self.difference.map(difference).unwrap_or_default(),
-            ),
+            (DIFFERENCE, "difference", difference(rounding)),
         ];
         let title = Style::Body.size(12.0).ink(Ink::Muted);
         let side_by_side = area.width + 12.0 >= WIDE;

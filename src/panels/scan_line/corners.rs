@@ -1,8 +1,6 @@
 //! The corners of the polygon in hand, with what is known of them.
 
 use super::super::labels::Labels;
-use super::super::values::value_of;
-use crate::algorithms::scan_line::Carried;
 use crate::picture::{Picture, Stroke, Tag};
 use crate::record::Value;
 use crate::replay::shading::State;
@@ -22,14 +20,14 @@ pub(super) struct Corner {
 }
 
 /// The corners of the polygon in hand, as they were told; before that, as the stage has them.
-pub(super) fn corners<A: Carried>(state: &State<A>) -> Vec<Corner> {
+pub(super) fn corners(state: &State) -> Vec<Corner> {
     if !state.edges.is_empty() {
         let recorded = state.corners.iter().enumerate();
         return recorded
             .map(|(number, corner)| Corner {
                 place: DVec2::new(corner.x, corner.y),
                 tag: Tag::Corner(number),
-                value: value_of(corner.value),
+                value: corner.value,
                 current: false,
             })
             .collect();
@@ -50,7 +48,7 @@ pub(super) fn corners<A: Carried>(state: &State<A>) -> Vec<Corner> {
                 place: place.screen,
                 tag: Tag::Vertex(vertex),
                 value: recorded
-                    .and_then(|corner| value_of(corner.value))
+                    .and_then(|corner| corner.value)
                     .or(lit.map(|(_, intensity)| (*intensity).into())),
                 current: current.is_some_and(|known| known.vertex == vertex)
                     || recorded.is_some() && number + 1 == state.corners.len(),
@@ -60,10 +58,10 @@ pub(super) fn corners<A: Carried>(state: &State<A>) -> Vec<Corner> {
 }
 
 /// A normal as it is seen on the screen, from the edge of a disc on: short where it points at the eye or away from it.
-pub(super) fn draw_normal<A>(
+pub(super) fn draw_normal(
     picture: &mut Picture,
     labels: &mut Labels,
-    state: &State<A>,
+    state: &State,
     (place, radius): (Vec2, f32),
     value: Option<Value>,
     stroke: Stroke,

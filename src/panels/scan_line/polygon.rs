@@ -2,12 +2,11 @@
 
 use super::super::fit::Fit;
 use super::super::labels::Labels;
-use super::super::values::{on_swatch, short, swatch, value_of};
+use super::super::values::{on_swatch, short, swatch};
 use super::corners::{Corner, corners, draw_normal};
-use crate::algorithms::scan_line::Carried;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
 use crate::record::Value;
-use crate::replay::shading::{ActiveEdge, CurrentRow, State};
+use crate::replay::shading::{ActiveEdge, CurrentRow, State, Varying};
 use glam::{DVec2, Vec2};
 
 /// Radius of a corner, with its number in it, and of a point on the scan line.
@@ -16,15 +15,15 @@ const POINT: f32 = 6.0;
 /// Points a pixel from which on the centres of the pixels are shown.
 const CENTRES: f64 = 6.0;
 
-struct Drawing<'a, A> {
-    state: &'a State<A>,
+struct Drawing<'a> {
+    state: &'a State,
     corners: Vec<Corner>,
     fit: Fit,
     area: Rect,
     labels: Labels,
 }
 
-pub(super) fn draw<A: Carried>(picture: &mut Picture, state: &State<A>, area: Rect) {
+pub(super) fn draw(picture: &mut Picture, state: &State, area: Rect) {
     let corners = corners(state);
     let places = || corners.iter().map(|corner| corner.place);
     let (Some(low), Some(high)) = (places().reduce(DVec2::min), places().reduce(DVec2::max)) else {
@@ -49,7 +48,7 @@ pub(super) fn draw<A: Carried>(picture: &mut Picture, state: &State<A>, area: Re
     picture.clipped(area, |picture| drawing.draw(picture));
 }
 
-impl<A: Carried> Drawing<'_, A> {
+impl Drawing<'_> {
     fn draw(&mut self, picture: &mut Picture) {
         let state = self.state;
         let edge = state.edge.and_then(|edge| state.edges.get(edge));
@@ -83,7 +82,7 @@ impl<A: Carried> Drawing<'_, A> {
         for (number, &from) in places.iter().enumerate() {
             let to = places[(number + 1) % places.len()];
             self.labels.avoid(from, to);
-            let entered = |edge: &ActiveEdge<A>| edge.edge as usize == number;
+            let entered = |edge: &ActiveEdge| edge.edge as usize == number;
             let current = self.state.edge.and_then(|edge| self.state.edges.get(edge));
             let stroke = if current.is_some_and(entered) {
                 Ink::Linked.stroke(4.0)
@@ -148,7 +147,7 @@ impl<A: Carried> Drawing<'_, A> {
     }
 
     /// y_1 and y_2, the heights between which the edge in hand runs.
-    fn draw_ticks(&mut self, picture: &mut Picture, edge: &ActiveEdge<A>) {
+    fn draw_ticks(&mut self, picture: &mut Picture, edge: &ActiveEdge) {
         for (name, corner) in [("y_1", edge.upper), ("y_2", edge.lower)] {
             let Some(corner) = self.corners.get(corner as usize) else {
                 continue;
@@ -204,20 +203,15 @@ impl<A: Carried> Drawing<'_, A> {
     /// Where the scan line cuts the edges, and the pixel in hand, with what is carried there.
     fn draw_cuts(&mut self, picture: &mut Picture, row: CurrentRow) {
         let state = self.state;
-        let names = A::NAMES;
+        let names = state.varying.map(|varying| varying.names);
         let mut points = Vec::new();
         if let Some(span) = &state.span {
-            let ends = span
-                .ends
-                .map(|(four, five)| (value_of(four), value_of(five)));
-            let (four, five) = ends.unwrap_or_default();
+            let [four, five] = span.ends.map_or([None; 2], |ends| ends.map(Some));
             let calm = state.pixel.is_some();
             points.push((span.x_4, "x_4", names.map(|names| names.four), four, calm));
             points.push((span.x_5, "x_5", names.map(|names| names.five), five, calm));
             if let Some(pixel) = &state.pixel {
-                let value = pixel
-                    .values
-                    .and_then(|(_, incremental)| value_of(incremental));
+                let value = pixel.values.map(|values| values.incremental);
                 points.push((
                     pixel.x_p,
                     "x_P",
@@ -229,9 +223,7 @@ impl<A: Carried> Drawing<'_, A> {
         } else {
             for (number, edge) in state.edges.iter().enumerate() {
                 let Some(cut) = &edge.cut else { continue };
-                let value = cut
-                    .values
-                    .and_then(|(_, incremental)| value_of(incremental));
+                let value = cut.values.map(|values| values.incremental);
                 if state.edge == Some(number) {
                     points.push((cut.x_4, "x_4", names.map(|names| names.four), value, false));
                 } else {
@@ -322,7 +314,9 @@ impl<A: Carried> Drawing<'_, A> {
 
     /// I_1 and I_2 are the upper and the lower end of the edge in hand, as on the slide.
     fn label_corners(&mut self, picture: &mut Picture) {
-        let Some(names) = A::NAMES else { return };
+        let Some(Varying { names, .. }) = self.state.varying else {
+            return;
+        };
         let edge = self.state.edge.and_then(|edge| self.state.edges.get(edge));
         let is = |end: Option<u32>, number: usize| end.map(|end| end as usize) == Some(number);
         let middle = self.middle();

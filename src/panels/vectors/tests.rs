@@ -117,7 +117,7 @@ fn a_blocked_light_says_by_what() {
         panic!("a blocker")
     };
     fixture.seek(blocked);
-    let prepared = names::prepared(&fixture.run);
+    let prepared = fixture.run.prepared();
     let name = names::object(prepared, object as u32).to_string();
     let alt = draw(&fixture.input(), LARGE).alt;
     assert!(alt.contains(&format!("blocked by {name}")), "{alt}");

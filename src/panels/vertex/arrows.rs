@@ -58,7 +58,7 @@ struct Drawing {
     unit: f32,
 }
 
-pub(super) fn draw<A>(picture: &mut Picture, state: &State<A>, kind: &str, area: Rect) {
+pub(super) fn draw(picture: &mut Picture, state: &State, kind: &str, area: Rect) {
     let Some(at) = position(state) else { return };
     let faces = faces(state);
     let normal = faces.iter().map(|face| face.normal).sum::<DVec3>();
@@ -125,13 +125,13 @@ pub(super) fn draw<A>(picture: &mut Picture, state: &State<A>, kind: &str, area:
     });
 }
 
-fn position<A>(state: &State<A>) -> Option<DVec3> {
+fn position(state: &State) -> Option<DVec3> {
     let vertex = state.vertex.as_ref().map(|vertex| vertex.position);
     vertex.or(state.point.as_ref().map(|point| point.position))
 }
 
 /// The faces around the vertex in hand, or the polygon in hand alone.
-fn faces<A>(state: &State<A>) -> Vec<Face> {
+fn faces(state: &State) -> Vec<Face> {
     let number = state.polygon.map(|polygon| polygon.polygon as usize);
     let Some(polygon) = number.and_then(|number| state.prepared.polygon(number)) else {
         return Vec::new();

@@ -53,7 +53,7 @@ impl Row {
     }
 }
 
-pub(super) fn draw<A>(picture: &mut Picture, state: &State<A>, language: Language, area: Rect) {
+pub(super) fn draw(picture: &mut Picture, state: &State, language: Language, area: Rect) {
     let (rows, parts) = match &state.point {
         Some(point) => (rows_of_point(point, language), parts(point)),
         None => (rows_of_normals(state), Vec::new()),
@@ -151,7 +151,7 @@ fn rows_of_point(point: &CurrentPoint, language: Language) -> Vec<Row> {
 }
 
 /// The normal added last, the sum so far, and their mean.
-fn rows_of_normals<A>(state: &State<A>) -> Vec<Row> {
+fn rows_of_normals(state: &State) -> Vec<Row> {
     let Some(vertex) = &state.vertex else {
         return Vec::new();
     };

@@ -9,7 +9,7 @@ use crate::algorithms::scan_line::{Carried, Corner, Event, Fragment, Names, Scan
 use crate::color::Rgb;
 use crate::numeric::Random;
 use crate::numeric::interpolate;
-use crate::record::{Fields, Unrecorded};
+use crate::record::{Unrecorded, Value};
 use crate::render::{MAX_SIDE, Method};
 use crate::scene::{Camera, View};
 use glam::DVec3;
@@ -19,7 +19,9 @@ pub const PIXELS: usize = (SIZE * SIZE) as usize;
 
 impl Carried for Single {
     const NAMES: Option<&'static Names> = None;
-    fn tell(self, _: &'static str, _: &mut Fields) {}
+    fn value(self) -> Option<Value> {
+        None
+    }
 }
 
 /// A camera in front of which the point (x, y) of the screen lies at [`place`].
