@@ -2,7 +2,9 @@
 
 use super::Language;
 use fluent_bundle::concurrent::FluentBundle;
-use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use fluent_bundle::resolver::ResolverError;
+use fluent_bundle::resolver::errors::ReferenceKind;
+use fluent_bundle::{FluentArgs, FluentError, FluentResource, FluentValue};
 use std::collections::HashMap;
 use std::sync::{OnceLock, RwLock};
 
@@ -66,6 +68,25 @@ impl Catalogue {
         Some(*plain.entry(key).or_insert_with(|| text.leak()))
     }
 
+    pub fn format_with(&self, key: &str, value: impl Fn(&str) -> Option<String>) -> Option<String> {
+        let pattern = self.bundle.get_message(key)?.value()?;
+        let mut errors = Vec::new();
+        let text = self.bundle.format_pattern(pattern, None, &mut errors);
+        if errors.is_empty() {
+            return Some(text.into_owned());
+        }
+        let mut arguments = FluentArgs::new();
+        for name in errors.into_iter().filter_map(missing) {
+            if let Some(text) = value(&name) {
+                arguments.set(name, argument(&text).into_owned());
+            }
+        }
+        let pattern = self
+            .bundle
+            .format_pattern(pattern, Some(&arguments), &mut Vec::new());
+        Some(pattern.into_owned())
+    }
+
     pub fn format(&self, key: &str, arguments: &[(&'static str, &str)]) -> Option<String> {
         let pattern = self.bundle.get_message(key)?.value()?;
         let arguments: FluentArgs = arguments
@@ -78,6 +99,16 @@ impl Catalogue {
             .format_pattern(pattern, Some(&arguments), &mut errors);
         debug_assert!(errors.is_empty(), "{key}: {errors:?}");
         Some(text.into_owned())
+    }
+}
+
+/// The argument that a message has but was not given.
+fn missing(error: FluentError) -> Option<String> {
+    match error {
+        FluentError::ResolverError(ResolverError::Reference(ReferenceKind::Variable { id })) => {
+            Some(id)
+        }
+        _ => None,
     }
 }
 

@@ -45,6 +45,14 @@ impl Message {
             .format(self.0, arguments)
             .unwrap_or_else(|| self.0.to_string())
     }
+
+    /// The message with the arguments that it has in this language, each looked up by its name; what `value` does not know
+    /// stays as `{$name}`.
+    pub fn format_with(self, language: Language, value: impl Fn(&str) -> Option<String>) -> String {
+        catalogue::of(language)
+            .format_with(self.0, value)
+            .unwrap_or_else(|| self.0.to_string())
+    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,6 @@
 //! too narrow is drawn as one quiet bar for many. Drawing looks at a few steps for every bar, never at all steps of the run.
 
 use super::PanelInput;
-use super::formula::in_language;
 use super::message::{NO_STEPS, message};
 use super::names;
 use super::strings::{Language, Words};
@@ -358,7 +357,7 @@ fn number_of(walk: &dyn Walk, scope: usize, language: Language) -> Option<String
 /// What the scope is called that an event of `kind` opens.
 fn in_text(kind: &Kind, language: Language) -> String {
     kind.scope
-        .map_or(kind.name, |scope| in_language(scope, language))
+        .map_or(kind.name, |scope| scope.text(language))
         .to_string()
 }
 

@@ -53,7 +53,7 @@ impl<A: Carried> Recorded for Interpolated<A> {
 /// Declares the kinds of an event type:
 ///
 /// ```text
-/// pattern => "Name" at "label" [or "label" if condition,] [number "field"] [scope ("frame", "gambar")]
+/// pattern => "Name" at "label" [or "label" if condition,] [number "field"] [scope "key of its name"]
 ///     { "quantity" = value, … }
 ///     [ entry, … ];
 /// ```
@@ -83,7 +83,7 @@ macro_rules! vocabulary {
         [$($generics:tt)*] $event:ty { $($outer:pat => $inner:ident,)* };
         $(
             $pattern:pat $(if $guard:expr)? => $name:literal at $label:literal $(or $other:literal if $condition:expr,)?
-                $(number $number:literal)? $(scope $scope:tt)?
+                $(number $number:literal)? $(scope $scope:literal)?
                 { $($($field:literal)|+ = $value:expr),* $(,)? }
                 [ $($entry:expr),* $(,)? ];
         )*
@@ -91,7 +91,7 @@ macro_rules! vocabulary {
         /// All kinds that are declared here.
         pub const KINDS: &[$crate::vocabulary::Kind] = &[$(
             vocabulary!(@kind $name, $label, [$($other)?], [$($number)?],
-                [$($crate::vocabulary::entry::says $scope)?], [$($($field)+)*], [$($entry),*])
+                [$($crate::language::Message($scope))?], [$($($field)+)*], [$($entry),*])
         ),*];
 
         // A declaration binds its values once, and each of the three functions uses some of them only.
@@ -103,7 +103,7 @@ macro_rules! vocabulary {
                     $($pattern $(if $guard)? => {
                         const KIND: $crate::vocabulary::Kind =
                             vocabulary!(@kind $name, $label, [$($other)?], [$($number)?],
-                                [$($crate::vocabulary::entry::says $scope)?], [$($($field)+)*], [$($entry),*]);
+                                [$($crate::language::Message($scope))?], [$($($field)+)*], [$($entry),*]);
                         &KIND
                     })*
                 }

@@ -1,21 +1,13 @@
-//! What a step says: a sentence and formulas, where a condition holds.
+//! What explains a step: a sentence and formulas, where a condition holds.
 
-/// A sentence in both languages; `{name}` stands for a value.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Sentence {
-    pub en: &'static str,
-    pub id: &'static str,
-}
-
-pub const fn says(en: &'static str, id: &'static str) -> Sentence {
-    Sentence { en, id }
-}
+use crate::language::Message;
 
 /// The sentence and the formulas of a step.
 #[derive(Debug)]
 pub struct Entry {
     pub when: When,
-    pub says: Sentence,
+    /// Its arguments are values of the step, by their names.
+    pub sentence: Message,
     pub formulas: &'static [Formula],
 }
 
@@ -24,7 +16,7 @@ pub struct Entry {
 pub struct Formula {
     pub template: &'static str,
     pub when: When,
-    pub note: Option<Sentence>,
+    pub note: Option<Message>,
 }
 
 /// Where an entry or a formula holds.
@@ -65,7 +57,7 @@ pub const fn if_finite(name: &'static str, template: &'static str) -> Formula {
     }
 }
 
-pub const fn noted(template: &'static str, note: Sentence) -> Formula {
+pub const fn noted(template: &'static str, note: Message) -> Formula {
     Formula {
         template,
         when: When::Always,
@@ -73,19 +65,14 @@ pub const fn noted(template: &'static str, note: Sentence) -> Formula {
     }
 }
 
-pub const fn entry(en: &'static str, id: &'static str, formulas: &'static [Formula]) -> Entry {
-    only(When::Always, en, id, formulas)
+pub const fn entry(key: &'static str, formulas: &'static [Formula]) -> Entry {
+    only(When::Always, key, formulas)
 }
 
-pub const fn only(
-    when: When,
-    en: &'static str,
-    id: &'static str,
-    formulas: &'static [Formula],
-) -> Entry {
+pub const fn only(when: When, key: &'static str, formulas: &'static [Formula]) -> Entry {
     Entry {
         when,
-        says: says(en, id),
+        sentence: Message(key),
         formulas,
     }
 }

@@ -5,24 +5,21 @@ use super::entry::{When, entry, is, noted, only};
 use super::scan_line::INCREMENTAL;
 use crate::algorithms::fast_phong::{Event, PSEUDOCODE};
 use crate::algorithms::shading;
+use crate::language::Message;
 use crate::record::{self, Fields, Line};
 
 vocabulary! {
     [] Event {
         Event::Shading(event) => event,
     };
-    Event::Triangle { corners: [a, b, c] } => "Triangle" at "triangle" scope ("triangle", "segitiga")
+    Event::Triangle { corners: [a, b, c] } => "Triangle" at "triangle" scope "scope-triangle"
         {
             "a" = a,
             "b" = b,
             "c" = c,
         }
         [
-            entry(
-                "Triangle {a}–{b}–{c} of the polygon begins: a normal that is linear over it, and a series for each cosine.",
-                "Segitiga {a}–{b}–{c} dari poligon dimulai: satu normal linear dan satu deret untuk tiap kosinus.",
-                &[],
-            ),
+            entry("event-triangle", &[]),
         ];
     Event::NormalAtMiddle { middle, n_0, vanished } => "NormalAtMiddle" at "normal-series"
         {
@@ -32,11 +29,7 @@ vocabulary! {
             "vanished" = vanished,
         }
         [
-            entry(
-                "The series are expanded about the triangle's middle on the screen, with the normal N_0 there.",
-                "Deret dikembangkan di tengah segitiga pada layar, dengan normal N_0 di sana.",
-                &[is("{x_0}"), is("{y_0}"), is("{N_0}")],
-            ),
+            entry("event-normal-at-middle", &[is("{x_0}"), is("{y_0}"), is("{N_0}")]),
         ];
     Event::NormalSlopes { n_x, n_y } => "NormalSlopes" at "normal-series"
         {
@@ -44,11 +37,7 @@ vocabulary! {
             "N_y" = n_y,
         }
         [
-            entry(
-                "What a pixel to the right and a row down add to the normal.",
-                "Tambahan pada normal untuk satu piksel ke kanan dan satu baris ke bawah.",
-                &[is("{N_x}"), is("{N_y}")],
-            ),
+            entry("event-normal-slopes", &[is("{N_x}"), is("{N_y}")]),
         ];
     Event::Series { cosine, series } => "Series" at "series"
         {
@@ -63,8 +52,7 @@ vocabulary! {
         [
             only(
                 When::Is("cosine", "N_dot_L"),
-                "N·L/|N| near the middle, up to second order: what every pixel's division and square root would find.",
-                "N·L/|N| di sekitar titik tengah, sampai orde kedua: pengganti pembagian dan akar tiap piksel.",
+                "event-series-n-dot-l",
                 &[
                     is("{T_0}"),
                     is("{T_1}"),
@@ -75,8 +63,7 @@ vocabulary! {
                     ],
             ),
             entry(
-                "The highlight's cosine near the middle, up to second order.",
-                "Kosinus sorotan di sekitar titik tengah, sampai orde kedua.",
+                "event-series-highlight",
                 &[
                     is("{T_0}"),
                     is("{T_1}"),
@@ -91,21 +78,13 @@ vocabulary! {
         {
         }
         [
-            entry(
-                "Both cosines of light {light} are polynomials now; its direction holds for the whole triangle.",
-                "Kedua kosinus cahaya {light} kini polinomial; arahnya berlaku untuk seluruh segitiga.",
-                &[],
-            ),
+            entry("event-light-expanded", &[]),
         ];
     Event::Expanded => "Expanded" at "triangle"
         {
         }
         [
-            entry(
-                "Every light is expanded; the triangle can be filled.",
-                "Semua cahaya sudah dikembangkan; segitiga dapat diisi.",
-                &[],
-            ),
+            entry("event-expanded", &[]),
         ];
     Event::DifferencesStarted { light, cosine, running } => "DifferencesStarted" at "differences"
         {
@@ -116,11 +95,7 @@ vocabulary! {
             "d2c" = running.second,
         }
         [
-            entry(
-                "At the span's first pixel the polynomial gives the cosine and its two differences.",
-                "Pada piksel pertama bentang, polinomial memberi kosinus dan kedua selisihnya.",
-                &[is("{c}"), is("{Δc=dc}"), is("{Δ^2c=d2c}")],
-            ),
+            entry("event-differences-started", &[is("{c}"), is("{Δc=dc}"), is("{Δ^2c=d2c}")]),
         ];
     Event::CosineEvaluated { light, cosine, running, direct, exact } => "CosineEvaluated" at "increments"
         {
@@ -137,8 +112,7 @@ vocabulary! {
         [
             only(
                 When::Is("cosine", "N_dot_L"),
-                "N·L at the pixel: two additions from the pixel before.",
-                "N·L di piksel: dua penjumlahan dari piksel sebelumnya.",
+                "event-cosine-evaluated-n-dot-l",
                 &[
                     is("{c} = c′ + Δc′"),
                     is("{Δc=dc} = Δc′ + {Δ^2c=d2c}"),
@@ -147,8 +121,7 @@ vocabulary! {
                     ],
             ),
             entry(
-                "The highlight's cosine at the pixel: two additions from the pixel before.",
-                "Kosinus sorotan di piksel: dua penjumlahan dari piksel sebelumnya.",
+                "event-cosine-evaluated-highlight",
                 &[
                     is("{c} = c′ + Δc′"),
                     is("{Δc=dc} = Δc′ + {Δ^2c=d2c}"),
@@ -164,28 +137,17 @@ vocabulary! {
             "I_s" = i_s,
         }
         [
-            entry(
-                "What light {light} adds here; the power of the highlight's cosine comes from a table.",
-                "Tambahan cahaya {light} di sini; pangkat kosinus sorotan diambil dari tabel.",
-                &[is("{c^n=power}"), is("{I_d}"), is("{I_s}")],
-            ),
+            entry("event-light-summed", &[is("{c^n=power}"), is("{I_d}"), is("{I_s}")]),
         ];
     Event::TriangleDone => "TriangleDone" at "triangle"
         {
         }
         [
-            entry(
-                "Triangle {a}–{b}–{c} is done.",
-                "Segitiga {a}–{b}–{c} selesai.",
-                &[],
-            ),
+            entry("event-triangle-done", &[]),
         ];
 }
 
-const APPROXIMATE: super::Sentence = super::entry::says(
-    "how far the series is from the cosine of a unit normal",
-    "jarak deret dari kosinus normal satuan",
-);
+const APPROXIMATE: Message = Message("note-approximate");
 
 impl record::Event for Event {
     fn kind(&self) -> &'static str {

@@ -16,13 +16,9 @@ vocabulary! {
             "F_exact" = f,
         }
         [
-            entry(
-                "What the form factor is, by the contour integral to ten digits: the value that follows is compared with it.",
-                "Nilai faktor bentuk, dengan integral kontur sampai sepuluh angka: nilai berikut dibandingkan dengannya.",
-                &[is("{F_i_j=F_exact}")],
-            ),
+            entry("event-reference", &[is("{F_i_j=F_exact}")]),
         ];
-    Event::FormFactor { i, j, method } => "FormFactor" at "form-factor" number "j" scope ("form factor", "faktor bentuk")
+    Event::FormFactor { i, j, method } => "FormFactor" at "form-factor" number "j" scope "scope-form-factor"
         {
             "i" = i,
             "j" = j,
@@ -30,8 +26,7 @@ vocabulary! {
         }
         [
             entry(
-                "The form factor from patch {i} to patch {j}: the share of the light leaving patch {i} that arrives at patch {j}. V is 0 where something stands between.",
-                "Faktor bentuk dari patch {i} ke patch {j}: bagian cahaya dari patch {i} yang tiba di patch {j}. V bernilai 0 bila ada penghalang.",
+                "event-form-factor",
                 &[is(
                     "F_i_j = [1; A_i] ∫∫ [cos θ_x cos θ_y; π r^2] V dA_y dA_x",
                     )],
@@ -41,11 +36,7 @@ vocabulary! {
         {
         }
         [
-            entry(
-                "The two pieces lie behind each other or in one plane: nothing passes between them, and nothing is integrated.",
-                "Kedua bagian saling membelakangi atau sebidang: tidak ada cahaya di antaranya, dan tidak ada yang diintegralkan.",
-                &[],
-            ),
+            entry("event-faces-away", &[]),
         ];
     Event::Pieces { corners, areas } => "Pieces" at "pieces"
         {
@@ -55,11 +46,7 @@ vocabulary! {
             "area_j" = areas[1],
         }
         [
-            entry(
-                "The parts of the two patches that lie in front of each other, with {corners_i} and {corners_j} corners, and their areas.",
-                "Bagian kedua patch yang saling berhadapan, dengan {corners_i} dan {corners_j} sudut, serta luasnya.",
-                &[is("{A_i=area_i}"), is("{A_j=area_j}")],
-            ),
+            entry("event-pieces", &[is("{A_i=area_i}"), is("{A_j=area_j}")]),
         ];
     Event::Chosen { method, distance, radii, points } => "Chosen" at "contour"
         {
@@ -70,23 +57,13 @@ vocabulary! {
             "points" = points,
         }
         [
-            only(
-                When::Is("chosen", "area_to_area"),
-                "Far from each other for their radii R: {points} pairs of points are exact enough.",
-                "Berjauhan dibandingkan radius R: {points} pasang titik sudah cukup teliti.",
-                BY_DISTANCE,
-            ),
+            only(When::Is("chosen", "area_to_area"), "event-chosen-area-to-area", BY_DISTANCE),
             only(
                 When::Is("chosen", "element_to_polygon"),
-                "Apart, and one small: points of the smaller patch, each with its exact form factor to the larger one.",
-                "Terpisah, dan salah satunya kecil: titik-titik patch yang lebih kecil, masing-masing dengan faktor bentuk eksak ke patch yang lebih besar.",
+                "event-chosen-element-to-polygon",
                 BY_DISTANCE,
             ),
-            entry(
-                "Near or touching: the double contour integral.",
-                "Berdekatan atau bersentuhan: integral kontur ganda.",
-                BY_DISTANCE,
-            ),
+            entry("event-chosen-contour", BY_DISTANCE),
         ];
     Event::Points { x, y } => "Points" at "points"
         {
@@ -94,11 +71,7 @@ vocabulary! {
             "y" = y,
         }
         [
-            entry(
-                "A point of either patch, at a Gauss point.",
-                "Satu titik pada tiap patch, di titik Gauss.",
-                &[is("{x}"), is("{y}")],
-            ),
+            entry("event-points", &[is("{x}"), is("{y}")]),
         ];
     Event::Pair { cos_x, cos_y, r, term, sum } => "Pair" at "pair"
         {
@@ -110,8 +83,7 @@ vocabulary! {
         }
         [
             entry(
-                "What the two points exchange, by their weights w: the nearer and the more they face each other, the more.",
-                "Pertukaran kedua titik, menurut bobot w: makin dekat dan makin berhadapan, makin besar.",
+                "event-pair",
                 &[
                     is("{r} = |{y} − {x}|"),
                     is("{term} = w_x w_y [{cos_theta_x} · {cos_theta_y}; π {r}^2]"),
@@ -119,17 +91,13 @@ vocabulary! {
                     ],
             ),
         ];
-    Event::Element { x, weight } => "Element" at "element" scope ("element", "elemen")
+    Event::Element { x, weight } => "Element" at "element" scope "scope-element"
         {
             "x" = x,
             "w" = weight,
         }
         [
-            entry(
-                "A point of the smaller patch stands for an element of it, with the weight w. It sees the other patch as a polygon.",
-                "Satu titik pada patch yang lebih kecil mewakili elemennya, dengan bobot w. Ia melihat patch lain sebagai poligon.",
-                &[is("{x}"), is("{w}")],
-            ),
+            entry("event-element", &[is("{x}"), is("{w}")]),
         ];
     Event::Edge { edge, corner, angle, term, sum } => "Edge" at "edge"
         {
@@ -142,8 +110,7 @@ vocabulary! {
         [
             only(
                 When::Recorded("Gamma_k"),
-                "Edge {edge} of the polygon, from its corner R_k on: seen from x it spans the angle |Γ_k|, and Γ_k is normal to it.",
-                "Sisi {edge} poligon, mulai sudut R_k: dilihat dari x sisi ini membentang sudut |Γ_k|, dan Γ_k tegak lurus padanya.",
+                "event-polygon-edge",
                 &[
                     is("{R_k}"),
                     is("{|Γ_k|=Gamma_k}"),
@@ -158,11 +125,7 @@ vocabulary! {
             "sum" = sum,
         }
         [
-            entry(
-                "The form factor of the element, exact for its point, is added by its weight.",
-                "Faktor bentuk elemen, eksak untuk titiknya, ditambahkan menurut bobotnya.",
-                &[is("{A_i F_i_j=sum} = A_i F_i_j′ + {w} · {F_x}")],
-            ),
+            entry("event-element-seen", &[is("{A_i F_i_j=sum} = A_i F_i_j′ + {w} · {F_x}")]),
         ];
     Event::EdgePair { edges, cosine, way, integral, sum } => "EdgePair" at "edge-pair"
         {
@@ -176,21 +139,11 @@ vocabulary! {
         [
             only(
                 When::Is("way", "at right angles"),
-                "Edge {edge_i} of one patch and edge {edge_j} of the other are at right angles: they add nothing.",
-                "Sisi {edge_i} patch pertama dan sisi {edge_j} patch kedua saling tegak lurus: tidak menambah apa pun.",
+                "event-edge-pair-at-right-angles",
                 &[is("{e·f=e_dot_f}"), is("{A_i F_i_j=sum}")],
             ),
-            only(
-                When::Is("way", "on one line"),
-                "Edge {edge_i} of one patch and edge {edge_j} of the other lie on one line: I is exact. Lengths are in the extent L of the two.",
-                "Sisi {edge_i} patch pertama dan sisi {edge_j} patch kedua terletak pada satu garis: I eksak. Panjang dalam satuan rentang L keduanya.",
-                EDGES,
-            ),
-            entry(
-                "Edge {edge_i} of one patch with edge {edge_j} of the other: I is exact along one, by Gauss points along the other. Lengths are in the extent L of the two.",
-                "Sisi {edge_i} patch pertama dengan sisi {edge_j} patch kedua: I eksak sepanjang yang satu, dengan titik Gauss sepanjang yang lain. Panjang dalam satuan rentang L keduanya.",
-                EDGES,
-            ),
+            only(When::Is("way", "on one line"), "event-edge-pair-on-one-line", EDGES),
+            entry("event-edge-pair", EDGES),
         ];
     Event::Ray { x, direction, met, hits } => "Ray" at "ray"
         {
@@ -200,30 +153,16 @@ vocabulary! {
             "hits" = hits,
         }
         [
-            only(
-                When::True("met"),
-                "The ray meets the front of patch {j}, and nothing before: it counts.",
-                "Sinar mengenai sisi depan patch {j}, tanpa penghalang: dihitung.",
-                RAY,
-            ),
-            only(
-                When::Recorded("hits"),
-                "The ray does not reach patch {j}: the hits stay as they are.",
-                "Sinar tidak mencapai patch {j}: jumlah yang mengenai tetap.",
-                RAY,
-            ),
+            only(When::True("met"), "event-ray-met", RAY),
+            only(When::Recorded("hits"), "event-ray-missed", RAY),
         ];
-    Event::Hemicube { x, resolution } => "Hemicube" at "hemicube" scope ("hemicube", "hemicube")
+    Event::Hemicube { x, resolution } => "Hemicube" at "hemicube" scope "scope-hemicube"
         {
             "x" = x,
             "resolution" = resolution,
         }
         [
-            entry(
-                "A hemicube stands over the point x of patch {i}: {resolution} pixels along an edge of its top.",
-                "Hemicube berdiri di atas titik x pada patch {i}: {resolution} piksel sepanjang rusuk atasnya.",
-                &[is("{x}")],
-            ),
+            entry("event-hemicube", &[is("{x}")]),
         ];
     Event::Pixel { face, x, y, delta, sum } => "Pixel" at "pixel"
         {
@@ -236,8 +175,7 @@ vocabulary! {
         [
             only(
                 When::NotPositive("face"),
-                "Pixel ({pixel_x}, {pixel_y}) of the top shows patch {j}: it stands for ΔF.",
-                "Piksel ({pixel_x}, {pixel_y}) sisi atas menampilkan patch {j}: nilainya ΔF.",
+                "event-hemicube-pixel-top",
                 &[
                     is(ACROSS),
                     is(ALONG),
@@ -247,8 +185,7 @@ vocabulary! {
             ),
             only(
                 When::Recorded("delta_F"),
-                "Pixel ({pixel_x}, {pixel_y}) of side face {face} shows patch {j}: it stands for ΔF, less the lower it lies.",
-                "Piksel ({pixel_x}, {pixel_y}) sisi tegak {face} menampilkan patch {j}: nilainya ΔF, makin kecil makin rendah.",
+                "event-hemicube-pixel-side",
                 &[
                     is(ACROSS),
                     is(ALONG),
@@ -264,8 +201,7 @@ vocabulary! {
         }
         [
             entry(
-                "The form factor of the point; the mean over all n points of patch {i} stands for the patch.",
-                "Faktor bentuk titik ini; rata-rata semua n titik patch {i} mewakili patch itu.",
+                "event-hemicube-seen",
                 &[
                     is("{F_x} = Σ ΔF"),
                     is("{F_i_j=F_mean} = F_i_j′ + [{F_x}; n]"),
@@ -280,17 +216,8 @@ vocabulary! {
             "share" = share,
         }
         [
-            only(
-                When::True("blocked"),
-                "Something stands between x and y: V(x, y) = 0. K is what they would exchange, cos θ_x cos θ_y / (π r^2).",
-                "Ada penghalang antara x dan y: V(x, y) = 0. K adalah pertukaran tanpa penghalang, cos θ_x cos θ_y / (π r^2).",
-                SIGHT,
-            ),
-            entry(
-                "Nothing stands between x and y: V(x, y) = 1. K is what they exchange, cos θ_x cos θ_y / (π r^2).",
-                "Tidak ada penghalang antara x dan y: V(x, y) = 1. K adalah pertukarannya, cos θ_x cos θ_y / (π r^2).",
-                SIGHT,
-            ),
+            only(When::True("blocked"), "event-sight-blocked", SIGHT),
+            entry("event-sight-free", SIGHT),
         ];
     Event::Visible { rays, share } => "Visible" at "visible"
         {
@@ -298,11 +225,7 @@ vocabulary! {
             "share" = share,
         }
         [
-            entry(
-                "Of {rays} lines of sight: the share of the light that nothing blocks.",
-                "Dari {rays} garis pandang: bagian cahaya yang tidak terhalang.",
-                &[is("{V_i_j=share}")],
-            ),
+            entry("event-visible", &[is("{V_i_j=share}")]),
         ];
     Event::FormFactorFound { exchange, f } => "FormFactorFound" at "found"
         {
@@ -312,19 +235,16 @@ vocabulary! {
         [
             only(
                 When::Is("method", "monte-carlo"),
-                "The form factor: the share of n rays that met patch {j}.",
-                "Faktor bentuk: bagian dari n sinar yang mengenai patch {j}.",
+                "event-form-factor-found-monte-carlo",
                 &[is("{F_i_j=F_ij} = [{hits}; n]"), EXCHANGE],
             ),
             only(
                 When::Is("method", "hemicube"),
-                "The form factor: the mean over the hemicubes.",
-                "Faktor bentuk: rata-rata dari semua hemicube.",
+                "event-form-factor-found-hemicube",
                 &[is("{F_i_j=F_ij}"), EXCHANGE],
             ),
             entry(
-                "The form factor: the exchange, by the share that nothing blocks, over the area of patch {i}.",
-                "Faktor bentuk: pertukaran, menurut bagian yang tidak terhalang, dibagi luas patch {i}.",
+                "event-form-factor-found",
                 &[
                     if_recorded("share", "{A_i F_i_j=A_i_F_ij} = A_i F_i_j′ · {V_i_j=share}"),
                     is("{F_i_j=F_ij} = [{A_i F_i_j=A_i_F_ij}; A_i]"),

@@ -2,21 +2,18 @@
 
 use super::entry::{Formula, When, entry, is, only};
 use crate::algorithms::illumination::Event;
+use crate::language::Message;
 
 vocabulary! {
     [] Event {
     };
-    Event::Illumination { position, normal } => "Illumination" at "head" scope ("illumination", "pencahayaan")
+    Event::Illumination { position, normal } => "Illumination" at "head" scope "scope-illumination"
         {
             "P" = position,
             "N" = normal,
         }
         [
-            entry(
-                "The illumination model at the point P with the unit normal N.",
-                "Model pencahayaan di titik P dengan normal satuan N.",
-                &[is("{P}"), is("{N}")],
-            ),
+            entry("event-illumination", &[is("{P}"), is("{N}")]),
         ];
     Event::Viewer { to_eye, turned } => "Viewer" at "viewer"
         {
@@ -24,23 +21,13 @@ vocabulary! {
             "turned" = turned,
         }
         [
-            only(
-                When::Recorded("u"),
-                "The way back along the ray stands for the direction to the eye.",
-                "Arah balik sepanjang sinar menggantikan arah ke mata.",
-                &[is("{V} = −{u}")],
-            ),
+            only(When::Recorded("u"), "event-viewer-along-ray", &[is("{V} = −{u}")]),
             only(
                 When::True("turned"),
-                "The eye sees the other side: N was turned toward it.",
-                "Mata melihat sisi sebaliknya: N dibalik ke arahnya.",
+                "event-viewer-turned",
                 &[is("{V} = [eye − P; |eye − P|]"), is("{N}")],
             ),
-            entry(
-                "The unit vector from the point to the eye; N is on its side already.",
-                "Vektor satuan dari titik ke mata; N sudah di sisi yang sama.",
-                &[is("{V} = [eye − P; |eye − P|]")],
-            ),
+            entry("event-viewer", &[is("{V} = [eye − P; |eye − P|]")]),
         ];
     Event::Ambient { k_a, term } => "Ambient" at "ambient"
         {
@@ -48,13 +35,9 @@ vocabulary! {
             "I_a" = term,
         }
         [
-            entry(
-                "The ambient term: light from all around.",
-                "Suku ambien: cahaya dari segala arah.",
-                &[is("{I_a} = {k_a} · {A}")],
-            ),
+            entry("event-ambient", &[is("{I_a} = {k_a} · {A}")]),
         ];
-    Event::Light { light, color, distance, attenuation, slide_factor } => "Light" at "light" number "light" scope ("light", "cahaya")
+    Event::Light { light, color, distance, attenuation, slide_factor } => "Light" at "light" number "light" scope "scope-light"
         {
             "light" = light,
             "I_light" = color,
@@ -65,8 +48,7 @@ vocabulary! {
         [
             only(
                 When::Finite("d"),
-                "Light {light} at the distance d, weakened by the attenuation f_{att}.",
-                "Cahaya {light} pada jarak d, dilemahkan oleh atenuasi f_{att}.",
+                "event-light",
                 &[
                     is("{d} = |light − P|"),
                     is("{f_{att}=f_att} = [1; a_0 + a_1·d + a_2·d^2]"),
@@ -74,8 +56,7 @@ vocabulary! {
                     ],
             ),
             entry(
-                "Light {light} is infinitely far: nothing weakens it.",
-                "Cahaya {light} jauh tak berhingga: tidak ada pelemahan.",
+                "event-light-infinitely-far",
                 &[is("{f_{att}=f_att}"), is("{I_{light}=I_light}")],
             ),
         ];
@@ -85,11 +66,7 @@ vocabulary! {
             "N_dot_L" = n_dot_l,
         }
         [
-            entry(
-                "The unit vector to the light, and its cosine with the normal.",
-                "Vektor satuan ke cahaya, dan kosinusnya dengan normal.",
-                &[is("{L}"), is("{N_dot_L} = {N} · {L}")],
-            ),
+            entry("event-to-light", &[is("{L}"), is("{N_dot_L} = {N} · {L}")]),
         ];
     Event::Diffuse { k_d, term } => "Diffuse" at "diffuse"
         {
@@ -98,8 +75,7 @@ vocabulary! {
         }
         [
             entry(
-                "The diffuse term: proportional to the cosine between normal and light.",
-                "Suku difus: sebanding dengan kosinus antara normal dan cahaya.",
+                "event-diffuse",
                 &[
                     is("{I_d} = {k_d} · {I_{light}=I_light} · {f_{att}=f_att} · max(0, {N_dot_L})"),
                     Formula {
@@ -118,8 +94,7 @@ vocabulary! {
         }
         [
             entry(
-                "The light's direction mirrored at the normal, and its cosine with the direction of the eye (Phong).",
-                "Arah cahaya dicerminkan pada normal, dan kosinusnya dengan arah mata (Phong).",
+                "event-mirrored",
                 &[
                     is("{R} = 2 ({N_dot_L}) {N} − {L}"),
                     is("{R_dot_V} = {R} · {V}"),
@@ -134,8 +109,7 @@ vocabulary! {
         }
         [
             entry(
-                "Half-way between light and eye, and its cosine with the normal (Blinn).",
-                "Tengah antara cahaya dan mata, dan kosinusnya dengan normal (Blinn).",
+                "event-halfway",
                 &[
                     is("{H} = [{L} + {V}; |{L} + {V}|]"),
                     is("{N_dot_H} = {N} · {H}"),
@@ -148,23 +122,16 @@ vocabulary! {
             "I_s" = term,
         }
         [
-            only(
-                When::NotPositive("N_dot_L"),
-                "No highlight: the light is behind the surface, N·L ≤ 0.",
-                "Tanpa sorotan: cahaya di balik permukaan, N·L ≤ 0.",
-                &[is("{I_s}")],
-            ),
+            only(When::NotPositive("N_dot_L"), "event-specular-none", &[is("{I_s}")]),
             only(
                 When::Recorded("R_dot_V"),
-                "The specular term: the highlight, narrower the larger n is.",
-                "Suku spekular: sorotan, makin sempit bila n makin besar.",
+                "event-specular",
                 &[is(
                     "{I_s} = {k_s} · {I_{light}=I_light} · {f_{att}=f_att} · max(0, {R_dot_V})^{n=n_s}",
                     )],
             ),
             entry(
-                "The specular term: the highlight, narrower the larger n is.",
-                "Suku spekular: sorotan, makin sempit bila n makin besar.",
+                "event-specular",
                 &[is(
                     "{I_s} = {k_s} · {I_{light}=I_light} · {f_{att}=f_att} · max(0, {N_dot_H})^{n=n_s}",
                     )],
@@ -177,20 +144,17 @@ vocabulary! {
         [
             only(
                 When::Unrecorded("I_d"),
-                "The light is blocked: it adds nothing.",
-                "Cahaya terhalang: tidak menambah apa pun.",
+                "event-light-added-blocked",
                 &[is("{I_d + I_s=I_added}")],
             ),
             only(
                 When::Unrecorded("I_s"),
-                "What light {light} adds; no surface of this scene has a highlight.",
-                "Yang ditambahkan cahaya {light}; tidak ada permukaan dengan sorotan di adegan ini.",
+                "event-light-added-matte",
                 &[is("{I_d + I_s=I_added} = {I_d}")],
             ),
             only(
                 When::Recorded("I_s"),
-                "What light {light} adds to the intensity.",
-                "Yang ditambahkan cahaya {light} pada intensitas.",
+                "event-light-added",
                 &[is("{I_d + I_s=I_added} = {I_d} + {I_s}")],
             ),
         ];
@@ -201,15 +165,11 @@ vocabulary! {
         [
             only(
                 When::Recorded("I_a"),
-                "The intensity of the point: the ambient term and what each light adds.",
-                "Intensitas titik: suku ambien dan yang ditambahkan tiap cahaya.",
+                "event-illuminated",
                 &[is("{I} = {I_a} + {Σ(I_d + I_s)=+I_added}")],
             ),
         ];
 }
 
 /// The slide's factor in place of attenuation and cosine.
-const ON_THE_SLIDE: super::Sentence = super::entry::says(
-    "As on the slide, in place of f_{att} · (N·L); it grows with the distance:",
-    "Seperti pada slide, sebagai ganti f_{att} · (N·L); nilainya membesar dengan jarak:",
-);
+const ON_THE_SLIDE: Message = Message("note-as-on-the-slide");

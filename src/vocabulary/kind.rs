@@ -1,7 +1,8 @@
 //! A kind of event, as it is declared.
 
-use super::entry::{Entry, Sentence};
+use super::entry::Entry;
 use super::quantity::Quantity;
+use crate::language::Message;
 
 #[derive(Debug)]
 pub struct Kind {
@@ -12,7 +13,7 @@ pub struct Kind {
     /// The labels of the lines of pseudocode that it carries out: one, or two of which the event chooses.
     pub labels: &'static [&'static str],
     /// What the scope is called that such an event opens.
-    pub scope: Option<Sentence>,
+    pub scope: Option<Message>,
     /// The value that tells the scope from its neighbours.
     pub number: Option<&'static str>,
     /// The first that fits says what the step does.

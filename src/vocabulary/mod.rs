@@ -24,7 +24,7 @@ mod visible;
 mod wireframe;
 
 pub use declare::Declared;
-pub use entry::{Entry, Formula, Sentence, When};
+pub use entry::{Entry, Formula, When};
 pub use kind::Kind;
 pub use quantity::{Quantity, Unit, quantity};
 

@@ -6,49 +6,33 @@ use crate::algorithms::prepared_scene::Event;
 vocabulary! {
     [] Event {
     };
-    Event::Frame { width, height, ambient } => "Frame" at "polygon" scope ("frame", "gambar")
+    Event::Frame { width, height, ambient } => "Frame" at "polygon" scope "scope-frame"
         {
             "width" = width,
             "height" = height,
             "A" = ambient,
         }
         [
-            entry(
-                "The frame begins: {width} × {height} pixels, lit by the ambient light A.",
-                "Gambar dimulai: {width} × {height} piksel, dengan cahaya ambien A.",
-                &[is("{A}")],
-            ),
+            entry("event-frame", &[is("{A}")]),
         ];
-    Event::Polygon { object, polygon } => "Polygon" at "polygon" number "polygon" scope ("polygon", "poligon")
+    Event::Polygon { object, polygon } => "Polygon" at "polygon" number "polygon" scope "scope-polygon"
         {
             "object" = object,
             "polygon" = polygon,
         }
         [
-            entry(
-                "Polygon {polygon} begins; it belongs to object {object}.",
-                "Poligon {polygon} dimulai; bagian dari objek {object}.",
-                &[],
-            ),
+            entry("event-polygon", &[]),
         ];
     Event::PolygonDone => "PolygonDone" at "polygon"
         {
         }
         [
-            entry(
-                "Polygon {polygon} is done.",
-                "Poligon {polygon} selesai.",
-                &[],
-            ),
+            entry("event-polygon-done", &[]),
         ];
     Event::FrameDone => "FrameDone" at "polygon"
         {
         }
         [
-            entry(
-                "The frame is done.",
-                "Gambar selesai.",
-                &[],
-            ),
+            entry("event-frame-done", &[]),
         ];
 }

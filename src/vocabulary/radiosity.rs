@@ -11,37 +11,25 @@ use crate::record::{self, Fields, Line, Listing};
 vocabulary! {
     [] Event {
     };
-    Event { recorded: S::Enclosure { patches }, solver } => "Room" at "start" scope ("enclosure", "ruang")
+    Event { recorded: S::Enclosure { patches }, solver } => "Room" at "start" scope "scope-enclosure"
         {
             "n" = patches,
         }
         [
-            entry(
-                "The light of a room of {n} patches is to be found: one system of equations for each channel of the colour.",
-                "Cahaya ruang dengan {n} patch akan dicari: satu sistem persamaan untuk tiap kanal warna.",
-                &[is("B_i = E_i + ρ_i Σ_j F_i_j B_j")],
-            ),
+            entry("event-room", &[is("B_i = E_i + ρ_i Σ_j F_i_j B_j")]),
         ];
     Event { recorded: S::RoomDone, solver } => "RoomDone" at "start"
         {
         }
         [
-            entry(
-                "All channels are done: every patch has its radiosity.",
-                "Semua kanal selesai: setiap patch mendapat radiositasnya.",
-                &[],
-            ),
+            entry("event-room-done", &[]),
         ];
-    Event { recorded: S::Channel { channel }, solver } => "Channel" at "start" number "channel" scope ("channel", "kanal")
+    Event { recorded: S::Channel { channel }, solver } => "Channel" at "start" number "channel" scope "scope-channel"
         {
             "channel" = channel,
         }
         [
-            entry(
-                "The channel {channel} begins: radiosity is monochrome, so each channel is solved by itself.",
-                "Kanal {channel} dimulai: radiositas bersifat monokrom, jadi tiap kanal diselesaikan sendiri.",
-                &[],
-            ),
+            entry("event-channel", &[]),
         ];
     Event { recorded: S::ChannelLeftOut { channel, why, like }, solver } => "ChannelLeftOut" at "start"
         {
@@ -50,30 +38,17 @@ vocabulary! {
             "like" = like,
         }
         [
-            only(
-                When::Recorded("like"),
-                "The channel {channel} has the reflectances and emissions of the channel {like}: its solution serves both.",
-                "Kanal {channel} memiliki reflektansi dan emisi yang sama dengan kanal {like}: solusinya dipakai bersama.",
-                &[],
-            ),
-            entry(
-                "In the channel {channel} nothing emits, so every radiosity is 0: there is nothing to solve.",
-                "Pada kanal {channel} tidak ada yang memancar, jadi semua radiositas 0: tidak ada yang perlu diselesaikan.",
-                &[],
-            ),
+            only(When::Recorded("like"), "event-channel-left-out-like-another", &[]),
+            entry("event-channel-left-out-dark", &[]),
         ];
     Event { recorded: S::ChannelDone { channel }, solver } => "ChannelDone" at "start"
         {
             "channel" = channel,
         }
         [
-            entry(
-                "The channel {channel} is done.",
-                "Kanal {channel} selesai.",
-                &[],
-            ),
+            entry("event-channel-done", &[]),
         ];
-    Event { recorded: S::System { patches, gain }, solver } => "System" at "start" scope ("system", "sistem")
+    Event { recorded: S::System { patches, gain }, solver } => "System" at "start" scope "scope-system"
         {
             "solver" = solver.name(),
             "n" = patches,
@@ -81,8 +56,7 @@ vocabulary! {
         }
         [
             entry(
-                "{n} equations for {n} radiosities, to be solved by {solver}. μ, the largest gain of a row, says how much of the light is reflected at most.",
-                "{n} persamaan untuk {n} radiositas, diselesaikan dengan {solver}. μ, penguatan baris terbesar, menyatakan paling banyak berapa bagian cahaya yang dipantulkan.",
+                "event-system",
                 &[
                     is("(I − ρF) B = E"),
                     if_recorded("gain", "{μ=gain} = max_i ρ_i Σ_j F_i_j"),
@@ -96,22 +70,14 @@ vocabulary! {
             "unshot_i" = unshot,
         }
         [
-            entry(
-                "Patch {i} before the iteration: its radiosity, and its part r_i of the residual.",
-                "Patch {i} sebelum iterasi: radiositasnya, dan bagiannya r_i dari residu.",
-                &[is("{B_i}"), is("{r_i=unshot_i}")],
-            ),
+            entry("event-started", &[is("{B_i}"), is("{r_i=unshot_i}")]),
         ];
-    Event { recorded: S::Iteration { k }, solver } => "Iteration" at "iteration" number "k" scope ("iteration", "iterasi")
+    Event { recorded: S::Iteration { k }, solver } => "Iteration" at "iteration" number "k" scope "scope-iteration"
         {
             "k" = k,
         }
         [
-            entry(
-                "Iteration {k} begins.",
-                "Iterasi {k} dimulai.",
-                &[],
-            ),
+            entry("event-iteration", &[]),
         ];
     Event { recorded: S::Weighted { omega }, solver } => "Weighted" at "weight"
         {
@@ -120,21 +86,11 @@ vocabulary! {
         [
             only(
                 When::Is("solver", "over-relaxation"),
-                "Every patch goes ω times as far as it gathers, by Young’s ω for the bound μ.",
-                "Setiap patch melangkah ω kali sejauh yang dikumpulkannya, dengan ω dari Young untuk batas μ.",
+                "event-weighted-over-relaxation",
                 &[is("{omega} = [2; 1 + √(1 − {μ=gain}^2)]")],
             ),
-            only(
-                When::NotPositive("k"),
-                "The weight of the first iteration of Chebyshev is 1.",
-                "Bobot iterasi Chebyshev yang pertama adalah 1.",
-                &[is("{omega}")],
-            ),
-            entry(
-                "The weight of this iteration of Chebyshev, from the weight ω′ before; in the second iteration 2 stands for ω′.",
-                "Bobot iterasi Chebyshev ini, dari bobot ω′ sebelumnya; pada iterasi kedua ω′ diganti 2.",
-                &[is("{omega} = [1; 1 − {μ=gain}^2 ω′ / 4]")],
-            ),
+            only(When::NotPositive("k"), "event-weighted-first", &[is("{omega}")]),
+            entry("event-weighted-chebyshev", &[is("{omega} = [1; 1 − {μ=gain}^2 ω′ / 4]")]),
         ];
     Event { recorded: S::StepLengths { alpha, beta }, solver } => "StepLengths" at "step-lengths"
         {
@@ -143,15 +99,14 @@ vocabulary! {
         }
         [
             entry(
-                "The step lengths of conjugate gradients: α along the direction p, and β for the next direction.",
-                "Panjang langkah gradien konjugat: α sepanjang arah p, dan β untuk arah berikutnya.",
+                "event-step-lengths",
                 &[
                     is("{alpha} = [δ; p · S p]"),
                     is("{beta} = [s · M^−^1 s; δ]"),
                     ],
             ),
         ];
-    Event { recorded: S::Gathering { i, e_i, rho_i, b_old }, solver } => "Gathering" at "gathering" number "i" scope ("patch", "patch")
+    Event { recorded: S::Gathering { i, e_i, rho_i, b_old }, solver } => "Gathering" at "gathering" number "i" scope "scope-patch"
         {
             "i" = i,
             "E_i" = e_i,
@@ -159,11 +114,7 @@ vocabulary! {
             "B_old" = b_old,
         }
         [
-            entry(
-                "Patch {i} gathers the light of all others: it emits E_i itself and reflects the share ρ_i of what arrives.",
-                "Patch {i} mengumpulkan cahaya dari semua patch lain: ia memancarkan E_i sendiri dan memantulkan bagian ρ_i dari yang tiba.",
-                &[is("{E_i}"), is("{rho_i}"), is("{B_old}")],
-            ),
+            entry("event-gathering", &[is("{E_i}"), is("{rho_i}"), is("{B_old}")]),
         ];
     Event { recorded: S::Exchanged { j, f_ij, b_j, product, sum }, solver } => "Exchanged" at "exchange"
         {
@@ -174,11 +125,7 @@ vocabulary! {
             "sum" = sum,
         }
         [
-            entry(
-                "Of the light that patch {i} gathers, patch {j} brings form factor times radiosity.",
-                "Dari cahaya yang dikumpulkan patch {i}, patch {j} menyumbang faktor bentuk kali radiositas.",
-                &[is("{sum} = sum′ + {F_ij} · {B_j}")],
-            ),
+            entry("event-exchanged", &[is("{sum} = sum′ + {F_ij} · {B_j}")]),
         ];
     Event { recorded: S::Gathered { i, b_new, change }, solver } => "Gathered" at "gathered"
         {
@@ -189,8 +136,7 @@ vocabulary! {
         [
             only(
                 When::Recorded("omega"),
-                "Patch {i} has gathered, and goes ω times as far as from the old radiosity to what it gathered.",
-                "Patch {i} selesai mengumpulkan, dan melangkah ω kali sejauh dari radiositas lama ke hasil pengumpulan.",
+                "event-gathered-relaxed",
                 &[
                     if_recorded(
                     "sum",
@@ -200,8 +146,7 @@ vocabulary! {
                     ],
             ),
             entry(
-                "Patch {i} has gathered: its new radiosity is what it emits and what it reflects.",
-                "Patch {i} selesai mengumpulkan: radiositas barunya adalah yang dipancarkan ditambah yang dipantulkan.",
+                "event-gathered",
                 &[
                     if_recorded("sum", "{B_i} = {E_i} + {rho_i} · {Σ_j F_i_j B_j=sum}"),
                     CHANGE,
@@ -215,12 +160,11 @@ vocabulary! {
         [
             only(
                 When::Recorded("ambient"),
-                "The ambient radiosity: what the light not shot yet will come to in the mean, were the room evenly lit. ⟨…⟩ are means by area.",
-                "Radiositas ambien: nilai rata-rata yang akan dicapai cahaya yang belum ditembakkan, andai ruang terang merata. ⟨…⟩ rata-rata menurut luas.",
+                "event-ambient-radiosity",
                 &[is("{ambient} = [⟨ρ⟩ ⟨ΔB⟩; 1 − ⟨ρ⟩]")],
             ),
         ];
-    Event { recorded: S::Shooting { i, unshot, shot, a_i }, solver } => "Shooting" at "shooting" number "i" scope ("patch", "patch")
+    Event { recorded: S::Shooting { i, unshot, shot, a_i }, solver } => "Shooting" at "shooting" number "i" scope "scope-patch"
         {
             "i" = i,
             "unshot_i" = unshot,
@@ -230,15 +174,10 @@ vocabulary! {
         [
             only(
                 When::Recorded("ambient"),
-                "Patch {i} overshoots: its unshot radiosity ΔB_i, and the ambient in advance. ΔB_i A_i with the ambient is the largest of all.",
-                "Patch {i} menembak lebih: radiositas ΔB_i yang belum ditembakkan, dan ambien di muka. ΔB_i A_i dengan ambien terbesar di antara semua.",
+                "event-overshooting",
                 &[is("{shot} = {ΔB_i=unshot_i} + {ambient}"), is("{A_i}")],
             ),
-            entry(
-                "Patch {i} shoots its unshot radiosity ΔB_i to all others: ΔB_i A_i is the largest of all.",
-                "Patch {i} menembakkan radiositas ΔB_i yang belum ditembakkan ke semua patch lain: ΔB_i A_i terbesar di antara semua.",
-                &[is("{ΔB_i=unshot_i}"), is("{A_i}")],
-            ),
+            entry("event-shooting", &[is("{ΔB_i=unshot_i}"), is("{A_i}")]),
         ];
     Event { recorded: S::Received { j, f_ji, rho_j, delta, b_j, unshot_j }, solver } => "Received" at "received"
         {
@@ -251,8 +190,7 @@ vocabulary! {
         }
         [
             entry(
-                "Patch {j} receives, and reflects the share ρ_j: that is light it has not shot yet. F_j_i follows from the row of patch {i} by reciprocity.",
-                "Patch {j} menerima, dan memantulkan bagian ρ_j: itu cahaya yang belum ditembakkannya. F_j_i diperoleh dari baris patch {i} melalui resiprositas.",
+                "event-received",
                 &[
                     is("{F_ji} = F_i_j A_i / A_j"),
                     is("{ΔRad=DeltaB} = {rho_j} · {F_ji} · {ΔB_i=shot}"),
@@ -267,11 +205,7 @@ vocabulary! {
             "unshot_i" = unshot,
         }
         [
-            entry(
-                "The shot of patch {i} is over: what it shot belongs to its radiosity now.",
-                "Tembakan patch {i} selesai: yang ditembakkannya kini termasuk radiositasnya.",
-                &[is("{B_i} = B_i′ + {shot}"), is("{ΔB_i=unshot_i}")],
-            ),
+            entry("event-shot-done", &[is("{B_i} = B_i′ + {shot}"), is("{ΔB_i=unshot_i}")]),
         ];
     Event { recorded: S::Updated { i, b_old, b_new }, solver } => "Updated" at "updated"
         {
@@ -282,21 +216,15 @@ vocabulary! {
         [
             only(
                 When::Is("solver", "chebyshev"),
-                "Patch {i}, changed with all others at once: B″ is its radiosity one iteration earlier, r the residual.",
-                "Patch {i}, diubah bersama semua patch lain: B″ radiositasnya satu iterasi sebelumnya, r residunya.",
+                "event-updated-chebyshev",
                 &[is("{B_i} = B″_i + {omega} (γ r_i + {B_old} − B″_i)")],
             ),
             only(
                 When::Is("solver", "direct"),
-                "Patch {i}: d solves the system for the residual, by elimination.",
-                "Patch {i}: d menyelesaikan sistem untuk residu, dengan eliminasi.",
+                "event-updated-direct",
                 &[is("{B_i} = {B_old} + d_i")],
             ),
-            entry(
-                "Patch {i}, changed with all others at once, along the direction p.",
-                "Patch {i}, diubah bersama semua patch lain, sepanjang arah p.",
-                &[is("{B_i} = {B_old} + α p_i")],
-            ),
+            entry("event-updated-along-direction", &[is("{B_i} = {B_old} + α p_i")]),
         ];
     Event { recorded: S::IterationDone { residual, error_bound }, solver } => "IterationDone" at "iteration"
         {
@@ -304,11 +232,7 @@ vocabulary! {
             "error_bound" = Bound(error_bound),
         }
         [
-            entry(
-                "The iteration is over: how large the residual is against the emission. ε_B bounds the error of every radiosity, where a bound is known.",
-                "Iterasi selesai: seberapa besar residu dibandingkan emisi. ε_B membatasi galat setiap radiositas, bila batasnya diketahui.",
-                RESIDUAL,
-            ),
+            entry("event-iteration-done", RESIDUAL),
         ];
     Event { recorded: S::Converged { iterations, residual, error_bound }, solver } => "Converged" at "iteration"
         {
@@ -317,11 +241,7 @@ vocabulary! {
             "error_bound" = Bound(error_bound),
         }
         [
-            entry(
-                "Converged after {iterations} iterations: the residual is small enough.",
-                "Konvergen setelah {iterations} iterasi: residunya cukup kecil.",
-                RESIDUAL,
-            ),
+            entry("event-converged", RESIDUAL),
         ];
     Event { recorded: S::NotConverged { iterations, residual }, solver } => "NotConverged" at "iteration"
         {
@@ -329,11 +249,7 @@ vocabulary! {
             "residual" = residual,
         }
         [
-            entry(
-                "Not converged after {iterations} iterations: this is no solution.",
-                "Tidak konvergen setelah {iterations} iterasi: ini bukan solusi.",
-                &[is(RELATIVE)],
-            ),
+            entry("event-not-converged", &[is(RELATIVE)]),
         ];
 }
 

@@ -14,17 +14,13 @@ vocabulary! {
         Event::Surface(event) => event,
         Event::Illumination(event) => event,
     };
-    Event::Ray { ray } => "Ray" at "ray" scope ("ray", "sinar")
+    Event::Ray { ray } => "Ray" at "ray" scope "scope-ray"
         {
             "O" = ray.origin,
             "u" = ray.direction,
         }
         [
-            entry(
-                "The primary ray begins at the eye O and goes through P_s, the point on the screen; u is its unit direction.",
-                "Sinar primer mulai dari mata O melewati P_s, titik di layar; u arah satuannya.",
-                &[is("{O}"), is("{u} = [P_s − O; |P_s − O|]")],
-            ),
+            entry("event-ray-primary", &[is("{O}"), is("{u} = [P_s − O; |P_s − O|]")]),
         ];
     Event::Local { emission, local } => "Local" at "local"
         {
@@ -32,22 +28,14 @@ vocabulary! {
             "I_local" = local,
         }
         [
-            entry(
-                "The local term: the light that arrives, and what the surface gives off itself.",
-                "Suku lokal: cahaya yang sampai, dan yang dipancarkan permukaan sendiri.",
-                &[is("{I_local} = {I} + {emission}")],
-            ),
+            entry("event-local", &[is("{I_local} = {I} + {emission}")]),
         ];
     Event::Returned { color } => "Returned" at "returned"
         {
             "I" = color,
         }
         [
-            entry(
-                "The light that comes back along the ray.",
-                "Cahaya yang kembali sepanjang sinar.",
-                &[is("{I}")],
-            ),
+            entry("event-returned", &[is("{I}")]),
         ];
 }
 

@@ -3,20 +3,17 @@
 use super::declare::Interpolated;
 use super::entry::{When, entry, if_recorded, is, noted, only};
 use crate::algorithms::scan_line::{Carried, Event};
+use crate::language::Message;
 
 vocabulary! {
     [A: Carried] Event<A> {
     };
-    Event::EdgeTable { corners } => "EdgeTable" at "edge-table" scope ("edge table", "tabel sisi")
+    Event::EdgeTable { corners } => "EdgeTable" at "edge-table" scope "scope-edge-table"
         {
             "corners" = corners,
         }
         [
-            entry(
-                "The edge table of a polygon of {corners} corners begins.",
-                "Tabel sisi dari poligon dengan {corners} sudut dimulai.",
-                &[],
-            ),
+            entry("event-edge-table", &[]),
         ];
     Event::CornerPlaced { corner, x, y, z, value } => "CornerPlaced" at "edge-table"
         {
@@ -28,8 +25,7 @@ vocabulary! {
         }
         [
             entry(
-                "Corner {corner} on the screen, in pixels; z is its depth.",
-                "Sudut {corner} di layar, dalam piksel; z kedalamannya.",
+                "event-corner-placed",
                 &[
                     is("{x}"),
                     is("{y}"),
@@ -51,8 +47,7 @@ vocabulary! {
         }
         [
             entry(
-                "Edge {upper}–{lower} is entered: it cuts the scan lines from {first} on, up to but not including {end}.",
-                "Sisi {upper}–{lower} dimasukkan: memotong garis scan mulai {first} sampai sebelum {end}.",
+                "event-edge-entered",
                 &[
                     is(
                     "{dx_dy} = [{x_2=x@corner:lower} − {x_1=x@corner:upper}; {y_2=y@corner:lower} − {y_1=y@corner:upper}]",
@@ -74,36 +69,24 @@ vocabulary! {
             "to" = to,
         }
         [
-            entry(
-                "Edge {from}–{to} passes the centre of no row: it is left out.",
-                "Sisi {from}–{to} tidak melewati pusat baris mana pun: dilewati.",
-                &[],
-            ),
+            entry("event-edge-skipped", &[]),
         ];
     Event::EdgeTableBuilt { edges } => "EdgeTableBuilt" at "edge-table"
         {
             "edges" = edges,
         }
         [
-            entry(
-                "The edge table is built; edges in it: {edges}.",
-                "Tabel sisi selesai; jumlah sisi: {edges}.",
-                &[],
-            ),
+            entry("event-edge-table-built", &[]),
         ];
-    Event::ScanLine { y, y_4 } => "ScanLine" at "scan-line" number "y" scope ("scan line", "garis scan")
+    Event::ScanLine { y, y_4 } => "ScanLine" at "scan-line" number "y" scope "scope-scan-line"
         {
             "y" = y,
             "y_4" = y_4,
         }
         [
-            entry(
-                "Scan line {y} begins: its pixel centres lie at y_4 = {y_4}.",
-                "Garis scan {y} dimulai: pusat pikselnya pada y_4 = {y_4}.",
-                &[is("{y_4} = {y} + 0.5")],
-            ),
+            entry("event-scan-line", &[is("{y_4} = {y} + 0.5")]),
         ];
-    Event::Edge { edge, upper, lower, y_1, y_2, x_4 } => "Edge" at "edge" number "edge" scope ("edge", "sisi")
+    Event::Edge { edge, upper, lower, y_1, y_2, x_4 } => "Edge" at "edge" number "edge" scope "scope-edge"
         {
             "edge" = edge,
             "upper" = upper,
@@ -115,8 +98,7 @@ vocabulary! {
         [
             only(
                 When::Recorded("x_4"),
-                "The scan line cuts edge {upper}–{lower} at x_4.",
-                "Garis scan memotong sisi {upper}–{lower} di x_4.",
+                "event-edge",
                 &[is(
                     "{x_4} = {x_1=x@corner:upper} + ({y_4} − {y_1}) · {Δx/Δy=dx_dy@edge:edge}",
                     )],
@@ -128,17 +110,8 @@ vocabulary! {
             "I_2" | "N_2" = Interpolated(a_2, |names| names.two),
         }
         [
-            only(
-                When::Recorded("N_1"),
-                "The normals at the two ends of edge {upper}–{lower}.",
-                "Normal di kedua ujung sisi {upper}–{lower}.",
-                &[is("{N_1}"), is("{N_2}")],
-            ),
-            entry(
-                "The intensities at the two ends of edge {upper}–{lower}.",
-                "Intensitas di kedua ujung sisi {upper}–{lower}.",
-                &[is("{I_1}"), is("{I_2}")],
-            ),
+            only(When::Recorded("N_1"), "event-edge-ends-normal", &[is("{N_1}"), is("{N_2}")]),
+            entry("event-edge-ends-intensity", &[is("{I_1}"), is("{I_2}")]),
         ];
     Event::EdgeInterpolated { direct, incremental } => "EdgeInterpolated" at "cut"
         {
@@ -149,8 +122,7 @@ vocabulary! {
         [
             only(
                 When::Recorded("N_4"),
-                "The normal where the scan line cuts edge {upper}–{lower}: the nearer end weighs more.",
-                "Normal di potongan garis scan dengan sisi {upper}–{lower}: ujung yang lebih dekat lebih berbobot.",
+                "event-edge-interpolated-normal",
                 &[
                     is(
                     "{N_4} = [{y_4} − {y_2}; {y_1} − {y_2}] · {N_1} + [{y_1} − {y_4}; {y_1} − {y_2}] · {N_2}",
@@ -160,8 +132,7 @@ vocabulary! {
                     ],
             ),
             entry(
-                "The intensity where the scan line cuts edge {upper}–{lower}: the nearer end weighs more.",
-                "Intensitas di potongan garis scan dengan sisi {upper}–{lower}: ujung yang lebih dekat lebih berbobot.",
+                "event-edge-interpolated-intensity",
                 &[
                     is(
                     "{I_4} = [{y_4} − {y_2}; {y_1} − {y_2}] · {I_1} + [{y_1} − {y_4}; {y_1} − {y_2}] · {I_2}",
@@ -175,13 +146,9 @@ vocabulary! {
         {
         }
         [
-            entry(
-                "Edge {upper}–{lower} is cut at x_4 = {x_4}; nothing is interpolated.",
-                "Sisi {upper}–{lower} terpotong di x_4 = {x_4}; tidak ada interpolasi.",
-                &[],
-            ),
+            entry("event-edge-cut", &[]),
         ];
-    Event::Span { x_4, x_5, first, end } => "Span" at "span" number "first" scope ("span", "bentang")
+    Event::Span { x_4, x_5, first, end } => "Span" at "span" number "first" scope "scope-span"
         {
             "x_4" = x_4,
             "x_5" = x_5,
@@ -189,11 +156,7 @@ vocabulary! {
             "end" = end,
         }
         [
-            entry(
-                "A span begins: the pixels from {first} on, up to but not including {end}, have their centres between x_4 and x_5.",
-                "Bentang dimulai: piksel mulai {first} sampai sebelum {end} berpusat di antara x_4 dan x_5.",
-                &[is("{x_4}"), is("{x_5}")],
-            ),
+            entry("event-span", &[is("{x_4}"), is("{x_5}")]),
         ];
     Event::SpanEnds { a_4, a_5 } => "SpanEnds" at "span"
         {
@@ -201,30 +164,17 @@ vocabulary! {
             "I_5" | "N_5" = Interpolated(a_5, |names| names.five),
         }
         [
-            only(
-                When::Recorded("N_4"),
-                "The normals at the two ends of the span.",
-                "Normal di kedua ujung bentang.",
-                &[is("{N_4}"), is("{N_5}")],
-            ),
-            entry(
-                "The intensities at the two ends of the span.",
-                "Intensitas di kedua ujung bentang.",
-                &[is("{I_4}"), is("{I_5}")],
-            ),
+            only(When::Recorded("N_4"), "event-span-ends-normal", &[is("{N_4}"), is("{N_5}")]),
+            entry("event-span-ends-intensity", &[is("{I_4}"), is("{I_5}")]),
         ];
-    Event::Pixel { x, y, x_p } => "Pixel" at "pixel" number "x" scope ("pixel", "piksel")
+    Event::Pixel { x, y, x_p } => "Pixel" at "pixel" number "x" scope "scope-pixel"
         {
             "x" = x,
             "y" = y,
             "x_P" = x_p,
         }
         [
-            entry(
-                "Pixel ({x}, {y}) begins: its centre lies at x_P.",
-                "Piksel ({x}, {y}) dimulai: pusatnya di x_P.",
-                &[is("{x_P} = {x} + 0.5")],
-            ),
+            entry("event-pixel", &[is("{x_P} = {x} + 0.5")]),
         ];
     Event::DepthTested { z, nearest, nearer } => "DepthTested" at "depth"
         {
@@ -233,17 +183,8 @@ vocabulary! {
             "nearer" = nearer,
         }
         [
-            only(
-                When::True("nearer"),
-                "Nearer than what was drawn here before: it is drawn.",
-                "Lebih dekat daripada yang sudah digambar di sini: digambar.",
-                &[is("{z} < {nearest}")],
-            ),
-            entry(
-                "Not nearer than what was drawn here before: it stays hidden.",
-                "Tidak lebih dekat daripada yang sudah digambar di sini: tersembunyi.",
-                &[is("{z} ≥ {nearest}")],
-            ),
+            only(When::True("nearer"), "event-depth-tested-nearer", &[is("{z} < {nearest}")]),
+            entry("event-depth-tested-hidden", &[is("{z} ≥ {nearest}")]),
         ];
     Event::SpanInterpolated { direct, incremental } => "SpanInterpolated" at "interpolation"
         {
@@ -254,8 +195,7 @@ vocabulary! {
         [
             only(
                 When::Recorded("N_P"),
-                "The normal of the pixel, between the two ends of the span; it is no longer of unit length.",
-                "Normal piksel, di antara kedua ujung bentang; panjangnya tidak lagi satu satuan.",
+                "event-span-interpolated-normal",
                 &[
                     is(
                     "{N_P} = [{x_5} − {x_P}; {x_5} − {x_4}] · {N_4} + [{x_P} − {x_4}; {x_5} − {x_4}] · {N_5}",
@@ -265,8 +205,7 @@ vocabulary! {
                     ],
             ),
             entry(
-                "The intensity of the pixel, between the two ends of the span.",
-                "Intensitas piksel, di antara kedua ujung bentang.",
+                "event-span-interpolated-intensity",
                 &[
                     is(
                     "{I_P} = [{x_5} − {x_P}; {x_5} − {x_4}] · {I_4} + [{x_P} − {x_4}; {x_5} − {x_4}] · {I_5}",
@@ -283,67 +222,40 @@ vocabulary! {
         [
             only(
                 When::Recorded("N_P_incremental"),
-                "Pixel ({x}, {y}) takes the intensity found at its own point with its own normal.",
-                "Piksel ({x}, {y}) mendapat intensitas di titiknya sendiri, dengan normalnya sendiri.",
+                "event-pixel-colored-own-normal",
                 &[is("{pixel=color} = {I@}")],
             ),
             only(
                 When::Recorded("I_textured"),
-                "Pixel ({x}, {y}) takes its textured intensity.",
-                "Piksel ({x}, {y}) mendapat intensitas bertekstur.",
+                "event-pixel-colored-textured",
                 &[is("{pixel=color} = {I textured=I_textured}")],
             ),
-            only(
-                When::Recorded("x_0"),
-                "Pixel ({x}, {y}) takes the ambient term and what each light adds.",
-                "Piksel ({x}, {y}) mendapat suku ambien dan tambahan tiap cahaya.",
-                &[is("{pixel=color}")],
-            ),
+            only(When::Recorded("x_0"), "event-pixel-colored-summed", &[is("{pixel=color}")]),
             only(
                 When::Recorded("I_P_incremental"),
-                "Pixel ({x}, {y}) takes its intensity.",
-                "Piksel ({x}, {y}) mendapat intensitasnya.",
+                "event-pixel-colored-interpolated",
                 &[is("{pixel=color} = {I_P incremental=I_P_incremental}")],
             ),
-            entry(
-                "Pixel ({x}, {y}) takes the one intensity of the polygon.",
-                "Piksel ({x}, {y}) mendapat intensitas poligon.",
-                &[is("{pixel=color} = {I@}")],
-            ),
+            entry("event-pixel-colored-of-polygon", &[is("{pixel=color} = {I@}")]),
         ];
     Event::PixelHidden => "PixelHidden" at "depth"
         {
         }
         [
-            entry(
-                "Pixel ({x}, {y}) keeps what was drawn there before.",
-                "Piksel ({x}, {y}) tetap seperti semula.",
-                &[],
-            ),
+            entry("event-pixel-hidden", &[]),
         ];
     Event::SpanDone => "SpanDone" at "span"
         {
         }
         [
-            entry(
-                "The span is done.",
-                "Bentang selesai.",
-                &[],
-            ),
+            entry("event-span-done", &[]),
         ];
     Event::ScanLineDone => "ScanLineDone" at "scan-line"
         {
         }
         [
-            entry(
-                "Scan line {y} is done.",
-                "Garis scan {y} selesai.",
-                &[],
-            ),
+            entry("event-scan-line-done", &[]),
         ];
 }
 
-pub(super) const INCREMENTAL: super::Sentence = super::entry::says(
-    "By increments: the value before plus a constant step. Here it differs from the direct value by:",
-    "Secara inkremental: nilai sebelumnya ditambah langkah tetap. Selisihnya dengan nilai langsung:",
-);
+pub(super) const INCREMENTAL: Message = Message("note-incremental");

@@ -19,23 +19,15 @@ vocabulary! {
             "P_m" = position,
         }
         [
-            entry(
-                "One intensity for the whole polygon, at the mean of its vertices.",
-                "Satu intensitas untuk seluruh poligon, pada rata-rata titik sudutnya.",
-                &[is("{P_m} = [ΣP_k; n]")],
-            ),
+            entry("event-middle", &[is("{P_m} = [ΣP_k; n]")]),
         ];
-    Event::Vertex { vertex, position } => "Vertex" at "vertex" number "vertex" scope ("vertex", "titik sudut")
+    Event::Vertex { vertex, position } => "Vertex" at "vertex" number "vertex" scope "scope-vertex"
         {
             "vertex" = vertex,
             "P_v" = position,
         }
         [
-            entry(
-                "Vertex {vertex} comes up for the first time: its normal is the mean of the faces around it.",
-                "Titik sudut {vertex} muncul pertama kali: normalnya adalah rata-rata muka di sekelilingnya.",
-                &[is("{P_v}")],
-            ),
+            entry("event-vertex", &[is("{P_v}")]),
         ];
     Event::VertexLit { vertex, intensity } => "VertexLit" at "vertex-lit"
         {
@@ -43,33 +35,21 @@ vocabulary! {
             "I_v" = intensity,
         }
         [
-            entry(
-                "The vertex has its intensity: it serves all polygons that share the vertex.",
-                "Titik sudut mendapat intensitasnya, untuk semua poligon yang memakainya.",
-                &[is("{I_v} = illumination({P_v}, {N_v})")],
-            ),
+            entry("event-vertex-lit", &[is("{I_v} = illumination({P_v}, {N_v})")]),
         ];
     Event::VertexReady { vertex } => "VertexReady" at "vertex-normal"
         {
             "vertex" = vertex,
         }
         [
-            entry(
-                "The vertex has its normal: it serves all polygons that share the vertex.",
-                "Titik sudut mendapat normalnya, untuk semua poligon yang memakainya.",
-                &[is("{N_v}")],
-            ),
+            entry("event-vertex-ready", &[is("{N_v}")]),
         ];
     Event::PixelPoint { position } => "PixelPoint" at "point"
         {
             "P" = position,
         }
         [
-            entry(
-                "P is the point of the polygon that the pixel shows: along u, the ray of the pixel, brought to the depth z.",
-                "P adalah titik poligon yang tampak di piksel: sepanjang u, sinar piksel itu, sampai kedalaman z.",
-                &[is("{P} = eye + {z} · [u; u · forward]")],
-            ),
+            entry("event-pixel-point", &[is("{P} = eye + {z} · [u; u · forward]")]),
         ];
     Event::PixelNormal { length, normal } => "PixelNormal" at "normal"
         {
@@ -78,8 +58,7 @@ vocabulary! {
         }
         [
             entry(
-                "The interpolated normal is brought to unit length: between two unit vectors that differ it is shorter.",
-                "Normal hasil interpolasi dijadikan satuan: di antara dua vektor satuan yang berbeda ia lebih pendek.",
+                "event-pixel-normal",
                 &[is(
                     "{N} = [{N_P incremental=N_P_incremental}; {|N_P|=length}]",
                     )],
@@ -91,11 +70,7 @@ vocabulary! {
             "N" = normal,
         }
         [
-            entry(
-                "Here opposite normals cancel out, and their mean points nowhere: the normal of the face stands for it.",
-                "Di sini normal yang berlawanan saling meniadakan: normal muka menggantikannya.",
-                &[is("{|N_P|=length}"), is("{N}")],
-            ),
+            entry("event-pixel-normal-lost", &[is("{|N_P|=length}"), is("{N}")]),
         ];
     Event::TruePoint { position, normal } => "TruePoint" at "normal"
         {
@@ -103,11 +78,7 @@ vocabulary! {
             "N" = normal,
         }
         [
-            entry(
-                "The ray of the pixel meets the true surface, before or behind its polygon, at P; N is the surface’s own normal there.",
-                "Sinar piksel mengenai permukaan sebenarnya, di depan atau di belakang poligonnya, di P; N adalah normal permukaan itu sendiri.",
-                &[is("{P}"), is("{N}")],
-            ),
+            entry("event-true-point", &[is("{P}"), is("{N}")]),
         ];
 }
 

@@ -11,11 +11,7 @@ vocabulary! {
             "color" = color,
         }
         [
-            entry(
-                "The ray leaves the scene: it takes the background colour.",
-                "Sinar keluar dari adegan: mendapat warna latar belakang.",
-                &[is("{I_{background}=color}")],
-            ),
+            entry("event-background", &[is("{I_{background}=color}")]),
         ];
     Event::LightMet { light, color } => "LightMet" at "background"
         {
@@ -23,11 +19,7 @@ vocabulary! {
             "color" = color,
         }
         [
-            entry(
-                "The ray ends at light {light}: it takes the light's colour.",
-                "Sinar berakhir di cahaya {light}: mendapat warna cahaya itu.",
-                &[is("{I_{light}=color}")],
-            ),
+            entry("event-light-met", &[is("{I_{light}=color}")]),
         ];
     Event::SurfaceMet { object, position, normal } => "SurfaceMet" at "surface"
         {
@@ -37,8 +29,7 @@ vocabulary! {
         }
         [
             entry(
-                "The point where the ray meets object {object}, and the normal that points out of it.",
-                "Titik tempat sinar mengenai objek {object}, dan normal yang mengarah ke luar.",
+                "event-surface-met",
                 &[
                     is("{P} = {O} + {t=NearestT} · {u}"),
                     is("{N_{geometric}=N_geometric}"),
@@ -55,8 +46,7 @@ vocabulary! {
         [
             only(
                 When::True("entering"),
-                "The ray comes from outside, u · N < 0: the normal faces it already. θ_i is the angle of incidence.",
-                "Sinar datang dari luar, u · N < 0: normal sudah menghadapnya. θ_i adalah sudut datang.",
+                "event-faced-entering",
                 &[
                     is("{N} = {N_{geometric}=N_geometric}"),
                     is("{cos_theta_i} = −({u} · {N})"),
@@ -64,8 +54,7 @@ vocabulary! {
                     ],
             ),
             entry(
-                "The ray comes from inside or from the back: the normal is turned toward it. θ_i is the angle of incidence.",
-                "Sinar datang dari dalam atau dari belakang: normal dibalik ke arahnya. θ_i adalah sudut datang.",
+                "event-faced-leaving",
                 &[
                     is("{N} = −{N_{geometric}=N_geometric}"),
                     is("{cos_theta_i} = −({u} · {N})"),
@@ -81,8 +70,7 @@ vocabulary! {
         }
         [
             entry(
-                "The texture at this place; it multiplies k_d.",
-                "Tekstur di tempat ini; dikalikan dengan k_d.",
+                "event-surface-textured",
                 &[is("{u=u_texture}"), is("{v=v_texture}"), is("{texture}")],
             ),
         ];

@@ -1,4 +1,5 @@
 use super::*;
+use crate::language::Language;
 use std::collections::HashSet;
 
 #[test]
@@ -13,12 +14,14 @@ fn every_value_has_a_symbol_and_every_kind_a_sentence_in_both_languages() {
             );
         }
         assert!(!kind.entries.is_empty(), "{} says nothing", kind.name);
-        for entry in kind.entries {
-            assert!(
-                !entry.says.en.is_empty() && !entry.says.id.is_empty(),
-                "{}",
-                kind.name
-            );
+        let sentences = kind.entries.iter().map(|entry| entry.sentence);
+        let notes = kind.entries.iter().flat_map(|entry| entry.formulas);
+        let notes = notes.filter_map(|formula| formula.note);
+        for message in sentences.chain(notes).chain(kind.scope) {
+            for language in Language::ALL {
+                let text = message.format_with(language, |_| Some("0".to_string()));
+                assert_ne!(text, message.0, "{}", kind.name);
+            }
         }
     }
 }

@@ -15,8 +15,7 @@ vocabulary! {
         [
             only(
                 When::Recorded("x_P"),
-                "The object’s own chart at P, and the texture’s colour there: what a ray through the pixel finds.",
-                "Peta objek itu sendiri di P, dan warna tekstur di sana: yang juga ditemukan sinar melalui piksel.",
+                "event-textured",
                 &[is("{u=u_texture}"), is("{v=v_texture}"), is("{texture}")],
             ),
         ];
@@ -28,8 +27,7 @@ vocabulary! {
         }
         [
             entry(
-                "Beside it the plain way: (u, v) of the corners, carried here linearly on the screen. Where the depth changes they are wrong.",
-                "Di sampingnya cara polos: (u, v) sudut, dibawa ke sini secara linear di layar. Bila kedalaman berubah, nilainya salah.",
+                "event-textured-linearly",
                 &[is("{u_linear}"), is("{v_linear}"), is("{texture_linear}")],
             ),
         ];
@@ -41,15 +39,10 @@ vocabulary! {
         [
             only(
                 When::True("linear"),
-                "This picture is to show the mistake: the texture of the plain (u, v) is taken. It multiplies k_d alone.",
-                "Gambar ini menunjukkan kesalahannya: dipakai tekstur dari (u, v) polos. Tekstur hanya mengalikan k_d.",
+                "event-texture-taken-linear",
                 &[is("{T} = {texture_linear}")],
             ),
-            entry(
-                "The texture at P is taken. It multiplies k_d alone.",
-                "Dipakai tekstur di P. Tekstur hanya mengalikan k_d.",
-                &[is("{T} = {texture}")],
-            ),
+            entry("event-texture-taken-exact", &[is("{T} = {texture}")]),
         ];
     Event::TextureApplied { diffuse, textured } => "TextureApplied" at "applied"
         {
@@ -58,8 +51,7 @@ vocabulary! {
         }
         [
             entry(
-                "The diffuse part of the intensity takes the texture; ambient and highlight stay as they are.",
-                "Bagian difus dari intensitas dikalikan tekstur; ambien dan sorotan tetap.",
+                "event-texture-applied",
                 &[is("{I textured=I_textured} = I − {I_d} + {T} · {I_d}")],
             ),
         ];

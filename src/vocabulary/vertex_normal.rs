@@ -13,11 +13,7 @@ vocabulary! {
             "sum_N" = sum,
         }
         [
-            entry(
-                "Face {face} shares the vertex: its unit normal is added.",
-                "Muka {face} memiliki titik sudut ini: normal satuannya ditambahkan.",
-                &[is("{S=sum_N} = {ΣN_k=*N_k}")],
-            ),
+            entry("event-face-normal-added", &[is("{S=sum_N} = {ΣN_k=*N_k}")]),
         ];
     Event::VertexNormal { faces, length, normal } => "VertexNormal" at "vertex-normal"
         {
@@ -26,11 +22,7 @@ vocabulary! {
             "N_v" = normal,
         }
         [
-            entry(
-                "The vertex normal: the mean direction of the face normals, of unit length.",
-                "Normal titik sudut: arah rata-rata normal muka, sepanjang satu satuan.",
-                &[is("{N_v} = [{ΣN_k=sum_N}; {|ΣN_k|=length}]")],
-            ),
+            entry("event-vertex-normal", &[is("{N_v} = [{ΣN_k=sum_N}; {|ΣN_k|=length}]")]),
         ];
     Event::NormalVanished { faces, length, normal } => "NormalVanished" at "vertex-normal"
         {
@@ -39,10 +31,6 @@ vocabulary! {
             "N_v" = normal,
         }
         [
-            entry(
-                "The face normals cancel out: the first one stands for their mean.",
-                "Normal muka saling meniadakan: normal pertama menggantikan rata-ratanya.",
-                &[is("{|ΣN_k|=length}"), is("{N_v} = N_1")],
-            ),
+            entry("event-normal-vanished", &[is("{|ΣN_k|=length}"), is("{N_v} = N_1")]),
         ];
 }

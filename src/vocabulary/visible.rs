@@ -6,17 +6,13 @@ use crate::algorithms::visible::{Event, Intersection};
 vocabulary! {
     [] Event {
     };
-    Event::Search { objects } => "Search" at "search" scope ("search", "pencarian")
+    Event::Search { objects } => "Search" at "search" scope "scope-search"
         {
             "objects" = objects,
             "NearestT" = f64::INFINITY,
         }
         [
-            entry(
-                "The search begins: nothing is found yet, and {objects} objects are to be tested.",
-                "Pencarian dimulai: belum ada yang ditemukan, {objects} objek akan diuji.",
-                &[is("{NearestT}")],
-            ),
+            entry("event-search", &[is("{NearestT}")]),
         ];
     Event::ObjectTested { object, t, nearest_t, nearer, .. } => "ObjectTested" at "test" or "nearer" if nearer,
         {
@@ -26,23 +22,9 @@ vocabulary! {
             "nearer" = nearer,
         }
         [
-            only(
-                When::True("nearer"),
-                "The ray meets object {object} nearer than all before: it is NearestObject now, and t is NearestT.",
-                "Sinar mengenai objek {object} lebih dekat dari semua sebelumnya: kini NearestObject, dan t menjadi NearestT.",
-                &[is("{t} < {NearestT}")],
-            ),
-            only(
-                When::Finite("t"),
-                "The ray meets object {object}, but not nearer than what was found before.",
-                "Sinar mengenai objek {object}, tetapi tidak lebih dekat dari yang sudah ditemukan.",
-                &[is("{t} ≥ {NearestT}")],
-            ),
-            entry(
-                "The ray misses object {object}: NearestT stays.",
-                "Sinar meleset dari objek {object}: NearestT tetap.",
-                &[is("{t}")],
-            ),
+            only(When::True("nearer"), "event-object-tested-nearer", &[is("{t} < {NearestT}")]),
+            only(When::Finite("t"), "event-object-tested-behind", &[is("{t} ≥ {NearestT}")]),
+            entry("event-object-tested-missed", &[is("{t}")]),
         ];
     Event::LightTested { light, t, nearest_t, nearer } => "LightTested" at "test" or "nearer" if nearer,
         {
@@ -52,23 +34,9 @@ vocabulary! {
             "nearer" = nearer,
         }
         [
-            only(
-                When::True("nearer"),
-                "The ray meets the ball of light {light} nearer than all objects.",
-                "Sinar mengenai bola cahaya {light} lebih dekat dari semua objek.",
-                &[is("{t} < {NearestT}")],
-            ),
-            only(
-                When::Finite("t"),
-                "The ball of light {light} lies behind what was found before.",
-                "Bola cahaya {light} berada di balik yang sudah ditemukan.",
-                &[is("{t} ≥ {NearestT}")],
-            ),
-            entry(
-                "The ray misses the ball of light {light}.",
-                "Sinar meleset dari bola cahaya {light}.",
-                &[is("{t}")],
-            ),
+            only(When::True("nearer"), "event-light-tested-nearer", &[is("{t} < {NearestT}")]),
+            only(When::Finite("t"), "event-light-tested-behind", &[is("{t} ≥ {NearestT}")]),
+            entry("event-light-tested-missed", &[is("{t}")]),
         ];
     Event::Found { met } => "Found" at "found"
         {
@@ -78,23 +46,9 @@ vocabulary! {
             "NearestT" = met.t(),
         }
         [
-            only(
-                When::Is("met", "object"),
-                "The search is over: object {object} is the nearest.",
-                "Pencarian selesai: objek {object} yang terdekat.",
-                &[is("{NearestT}")],
-            ),
-            only(
-                When::Is("met", "light"),
-                "The search is over: light {light} itself is the nearest.",
-                "Pencarian selesai: cahaya {light} sendiri yang terdekat.",
-                &[is("{NearestT}")],
-            ),
-            entry(
-                "The search is over: the ray meets nothing.",
-                "Pencarian selesai: sinar tidak mengenai apa pun.",
-                &[is("{NearestT}")],
-            ),
+            only(When::Is("met", "object"), "event-found-object", &[is("{NearestT}")]),
+            only(When::Is("met", "light"), "event-found-light", &[is("{NearestT}")]),
+            entry("event-found-nothing", &[is("{NearestT}")]),
         ];
     Event::BetweenTested { object, t, distance, blocks, .. } => "BetweenTested" at "shadow"
         {
@@ -104,23 +58,9 @@ vocabulary! {
             "blocks" = blocks,
         }
         [
-            only(
-                When::True("blocks"),
-                "Object {object} lies between the surface and the light.",
-                "Objek {object} berada di antara permukaan dan cahaya.",
-                &[is("{t} < {d}")],
-            ),
-            only(
-                When::Finite("t"),
-                "Object {object} lies behind the light: it does not block it.",
-                "Objek {object} berada di balik cahaya: tidak menghalangi.",
-                &[is("{t} ≥ {d}")],
-            ),
-            entry(
-                "The shadow ray misses object {object}.",
-                "Sinar bayangan meleset dari objek {object}.",
-                &[is("{t}")],
-            ),
+            only(When::True("blocks"), "event-between-tested-blocks", &[is("{t} < {d}")]),
+            only(When::Finite("t"), "event-between-tested-behind", &[is("{t} ≥ {d}")]),
+            entry("event-between-tested-missed", &[is("{t}")]),
         ];
     Event::Unshadowing { object } => "Unshadowing" at "shadow"
         {
@@ -128,11 +68,7 @@ vocabulary! {
             "blocks" = false,
         }
         [
-            entry(
-                "Object {object} casts no shadow: it is passed over.",
-                "Objek {object} tidak membuat bayangan: dilewati.",
-                &[],
-            ),
+            entry("event-unshadowing", &[]),
         ];
 }
 

@@ -9,17 +9,13 @@ vocabulary! {
     [] Event {
         Event::PreparedScene(event) => event,
     };
-    Event::Edge { from, to } => "Edge" at "edge" number "from" scope ("edge", "sisi")
+    Event::Edge { from, to } => "Edge" at "edge" number "from" scope "scope-edge"
         {
             "from" = from,
             "to" = to,
         }
         [
-            entry(
-                "The edge between vertices {from} and {to} is not drawn yet.",
-                "Sisi antara titik sudut {from} dan {to} belum digambar.",
-                &[],
-            ),
+            entry("event-edge-undrawn", &[]),
         ];
     Event::EdgeClipped { start, end } => "EdgeClipped" at "clip"
         {
@@ -29,21 +25,13 @@ vocabulary! {
             "y_2" = end.y,
         }
         [
-            entry(
-                "The part of the edge within the frame, in pixels.",
-                "Bagian sisi yang di dalam gambar, dalam piksel.",
-                &[is("{x_1}"), is("{y_1}"), is("{x_2}"), is("{y_2}")],
-            ),
+            entry("event-edge-clipped", &[is("{x_1}"), is("{y_1}"), is("{x_2}"), is("{y_2}")]),
         ];
     Event::EdgeUnseen => "EdgeUnseen" at "clip"
         {
         }
         [
-            entry(
-                "Nothing of this edge is within the frame.",
-                "Tidak ada bagian sisi ini di dalam gambar.",
-                &[],
-            ),
+            entry("event-edge-unseen", &[]),
         ];
     Event::StepChosen { n, step } => "StepChosen" at "steps"
         {
@@ -53,8 +41,7 @@ vocabulary! {
         }
         [
             entry(
-                "One pixel a step, along the longer of the two directions.",
-                "Satu piksel tiap langkah, sepanjang arah yang lebih panjang.",
+                "event-step-chosen",
                 &[
                     is("{n} = ⌈max(|{x_2} − {x_1}|, |{y_2} − {y_1}|)⌉"),
                     is("{Δx/n=dx} = [{x_2} − {x_1}; {n}]"),
@@ -71,8 +58,7 @@ vocabulary! {
         }
         [
             entry(
-                "Pixel ({x}, {y}) is plotted: the one in which the exact point lies.",
-                "Piksel ({x}, {y}) digambar: piksel yang memuat titik tepatnya.",
+                "event-pixel-plotted",
                 &[
                     is("{x} = min(⌊{x_exact}⌋, {width} − 1)"),
                     is("{y} = min(⌊{y_exact}⌋, {height} − 1)"),
@@ -83,11 +69,7 @@ vocabulary! {
         {
         }
         [
-            entry(
-                "The edge is drawn.",
-                "Sisi selesai digambar.",
-                &[],
-            ),
+            entry("event-edge-done", &[]),
         ];
 }
 

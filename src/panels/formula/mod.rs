@@ -13,7 +13,7 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::Message;
 use crate::picture::{Ink, Picture, Style, symbol, wrap};
 use crate::record::Value;
-use crate::vocabulary::{Entry, Formula, Kind, Sentence, When};
+use crate::vocabulary::{Entry, Formula, Kind, When};
 use glam::Vec2;
 use set::{Atom, Voice, flow, set_pieces};
 use template::{Known, Piece, parse, places};
@@ -35,7 +35,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         return message(NO_FORMULA, input.language, size);
     };
     let formulas = formulas(entry, &known);
-    let says = filled(entry.says, &known, input.run.prepared(), input.language);
+    let says = filled(entry.sentence, &known, input.run.prepared(), input.language);
 
     let mut picture = Picture::new(size.x, size.y);
     let layout = |detail: &Detail, text: f32| {
@@ -69,11 +69,6 @@ fn entry(kind: &'static Kind, known: &Known) -> Option<&'static Entry> {
     kind.entries.iter().find(|entry| holds(entry.when, known))
 }
 
-/// A declared sentence in a language.
-pub fn in_language(sentence: Sentence, language: Language) -> &'static str {
-    Words::new(sentence.en, sentence.id).in_language(language)
-}
-
 fn holds(when: When, known: &Known) -> bool {
     let value = |name| known.get(name).map(|recorded| recorded.field.value);
     let number = |name| match value(name) {
@@ -97,7 +92,7 @@ fn holds(when: When, known: &Known) -> bool {
 struct Parsed {
     left: Vec<Piece>,
     right: Vec<Piece>,
-    note: Option<Sentence>,
+    note: Option<Message>,
 }
 
 fn formulas(entry: &Entry, known: &Known) -> Vec<Parsed> {
@@ -140,35 +135,26 @@ impl Parsed {
     }
 }
 
-/// A sentence of the table with its values; things of the scene by their names.
+/// The sentence of a step with its values; things of the scene by their names.
 fn filled(
-    sentence: Sentence,
+    sentence: Message,
     known: &Known,
     prepared: &PreparedScene,
     language: Language,
 ) -> String {
-    let mut text = String::new();
-    for piece in parse(in_language(sentence, language)) {
-        match piece {
-            Piece::Text(part) => text.push_str(&part),
-            Piece::Place(place) => match known.values(&place).as_deref() {
-                Some([Value::Word(word), ..]) => text.push_str(names::word(word, language)),
-                Some([value, ..]) => {
-                    text.push_str(&shown(*value, 4, language));
-                    // Lights have no names, only kinds.
-                    if place.name != "light"
-                        && let Some(name) = names::of_field(prepared, &place.name, *value, language)
-                    {
-                        text.push_str(&format!(" ({name})"));
-                    }
-                }
-                // A subscript of several letters is in braces too.
-                _ => text.push_str(&format!("{{{}}}", place.name)),
-            },
-            Piece::Fraction(..) => {}
+    sentence.format_with(language, |name| {
+        let value = known.get(name)?.field.value;
+        if let Value::Word(word) = value {
+            return Some(names::word(word, language).to_string());
         }
-    }
-    text
+        let number = shown(value, 4, language);
+        // Lights have no names, only kinds.
+        let thing = names::of_field(prepared, name, value, language).filter(|_| name != "light");
+        Some(match thing {
+            Some(thing) => format!("{number} ({thing})"),
+            None => number,
+        })
+    })
 }
 
 fn in_words(says: &str, formulas: &[Parsed], known: &Known, language: Language) -> String {
@@ -261,7 +247,7 @@ impl Layout {
         for formula in formulas {
             let above = 0.5 * text;
             if let Some(note) = formula.note.filter(|_| detail.sentences) {
-                sentence(&mut layout, in_language(note, language), above);
+                sentence(&mut layout, note.text(language), above);
             }
             formula_lines(&mut layout, formula, known, language, width, text, detail);
         }

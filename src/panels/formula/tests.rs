@@ -43,8 +43,8 @@ fn every_step_has_an_entry_and_every_entry_and_formula_is_used_with_all_its_valu
     each_step(|kind, known, prepared| {
         let entry = entry(kind, known).unwrap_or_else(|| panic!("{} has no entry", kind.name));
         for language in Language::ALL {
-            let says = filled(entry.says, known, prepared, language).replace("f_{att}", "");
-            assert!(!says.contains('{'), "{}: {says}", kind.name);
+            let says = filled(entry.sentence, known, prepared, language);
+            assert!(!says.contains("{$"), "{}: {says}", kind.name);
         }
         for formula in entry
             .formulas
@@ -62,17 +62,17 @@ fn every_step_has_an_entry_and_every_entry_and_formula_is_used_with_all_its_valu
             }
             used.insert(formula.template);
         }
-        used.insert(entry.says.en);
+        used.insert(entry.sentence.0);
     });
     let declared = FAMILIES.into_iter().flatten();
     for (kind, entry) in
         declared.flat_map(|kind| kind.entries.iter().map(move |entry| (kind, entry)))
     {
         assert!(
-            used.contains(entry.says.en),
+            used.contains(entry.sentence.0),
             "{}: {}",
             kind.name,
-            entry.says.en
+            entry.sentence.0
         );
         for formula in entry.formulas {
             assert!(used.contains(formula.template), "{}", formula.template);
