@@ -61,7 +61,7 @@ pub struct Enclosure {
     pub primitives: PatchPrimitives,
 }
 
-pub(super) const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
 /// The light of a room.
 #[derive(Clone, Debug)]
@@ -128,8 +128,24 @@ impl Enclosure {
 
     /// The light of the room, given its matrix; solved for when it is first asked for. Errors: as of [`Enclosure::solve`].
     pub fn light(&self, matrix: &[f64]) -> Result<&Light, &ChannelUnsolved> {
-        let solve = || self.solve(matrix, &RecordFilter::default(), &mut Unrecorded);
+        self.light_or(|| self.solve(matrix, &RecordFilter::default(), &mut Unrecorded))
+    }
+
+    /// The light, where it is known; else what `solve` finds.
+    pub fn light_or(
+        &self,
+        solve: impl FnOnce() -> Result<Light, ChannelUnsolved>,
+    ) -> Result<&Light, &ChannelUnsolved> {
         self.light.get_or_init(solve).as_ref()
+    }
+
+    /// The first channel in which patches reflect and emit as much as in channel `c`: one is solved for both.
+    pub fn first_equal_channel(&self, c: usize) -> usize {
+        let equal = |other: usize| {
+            let mut colors = self.reflectance.iter().chain(&self.emission);
+            colors.all(|color| color.channels()[other] == color.channels()[c])
+        };
+        (0..c).find(|&other| equal(other)).unwrap_or(c)
     }
 
     /// Solves for the light of the room, given its matrix. Errors: those of the first channel that has no result.

@@ -133,11 +133,9 @@ struct Axes {
 impl Axes {
     /// As far as the finished solution goes, where there is one, so that the axes stay as they are from step to step.
     fn new(prepared: &PreparedScene, state: &State, focus: Focus, whole: Rect) -> Self {
-        let room = prepared.enclosure().ok();
-        let light = room.and_then(|room| room.light(room.matrix()?).ok());
-        let solutions = light.iter().flat_map(|light| &light.solutions);
+        let ends = state.solved.as_ref().map_or(&[][..], |solved| &solved.ends);
         let mut values = vec![prepared.radiosity.stop.tolerance, 1.0];
-        let mut last = solutions.clone().map(|found| found.iterations).max();
+        let mut last = ends.iter().map(|&(iterations, _)| iterations).max();
         last = last.map(|iterations| iterations.saturating_sub(1));
         let first = match focus {
             Focus::Iterations { start, end } => {
@@ -145,7 +143,7 @@ impl Axes {
                 start.min(LATEST)
             }
             _ => {
-                values.extend(solutions.map(|found| found.residual));
+                values.extend(ends.iter().map(|&(_, residual)| residual));
                 0
             }
         };

@@ -11,6 +11,7 @@ use super::message::{NO_PATCHES, NO_STEPS, message};
 use super::names;
 use super::values::told_in_words;
 use crate::algorithms::enclosure::Enclosure;
+use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::Message;
 use crate::picture::{Ink, Picture, Rect, Style, Text, elide, number};
@@ -45,16 +46,14 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if input.run.walk().is_empty() {
         return message(NO_STEPS, input.language, size);
     }
-    let (state, crate::algorithms::focus::Focus::FormFactor { i, j }, Ok(room)) =
-        (replay.state(), input.focus, prepared.enclosure())
-    else {
+    let (Focus::FormFactor { i, j }, Some(room)) = (input.focus, input.run.enclosure()) else {
         return message(NO_PATCHES, input.language, size);
     };
     let layout = Layout {
         input,
         prepared,
         room,
-        state,
+        state: replay.state(),
         i: i as usize,
         j: j as usize,
     };
@@ -123,41 +122,9 @@ impl Layout<'_> {
         }
     }
 
-    fn area(&self) -> f64 {
-        self.room.patches[self.i].area
-    }
-
-    /// F_ij as each step of the sum has it, with that step; of the first hemicube, pixel by pixel.
+    /// F_ij so far, with the step of each value.
     fn running(&self) -> Vec<(f64, usize)> {
-        if self.state.running.len() < 2 && !self.state.pixels.is_empty() {
-            let mut sum = 0.0;
-            let pixels = self.state.pixels.iter();
-            return pixels
-                .map(|&(_, _, _, delta, step)| {
-                    sum += delta;
-                    (sum, step)
-                })
-                .collect();
-        }
-        let running = self.state.running.iter().zip(1_u32..);
-        running
-            .map(|(&(running, step), count)| {
-                let f = match running {
-                    Running::Exchange(exchange) => exchange / self.area(),
-                    Running::FormFactor(f) => f,
-                    Running::Hits(hits) => f64::from(hits) / f64::from(count),
-                };
-                (f, step)
-            })
-            .collect()
-    }
-
-    /// Whether the running value is a mean, which can be compared with the reference, and no sum that is not whole.
-    fn runs_as_mean(&self) -> bool {
-        let running = self.state.running.iter();
-        running
-            .last()
-            .is_some_and(|(running, _)| !matches!(running, Running::Exchange(_)))
+        self.state.running_values(self.room.patches[self.i].area)
     }
 
     fn title(&self) -> String {
@@ -188,7 +155,7 @@ impl Layout<'_> {
             let text = format!("{}: {}", localize(EXACT), number(exact));
             lines.push((text, quiet.ink(Ink::Text)));
             let found = self.state.found.map(|(f, _)| f);
-            let whole = found.or(last.filter(|_| self.runs_as_mean()));
+            let whole = found.or(last.filter(|_| self.state.runs_as_mean()));
             if let Some(f) = whole.filter(|_| exact > 0.0) {
                 let error = percent((f - exact) / exact);
                 lines.push((format!("{}: {error}", localize(ERROR)), quiet));

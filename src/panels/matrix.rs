@@ -26,6 +26,7 @@ struct Layout<'a> {
     prepared: &'a PreparedScene,
     room: &'a Enclosure,
     matrix: &'a [f64],
+    row_sums: &'a [f64],
     n: usize,
     hand: Option<Hand>,
     language: Language,
@@ -67,16 +68,13 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         Run::FormFactor(..) => return message(NO_MATRIX, input.language, size),
         _ => return message(NO_PATCHES, input.language, size),
     };
-    let Some((room, matrix)) = prepared
-        .enclosure()
-        .ok()
-        .and_then(|room| Some((room, room.matrix()?)))
-    else {
+    let state = replay.state();
+    let (Some(room), Some(solved)) = (input.run.enclosure(), &state.solved) else {
         return message(NO_ROOM, input.language, size);
     };
-    if room.patches.is_empty() {
+    let Some(matrix) = room.matrix().filter(|_| !room.patches.is_empty()) else {
         return message(NO_ROOM, input.language, size);
-    }
+    };
     if input.run.walk().is_empty() {
         return message(NO_STEPS, input.language, size);
     }
@@ -85,7 +83,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         room,
         matrix,
         n: room.patches.len(),
-        hand: Hand::of(replay.state()),
+        row_sums: &solved.row_sums,
+        hand: Hand::of(state),
         language: input.language,
     };
     let mut picture = Picture::new(size.x, size.y);
@@ -107,10 +106,6 @@ impl Layout<'_> {
         &self.matrix[i * self.n..(i + 1) * self.n]
     }
 
-    fn sum(&self, i: usize) -> f64 {
-        self.row(i).iter().sum()
-    }
-
     fn in_words(&self) -> String {
         let localize = |strings: Message| strings.text(self.language);
         let mut text = format!("{} {} × {}.", localize(MATRIX), self.n, self.n);
@@ -119,7 +114,7 @@ impl Layout<'_> {
             let (i, name) = (hand.i, self.name(hand.i));
             text.push_str(&format!(" {name} {} {i}", localize(does)));
             if !hand.shoots() {
-                text.push_str(&format!(", {} {}", localize(SUM), number(self.sum(i))));
+                text.push_str(&format!(", {} {}", localize(SUM), number(self.row_sums[i])));
             }
             if let Some((row, column, f)) = hand.entry {
                 text.push_str(&format!("; F({row}, {column}) = {}", number(f)));

@@ -17,7 +17,7 @@ use crate::language::{Language, Message};
 use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, Text, elide};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
-use colors::{DECADES, Unshot, exposure, light, shoots, twin, viridis};
+use colors::{DECADES, shares, viridis};
 use exchange::{Exchange, three_digits};
 use glam::Vec2;
 use room_view::RoomView;
@@ -50,7 +50,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let (Run::Radiosity(prepared, _) | Run::FormFactor(prepared, _)) = input.run else {
         return message(NO_PATCHES, input.language, size);
     };
-    let Ok(room) = prepared.enclosure() else {
+    let Some(room) = input.run.enclosure() else {
         return message(NO_ROOM, input.language, size);
     };
     let view = RoomView::new(prepared, room);
@@ -118,10 +118,11 @@ fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
         }];
     };
     let state = replay.state();
-    let exposure = exposure(room);
+    let exposure = state.solved.as_ref().map_or(1.0, |solved| solved.exposure);
     let mut colorings = vec![Coloring {
         title: title(state, room, input.language),
-        patches: light(state, room)
+        patches: state
+            .light(room)
             .into_iter()
             .map(|b| b * exposure)
             .collect(),
@@ -134,7 +135,7 @@ fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
             ],
         }),
     }];
-    if let Some(unshot) = Unshot::of(state, room) {
+    if let Some(unshot) = state.unshot(room) {
         let least = unshot.brightest * 10_f64.powi(-DECADES);
         colorings.push(Coloring {
             title: format!(
@@ -142,7 +143,7 @@ fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
                 localize(UNSHOT),
                 channel(unshot.channel, input.language)
             ),
-            patches: unshot.shares.into_iter().map(viridis).collect(),
+            patches: shares(&unshot).into_iter().map(viridis).collect(),
             may_be_smooth: false,
             scale: Some(Scale {
                 color: viridis,
@@ -162,7 +163,7 @@ fn title(state: &State, room: &Enclosure, language: Language) -> String {
     let Some(now) = state.channel() else {
         return localize(EMISSION).to_string();
     };
-    let what = if shoots(now.solver) {
+    let what = if now.solver.shoots() {
         WITH_UNSHOT
     } else {
         RADIOSITY
@@ -171,7 +172,7 @@ fn title(state: &State, room: &Enclosure, language: Language) -> String {
         let mut recorded = state.channels.iter();
         recorded.any(|channel| channel.channel == Some(CHANNELS[c].0))
     };
-    let lit = (0..CHANNELS.len()).filter(|&c| recorded(c) || recorded(twin(room, c)));
+    let lit = (0..CHANNELS.len()).filter(|&c| recorded(c) || recorded(room.first_equal_channel(c)));
     let names: Vec<&str> = lit.map(|c| localize(CHANNELS[c].1)).collect();
     format!("{}: {}", localize(what), names.join(", "))
 }

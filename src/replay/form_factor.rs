@@ -64,6 +64,39 @@ impl State {
     fn add(&mut self, from: DVec3, way: Way, step: usize) {
         self.segments.push(Segment { from, way, step });
     }
+
+    /// F_ij so far as each step of the sum has it, with that step; of the first hemicube, pixel by pixel. `area` is A_i.
+    pub fn running_values(&self, area: f64) -> Vec<(f64, usize)> {
+        if self.running.len() < 2 && !self.pixels.is_empty() {
+            let mut sum = 0.0;
+            let pixels = self.pixels.iter();
+            return pixels
+                .map(|&(_, _, _, delta, step)| {
+                    sum += delta;
+                    (sum, step)
+                })
+                .collect();
+        }
+        let running = self.running.iter().zip(1_u32..);
+        running
+            .map(|(&(running, step), count)| {
+                let f = match running {
+                    Running::Exchange(exchange) => exchange / area,
+                    Running::FormFactor(f) => f,
+                    Running::Hits(hits) => f64::from(hits) / f64::from(count),
+                };
+                (f, step)
+            })
+            .collect()
+    }
+
+    /// Whether the running value is a mean, which can be compared with the reference, and not an unfinished sum.
+    pub fn runs_as_mean(&self) -> bool {
+        let running = self.running.iter();
+        running
+            .last()
+            .is_some_and(|(running, _)| !matches!(running, Running::Exchange(_)))
+    }
 }
 
 impl Fold<Event> for State {

@@ -1,8 +1,15 @@
-//! The state of a radiosity solver at one step: what each patch has, what is in hand, and how the residual went.
+//! The state of a radiosity solver at one step: what each patch has, the current exchange, and how the residual went.
+
+mod light;
+mod solved;
+
+pub use light::Unshot;
+pub use solved::Solved;
 
 use super::Fold;
 use super::cow_vec::CowVec;
 use crate::algorithms::radiosity::{Event, Solver, SolverEvent};
+use std::sync::Arc;
 
 /// A patch so far.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -53,6 +60,8 @@ pub struct Focused {
 /// Copies share what was not written: a checkpoint costs the chunks of patches that changed.
 #[derive(Clone, Debug, Default)]
 pub struct State {
+    /// None where the scene has no patches.
+    pub solved: Option<Arc<Solved>>,
     pub channels: Vec<ChannelNow>,
     pub iteration: Option<u32>,
     pub focused: Option<Focused>,
@@ -63,7 +72,15 @@ pub struct State {
 }
 
 impl State {
-    /// The channel in hand, or the last one.
+    /// Before the first step.
+    pub fn new(solved: Option<Solved>) -> Self {
+        State {
+            solved: solved.map(Arc::new),
+            ..State::default()
+        }
+    }
+
+    /// The current channel, or the last one.
     pub fn channel(&self) -> Option<&ChannelNow> {
         self.channels.last()
     }

@@ -1,7 +1,9 @@
 //! One recorded run of one of the algorithms.
 
 use super::current::CurrentPoint;
+use super::radiosity::Solved;
 use super::{Fold, Replay, Timeline, Walk, form_factor, radiosity, rays, shading, wireframe};
+use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::form_factor::{FormFactors, Method as Integration};
 use crate::algorithms::prepared_scene::PreparedScene;
@@ -106,6 +108,14 @@ impl Run {
                 (Some(&*state.prepared), state.point.as_ref().or(ray))
             }
             Run::Wireframe(_) | Run::Radiosity(..) | Run::FormFactor(..) => (None, None),
+        }
+    }
+
+    /// The patches of the scene, where the run exchanges light between them.
+    pub fn enclosure(&self) -> Option<&Enclosure> {
+        match self {
+            Run::Radiosity(prepared, _) | Run::FormFactor(prepared, _) => prepared.enclosure().ok(),
+            _ => None,
         }
     }
 
@@ -214,6 +224,7 @@ fn radiosity_run(
     limit: RecordingLimit,
 ) -> Box<Replay<crate::algorithms::radiosity::Event, radiosity::State>> {
     let mut recording = Recording::new(limit);
+    let mut solved = None;
     if let Ok(enclosure) = prepared.enclosure() {
         let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
         let Ok(matrix) = matrix(enclosure, threads, &|_, _| Ok::<(), Infallible>(()));
@@ -223,12 +234,14 @@ fn radiosity_run(
             Focus::Patch(patch) => filter.patch = Some(patch),
             _ => {}
         }
-        // The last event says what kept it from a solution.
-        let _ = enclosure.solve(matrix, &filter, &mut recording);
+        let light = enclosure.solve(matrix, &filter, &mut recording);
+        solved = Some(Solved::new(enclosure, matrix, light.as_ref().ok()));
+        // Why there is no solution, the last event says.
+        let _ = enclosure.light_or(|| light);
     }
     Box::new(Replay::new(Timeline::new(
         recording,
-        radiosity::State::default(),
+        radiosity::State::new(solved),
     )))
 }
 

@@ -85,7 +85,7 @@ mod tests {
     #[test]
     fn neither_patch_is_seen_from_its_edge_nor_along_the_line_of_centres() {
         let fixture = open_room(Default::default(), Focus::FormFactor { i: 0, j: 1 });
-        let room = fixture.run.prepared().enclosure().expect("it is a room");
+        let room = fixture.run.enclosure().expect("it is a room");
         let pairs = [WALLS, [FLOOR[0], WALLS[0]], [FLOOR[1], LAMP], FLOOR];
         for [i, j] in pairs.map(|pair| pair.map(|patch| patch as usize)) {
             let patches = &room.patches;

@@ -108,7 +108,7 @@ fn title(picture: &mut Picture, layout: &Layout) {
             parts.push(format!("j = {other}: {}", layout.name(other)));
         }
         if !hand.shoots() {
-            parts.push(format!("Σ_j F_i_j = {}", fixed(layout.sum(hand.i), 4)));
+            parts.push(format!("Σ_j F_i_j = {}", fixed(layout.row_sums[hand.i], 4)));
         }
     }
     let mut text = String::new();
@@ -223,7 +223,7 @@ fn sums(picture: &mut Picture, layout: &Layout, grid: &Grid, place: Rect) {
         .map(|cell| {
             let rows = grid.entries(cell);
             let row = current(&rows).map_or(rows.start, |hand| hand.i);
-            (rows, row, layout.sum(row))
+            (rows, row, layout.row_sums[row])
         })
         .collect();
     let longest = rows.iter().map(|(_, _, sum)| *sum).fold(1.1, f64::max);

@@ -20,9 +20,8 @@ fn stage_of(fixture: &Fixture) -> &PreparedScene {
 }
 
 fn room_of(fixture: &Fixture) -> &Enclosure {
-    stage_of(fixture)
-        .enclosure()
-        .expect("the sample has patches")
+    let enclosure = fixture.run.enclosure();
+    enclosure.expect("the sample has patches")
 }
 
 fn state_of(fixture: &Fixture) -> &State {
@@ -174,10 +173,11 @@ fn where_patches_shoot_a_wide_panel_shows_what_is_still_unshot() {
     let state = state_of(&fixture).focused.expect("a shot");
     assert_eq!((state.i, state.exchange.map(|(j, _)| j)), (60, Some(5)));
     assert_eq!([NARROW, WIDE].map(|size| pictures(&fixture, size)), [1, 2]);
-    let unshot = Unshot::of(state_of(&fixture), room_of(&fixture)).expect("a solver that shoots");
+    let unshot = state_of(&fixture).unshot(room_of(&fixture));
+    let shares = shares(&unshot.expect("a solver that shoots"));
     // The first of the lamp's patches has just shot all it had, and the others have not.
-    assert_eq!(unshot.shares[60..], [0.0, 1.0, 1.0, 1.0]);
-    assert!(unshot.shares[3] > 0.0 && unshot.shares[3] < 1.0);
+    assert_eq!(shares[60..], [0.0, 1.0, 1.0, 1.0]);
+    assert!(shares[3] > 0.0 && shares[3] < 1.0);
 }
 
 #[test]
@@ -189,15 +189,15 @@ fn the_light_begins_with_the_emission_and_ends_with_the_solution() {
     ] {
         let mut fixture = Fixture::room(solver, Focus::Frame);
         let room = room_of(&fixture);
-        assert_eq!(light(state_of(&fixture), room), room.emission);
+        assert_eq!(state_of(&fixture).light(room), room.emission);
         fixture.go_to("RoomDone", 0);
         let room = room_of(&fixture);
         let finished = room.light(room.matrix().expect("made")).expect("solved");
-        let shown = light(state_of(&fixture), room);
+        let shown = state_of(&fixture).light(room);
         for (shown, finished) in shown.into_iter().zip(&finished.radiosity) {
             let apart = (shown - *finished).channels().map(f64::abs);
             // What is left unshot is below the tolerance of the solver.
-            let allowed = if shoots(solver) { 1e-4 } else { 0.0 };
+            let allowed = if solver.shoots() { 1e-4 } else { 0.0 };
             assert!(apart.into_iter().all(|apart| apart <= allowed), "{apart:?}");
         }
     }

@@ -4,7 +4,6 @@
 use super::super::values::{difference, short};
 use crate::color::Rgb;
 use crate::language::{Language, Message};
-use crate::numeric::interpolate;
 use crate::picture::{Image, Ink, Picture, Rect, Stroke, Style, Tag, Text, measure};
 use crate::record::Value;
 use crate::replay::shading::{Interpolated, State, Varying};
@@ -247,10 +246,7 @@ fn fitted(text: &str, room: f32) -> Text {
 
 /// The weights of two values at `one` and `two`, at a place between them.
 fn weights(one: f64, two: f64, at: f64) -> [f64; 2] {
-    [
-        interpolate(1.0, one, 0.0, two, at),
-        interpolate(0.0, one, 1.0, two, at),
-    ]
+    [(at - two) / (one - two), (one - at) / (one - two)]
 }
 
 /// The normals from one end to the other, in the plane of both with their mean direction upward; the one at `at` stands out.
@@ -267,7 +263,7 @@ fn fan(picture: &mut Picture, strip: Rect, [one, two]: [DVec3; 2], at: f64) {
     let aside = (0.5 * unit).min(0.25 * strip.width);
     let feet = Rect::new(strip.x + aside, strip.y, strip.width - 2.0 * aside, unit);
     let mut arrow = |at: f64, stroke: Stroke| {
-        let normal = interpolate(one, 0.0, two, 1.0, at);
+        let normal = one.lerp(two, at);
         let along = Vec2::new(normal.dot(across) as f32, -normal.dot(up) as f32);
         let from = Vec2::new(feet.x + at as f32 * feet.width, foot);
         picture.clipped(strip, |picture| {
@@ -285,7 +281,8 @@ fn fan(picture: &mut Picture, strip: Rect, [one, two]: [DVec3; 2], at: f64) {
 fn shades(one: Rgb, two: Rgb) -> Image {
     let last = f64::from(SHADES - 1);
     let bytes: Vec<u8> = (0..SHADES)
-        .flat_map(|i| interpolate(one, 0.0, two, last, i.into()).to_srgb8())
+        .map(|i| f64::from(i) / last)
+        .flat_map(|share| (one * (1.0 - share) + two * share).to_srgb8())
         .collect();
     Image::new(SHADES, 1, bytes)
 }

@@ -89,12 +89,10 @@ impl Angles {
             ));
         }
         if let Some(refraction) = surface.ray.refraction {
-            if refraction.radicand >= 0.0 {
-                let angle = refraction.radicand.sqrt().min(1.0).acos();
+            if let Some(angle) = refraction.theta_r() {
                 rows.push(row("θ_r", angle, "theta_r_degrees", "Refraction"));
             }
-            if refraction.eta_i > refraction.eta_r {
-                let angle = (refraction.eta_r / refraction.eta_i).asin();
+            if let Some(angle) = refraction.critical_angle() {
                 let note = if refraction.radicand < 0.0 {
                     strings(TOTAL)
                 } else {

@@ -259,13 +259,11 @@ impl Drawing<'_> {
         let Some(refraction) = surface.ray.refraction else {
             return;
         };
-        if refraction.radicand >= 0.0 {
-            let theta_r = refraction.radicand.sqrt().min(1.0).acos() as f32;
-            self.arc(-up, turn * theta_r, 0.45, "θ_r");
+        if let Some(theta_r) = refraction.theta_r() {
+            self.arc(-up, turn * theta_r as f32, 0.45, "θ_r");
         }
-        if refraction.eta_i > refraction.eta_r {
-            let critical = (refraction.eta_r / refraction.eta_i).asin() as f32;
-            let toward = Vec2::from_angle(turn * critical).rotate(up);
+        if let Some(critical) = refraction.critical_angle() {
+            let toward = Vec2::from_angle(turn * critical as f32).rotate(up);
             let end = self.middle + 0.8 * self.unit * toward;
             self.picture
                 .line(self.middle, end, Ink::Muted.stroke(1.25).dotted());

@@ -3,8 +3,6 @@
 use super::super::names;
 use super::arrows::V_LENGTH;
 use super::plane::{Held, Plane, Tip};
-use crate::algorithms::ray_tree::RayKind;
-use crate::color::Rgb;
 use crate::language::{Language, Message};
 use crate::replay::rays::{CurrentSurface, RayState, State, Verdict};
 use crate::replay::shading::{CurrentLight, CurrentPoint};
@@ -126,13 +124,7 @@ impl<'a> SurfaceInSight<'a> {
 
     /// Whether light passes the surface at all.
     pub fn is_transparent(&self) -> bool {
-        self.transmits(self.surface.object)
-    }
-
-    fn transmits(&self, object: u32) -> bool {
-        let scene = &self.state.prepared.scene;
-        let material = scene.objects[object as usize].material;
-        scene.materials[material].transmission != Rgb::BLACK
+        self.state.transmits(self.surface.object)
     }
 
     /// Whether the ray comes from outside, or to the front.
@@ -146,9 +138,9 @@ impl<'a> SurfaceInSight<'a> {
             Some(&object) => names::object(&self.state.prepared, object).to_string(),
             None => AIR.text(language).to_string(),
         };
-        let around = self.media_around();
+        let around = self.state.media_around(self.index);
         let object = self.surface.object;
-        if !self.transmits(object) {
+        if !self.state.transmits(object) {
             return [named(around.last()), named(Some(&object))];
         }
         let mut outside = around.clone();
@@ -168,34 +160,5 @@ impl<'a> SurfaceInSight<'a> {
             }
             None => [above, below],
         }
-    }
-
-    /// The transparent objects that the incoming ray is inside, outermost first.
-    fn media_around(&self) -> Vec<u32> {
-        let state = self.state;
-        let path: Vec<usize> = std::iter::successors(Some(self.index), |&index| {
-            state.rays.get(index).and_then(|ray| ray.parent)
-        })
-        .collect();
-        let mut media = state.prepared.primitives().around(state.prepared.view.eye);
-        media.retain(|&object| self.transmits(object));
-        for pair in path.windows(2).rev() {
-            let (Some(child), Some(parent)) = (state.rays.get(pair[0]), state.rays.get(pair[1]))
-            else {
-                continue;
-            };
-            let Some(surface) = parent
-                .surface
-                .filter(|_| child.kind == RayKind::Transmitted)
-            else {
-                continue;
-            };
-            if surface.facing.is_some_and(|(.., entering)| entering) {
-                media.push(surface.object);
-            } else if let Some(at) = media.iter().rposition(|&inner| inner == surface.object) {
-                media.remove(at);
-            }
-        }
-        media
     }
 }
