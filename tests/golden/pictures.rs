@@ -1,288 +1,92 @@
 //! About a hundred pictures, a handful of each panel, chosen for what they show, in both languages, all themes, and for plain
 //! and dense screens: what a display list cannot say, the rasteriser's work above all.
+//!
+//! A file's name says what it shows: `lesson_step_panel_language_theme_scale.png`. To choose another picture, put an empty file
+//! under its name, and renew.
 
 use crate::files::{self, golden, updating};
 use crate::walk::Walk;
 use lightwalk::color::png_rgba8;
 use lightwalk::panels::Panel;
-use lightwalk::panels::strings::Language::{self, English, Indonesian};
-use lightwalk::picture::Theme::{self, Dark, Light, Projector};
+use lightwalk::panels::strings::Language;
+use lightwalk::picture::Theme;
 use lightwalk::picture::{rasterize, to_png};
 use std::fs;
 use std::path::PathBuf;
+use std::sync::LazyLock;
 
-/// Lesson, narrated step, panel, language, theme, scale.
-const CHOSEN: &[(&str, usize, Panel, Language, Theme, f32)] = &[
-    ("assumptions", 0, Panel::Code, Indonesian, Light, 1.0),
-    ("assumptions", 0, Panel::Formula, English, Light, 1.0),
-    ("assumptions", 0, Panel::Matrix, English, Light, 1.0),
-    ("assumptions", 1, Panel::Inspector, Indonesian, Light, 1.0),
-    ("assumptions", 1, Panel::Radiosity, Indonesian, Light, 1.0),
-    ("assumptions", 1, Panel::TimeLine, Indonesian, Light, 1.0),
-    ("assumptions", 12, Panel::Matrix, English, Dark, 1.0),
-    ("color-bleeding", 0, Panel::Image, English, Light, 1.0),
-    ("color-bleeding", 4, Panel::Matrix, Indonesian, Dark, 2.0),
-    (
-        "color-bleeding",
-        4,
-        Panel::Radiosity,
-        English,
-        Projector,
-        2.0,
-    ),
-    ("cornell-box", 0, Panel::Convergence, Indonesian, Light, 1.0),
-    ("depth-attenuation", 0, Panel::RayTree, English, Light, 1.0),
-    ("depth-attenuation", 1, Panel::Rays, Indonesian, Light, 1.0),
-    ("distance", 0, Panel::Illumination, Indonesian, Light, 1.0),
-    ("distance", 1, Panel::Vectors, English, Light, 1.0),
-    ("distance", 6, Panel::Illumination, Indonesian, Dark, 1.0),
-    (
-        "distance",
-        10,
-        Panel::Illumination,
-        Indonesian,
-        Projector,
-        1.0,
-    ),
-    ("error-against-time", 1, Panel::Race, English, Light, 1.0),
-    (
-        "error-against-time",
-        2,
-        Panel::Code,
-        English,
-        Projector,
-        2.0,
-    ),
-    (
-        "error-against-time",
-        2,
-        Panel::Convergence,
-        English,
-        Projector,
-        2.0,
-    ),
-    (
-        "error-against-time",
-        3,
-        Panel::Formula,
-        Indonesian,
-        Dark,
-        2.0,
-    ),
-    (
-        "error-against-time",
-        3,
-        Panel::TimeLine,
-        English,
-        Projector,
-        2.0,
-    ),
-    (
-        "error-against-time",
-        5,
-        Panel::Radiosity,
-        Indonesian,
-        Dark,
-        1.0,
-    ),
-    ("error-against-time", 10, Panel::Race, English, Dark, 1.0),
-    ("extremes", 1, Panel::Vertex, Indonesian, Light, 1.0),
-    ("extremes", 2, Panel::Comparison, English, Light, 1.0),
-    ("extremes", 2, Panel::ScanLine, English, Light, 1.0),
-    ("extremes", 5, Panel::Image, Indonesian, Dark, 2.0),
-    ("extremes", 11, Panel::Vertex, English, Light, 2.0),
-    ("fast-phong", 0, Panel::Difference, English, Light, 1.0),
-    ("fast-phong", 1, Panel::Profile, Indonesian, Light, 1.0),
-    ("fast-phong", 5, Panel::Comparison, Indonesian, Dark, 2.0),
-    ("fast-phong", 12, Panel::Difference, English, Dark, 1.0),
-    ("fast-phong", 13, Panel::Profile, Indonesian, Projector, 1.0),
-    ("flat-shading", 3, Panel::Difference, Indonesian, Dark, 2.0),
-    ("flat-shading", 3, Panel::Vectors, Indonesian, Dark, 2.0),
-    ("flat-shading", 3, Panel::Vertex, English, Projector, 2.0),
-    ("flat-shading", 9, Panel::Vertex, Indonesian, Projector, 1.0),
-    ("form-factors", 0, Panel::FormFactor, Indonesian, Light, 1.0),
-    ("form-factors", 3, Panel::Inspector, English, Projector, 2.0),
-    (
-        "form-factors",
-        4,
-        Panel::FormFactor,
-        English,
-        Projector,
-        2.0,
-    ),
-    ("form-factors", 7, Panel::FormFactor, Indonesian, Dark, 1.0),
-    ("form-factors", 10, Panel::FormFactor, English, Light, 2.0),
-    (
-        "form-factors",
-        13,
-        Panel::FormFactor,
-        Indonesian,
-        Projector,
-        1.0,
-    ),
-    ("gathering", 3, Panel::Race, Indonesian, Dark, 2.0),
-    ("gathering", 6, Panel::Convergence, Indonesian, Dark, 1.0),
-    ("gathering", 6, Panel::Matrix, English, Projector, 1.0),
-    ("gathering", 10, Panel::Radiosity, English, Light, 2.0),
-    ("gouraud-teapot", 1, Panel::ActiveEdges, English, Light, 1.0),
-    ("gouraud-teapot", 2, Panel::ScanLine, Indonesian, Dark, 2.0),
-    ("gouraud-teapot", 5, Panel::Formula, English, Projector, 1.0),
-    ("gouraud-teapot", 5, Panel::TimeLine, Indonesian, Dark, 1.0),
-    ("gouraud-teapot", 6, Panel::Code, Indonesian, Dark, 1.0),
-    ("gouraud-teapot", 6, Panel::Vertex, Indonesian, Dark, 1.0),
-    (
-        "gouraud-teapot",
-        10,
-        Panel::ActiveEdges,
-        Indonesian,
-        Light,
-        2.0,
-    ),
-    (
-        "gouraud-triangle",
-        3,
-        Panel::ActiveEdges,
-        Indonesian,
-        Dark,
-        2.0,
-    ),
-    ("gouraud-triangle", 6, Panel::Image, English, Projector, 1.0),
-    (
-        "gouraud-triangle",
-        7,
-        Panel::ScanLine,
-        English,
-        Projector,
-        1.0,
-    ),
-    (
-        "gouraud-triangle",
-        12,
-        Panel::ActiveEdges,
-        English,
-        Dark,
-        1.0,
-    ),
-    (
-        "illumination-model",
-        3,
-        Panel::Illumination,
-        English,
-        Projector,
-        2.0,
-    ),
-    (
-        "illumination-model",
-        7,
-        Panel::Illumination,
-        English,
-        Light,
-        2.0,
-    ),
-    (
-        "incremental-drift",
-        7,
-        Panel::ActiveEdges,
-        English,
-        Projector,
-        1.0,
-    ),
-    (
-        "incremental-drift",
-        8,
-        Panel::Inspector,
-        Indonesian,
-        Dark,
-        1.0,
-    ),
-    (
-        "incremental-drift",
-        10,
-        Panel::ScanLine,
-        Indonesian,
-        Light,
-        2.0,
-    ),
-    ("linear-system", 9, Panel::Inspector, English, Light, 2.0),
-    ("linear-system", 9, Panel::Matrix, Indonesian, Light, 2.0),
-    ("linear-system", 10, Panel::Convergence, English, Light, 2.0),
-    ("mach-bands", 5, Panel::Profile, English, Projector, 2.0),
-    ("mach-bands", 6, Panel::Comparison, English, Projector, 1.0),
-    ("mach-bands", 8, Panel::Difference, English, Projector, 1.0),
-    ("mach-bands", 9, Panel::Formula, Indonesian, Light, 2.0),
-    ("mach-bands", 10, Panel::Code, English, Light, 2.0),
-    ("mach-bands", 11, Panel::TimeLine, English, Light, 2.0),
-    ("mach-bands", 13, Panel::ScanLine, English, Dark, 1.0),
-    ("needs", 3, Panel::Rays, English, Projector, 2.0),
-    ("phong-highlight", 7, Panel::Profile, Indonesian, Dark, 1.0),
-    (
-        "phong-highlight",
-        9,
-        Panel::Comparison,
-        Indonesian,
-        Light,
-        2.0,
-    ),
-    (
-        "phong-highlight",
-        12,
-        Panel::Inspector,
-        Indonesian,
-        Projector,
-        1.0,
-    ),
-    ("ray-casting", 9, Panel::Image, Indonesian, Light, 2.0),
-    ("ray-tree", 4, Panel::RayTree, Indonesian, Dark, 2.0),
-    ("ray-tree", 6, Panel::Vectors, English, Projector, 1.0),
-    ("ray-tree", 9, Panel::Rays, Indonesian, Dark, 1.0),
-    ("reflection", 7, Panel::RayTree, English, Projector, 1.0),
-    ("reflection", 11, Panel::Rays, English, Light, 2.0),
-    ("reflection", 11, Panel::Vectors, Indonesian, Light, 2.0),
-    ("refraction", 10, Panel::RayTree, Indonesian, Light, 2.0),
-    (
-        "refraction",
-        12,
-        Panel::TimeLine,
-        Indonesian,
-        Projector,
-        1.0,
-    ),
-    ("refraction", 13, Panel::Formula, English, Dark, 1.0),
-    ("refraction", 14, Panel::Code, Indonesian, Projector, 1.0),
-    ("shadows", 12, Panel::Vectors, English, Dark, 1.0),
-    ("shadows", 13, Panel::Image, English, Dark, 1.0),
-    ("shadows", 13, Panel::RayTree, English, Dark, 1.0),
-    ("shadows", 13, Panel::Rays, Indonesian, Projector, 1.0),
-    ("shooting", 7, Panel::Race, English, Projector, 1.0),
-    ("shooting", 11, Panel::Radiosity, Indonesian, Projector, 1.0),
-    (
-        "shooting",
-        13,
-        Panel::Convergence,
-        Indonesian,
-        Projector,
-        1.0,
-    ),
-    ("side-by-side", 9, Panel::Difference, Indonesian, Light, 2.0),
-    ("side-by-side", 9, Panel::Profile, English, Light, 2.0),
-    ("side-by-side", 11, Panel::Comparison, English, Dark, 1.0),
-    ("stiff-room", 9, Panel::Race, Indonesian, Light, 2.0),
-];
+/// A chosen picture.
+struct Choice {
+    lesson: String,
+    /// Among the narrated ones.
+    step: usize,
+    panel: Panel,
+    language: Language,
+    theme: Theme,
+    scale: f32,
+    name: String,
+}
+
+/// # Panics
+/// At a file that is named otherwise.
+fn choice(name: &str) -> Choice {
+    let parts: Vec<&str> = name.trim_end_matches(".png").split('_').collect();
+    let [lesson, step, panel, language, theme, scale] = parts[..] else {
+        panic!("{name}: not named lesson_step_panel_language_theme_scale.png");
+    };
+    Choice {
+        lesson: lesson.to_string(),
+        step: step.parse().expect(name),
+        panel: Panel::from_name(panel).expect(name),
+        language: Language::ALL
+            .into_iter()
+            .find(|one| one.code() == language)
+            .expect(name),
+        theme: [Theme::Light, Theme::Dark, Theme::Projector]
+            .into_iter()
+            .find(|one| format!("{one:?}").to_lowercase() == theme)
+            .expect(name),
+        scale: scale.parse().expect(name),
+        name: format!("pictures/{name}"),
+    }
+}
+
+static CHOSEN: LazyLock<Vec<Choice>> = LazyLock::new(|| {
+    let folder = golden("pictures");
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names.iter().map(|name| choice(name)).collect()
+});
+
+#[test]
+fn the_pictures_show_every_panel_in_both_languages_all_themes_and_scales() {
+    assert!(CHOSEN.len() >= 90);
+    for panel in Panel::ALL {
+        assert!(
+            CHOSEN.iter().any(|choice| choice.panel == panel),
+            "{panel:?}"
+        );
+    }
+    for lesson in lightwalk::lesson::builtins() {
+        assert!(
+            CHOSEN.iter().any(|choice| choice.lesson == lesson.id),
+            "{}",
+            lesson.id
+        );
+    }
+}
 
 /// How the chosen pictures of a lesson differ from the golden ones. New ones and differences are kept where builds go.
 pub fn differences(lesson: &str, walk: &mut Walk) -> Vec<String> {
-    let chosen = CHOSEN.iter().filter(|chosen| chosen.0 == lesson);
-    let new = |&(_, index, panel, language, theme, scale): &(_, _, Panel, Language, Theme, f32)| {
-        let larger = theme.text_scale();
-        let picture = walk.panel(index, panel, language, larger);
-        let pixmap = rasterize(&picture, theme, scale * larger).unwrap();
-        let name = format!(
-            "pictures/{lesson}-{index:02}-{}-{}-{}-{scale}.png",
-            panel.name(),
-            language.code(),
-            format!("{theme:?}").to_lowercase()
-        );
-        difference(&name, &to_png(&pixmap))
+    let chosen = CHOSEN.iter().filter(|choice| choice.lesson == lesson);
+    let new = |choice: &Choice| {
+        let larger = choice.theme.text_scale();
+        let picture = walk.panel(choice.step, choice.panel, choice.language, larger);
+        let pixmap = rasterize(&picture, choice.theme, choice.scale * larger).unwrap();
+        difference(&choice.name, &to_png(&pixmap))
     };
     chosen.filter_map(new).collect()
 }
