@@ -7,6 +7,7 @@ mod counter;
 mod event;
 mod outline;
 mod recording;
+mod spare;
 
 pub use counter::Counter;
 pub use event::{Event, Field, Fields, Line, Listing, Value};

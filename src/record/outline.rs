@@ -20,7 +20,7 @@ impl Outline {
     pub const BYTES_AN_EVENT: usize = 2 * size_of::<u32>() + size_of::<u16>();
 
     /// Reads the scopes from the marks. A scope that was never left ends with the last step.
-    pub fn of<E>(recording: &Recording<E>) -> Self {
+    pub fn of<E: Send + 'static>(recording: &Recording<E>) -> Self {
         let len = recording.len();
         let mut outline = Outline {
             parent: Vec::with_capacity(len),

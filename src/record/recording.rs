@@ -1,8 +1,8 @@
-//! Events in fixed-size chunks, up to a limit of memory, in pages that the next run uses again.
+//! Events in fixed-size chunks, up to a limit of memory.
 
-use super::{Outline, Recorder};
+use super::{Outline, Recorder, spare};
 
-/// Events a chunk: large enough that a full chunk is rare, small enough that little lies unused.
+/// Events a chunk: large enough that a full chunk is rare, small enough that little memory is left unused.
 const CHUNK: usize = 1 << 14;
 
 /// What an event was to the scopes around it.
@@ -36,13 +36,11 @@ impl RecordingLimit {
 /// A recorder that keeps every event, until its limit is met; from there on only the scopes already open are closed.
 ///
 /// Invariant: the marks kept are always balanced once the run has ended.
-pub struct Recording<E> {
+pub struct Recording<E: Send + 'static> {
     /// The chunk being written: held here, so that an event is kept with few memory accesses.
     chunk: Chunk<E>,
     /// The chunks before it.
     full: Vec<Chunk<E>>,
-    /// Empty chunks that wait to be used again.
-    free: Vec<Chunk<E>>,
     /// Events that may still be kept. An `enter` pays for its `leave` in advance.
     room: usize,
     /// Scopes open that were not kept.
@@ -51,45 +49,51 @@ pub struct Recording<E> {
 }
 
 /// At most [`CHUNK`] events and their marks.
-struct Chunk<E> {
+pub(super) struct Chunk<E> {
     events: Vec<E>,
     marks: Vec<Mark>,
 }
 
 impl<E> Chunk<E> {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         Chunk {
             events: Vec::with_capacity(CHUNK),
             marks: Vec::with_capacity(CHUNK),
         }
     }
 
-    fn clear(&mut self) {
+    /// There must be room.
+    #[inline]
+    pub(super) fn push(&mut self, event: impl FnOnce() -> E, mark: Mark) {
+        self.events.push(event());
+        self.marks.push(mark);
+    }
+
+    #[cfg(test)]
+    pub(super) fn is_empty(&self) -> bool {
+        self.events.is_empty()
+    }
+
+    pub(super) fn clear(&mut self) {
         self.events.clear();
         self.marks.clear();
     }
+
+    /// The memory that it takes, empty or full.
+    pub(super) fn bytes(&self) -> usize {
+        self.events.capacity() * size_of::<E>() + self.marks.capacity() * size_of::<Mark>()
+    }
 }
 
-impl<E> Recording<E> {
+impl<E: Send + 'static> Recording<E> {
     pub fn new(limit: RecordingLimit) -> Self {
         Recording {
-            chunk: Chunk::new(),
+            chunk: empty_chunk(),
             full: Vec::new(),
-            free: Vec::new(),
             room: limit.events::<E>(),
             skipped: 0,
             truncated: false,
         }
-    }
-
-    /// Empties the recording for another run, and keeps its memory as far as `limit` allows: fresh pages cost more than
-    /// the events written to them.
-    pub fn restart(&mut self, limit: RecordingLimit) {
-        self.chunk.clear();
-        self.full.iter_mut().for_each(Chunk::clear);
-        self.free.append(&mut self.full);
-        self.free.truncate(limit.events::<E>() / CHUNK);
-        (self.room, self.skipped, self.truncated) = (limit.events::<E>(), 0, false);
     }
 
     pub fn len(&self) -> usize {
@@ -100,7 +104,7 @@ impl<E> Recording<E> {
         self.len() == 0
     }
 
-    /// Whether the limit was met, so that the recording tells only the beginning of the run.
+    /// Whether the limit was met, so that only the beginning of the run was recorded.
     pub fn truncated(&self) -> bool {
         self.truncated
     }
@@ -139,14 +143,13 @@ impl<E> Recording<E> {
         if self.chunk.events.len() == CHUNK {
             self.next_chunk();
         }
-        self.chunk.events.push(event());
-        self.chunk.marks.push(mark);
+        self.chunk.push(event, mark);
     }
 
     #[cold]
     fn next_chunk(&mut self) {
-        let next = self.free.pop().unwrap_or_else(Chunk::new);
-        self.full.push(std::mem::replace(&mut self.chunk, next));
+        self.full
+            .push(std::mem::replace(&mut self.chunk, empty_chunk()));
     }
 
     #[cold]
@@ -156,7 +159,25 @@ impl<E> Recording<E> {
     }
 }
 
-impl<E> Recorder<E> for Recording<E> {
+/// From a recording that is gone, or new.
+fn empty_chunk<E: Send + 'static>() -> Chunk<E> {
+    spare::take().unwrap_or_else(Chunk::new)
+}
+
+impl<E: Send + 'static> Drop for Recording<E> {
+    fn drop(&mut self) {
+        let last = std::mem::replace(
+            &mut self.chunk,
+            Chunk {
+                events: Vec::new(),
+                marks: Vec::new(),
+            },
+        );
+        spare::keep(self.full.drain(..).chain([last]));
+    }
+}
+
+impl<E: Send + 'static> Recorder<E> for Recording<E> {
     #[inline]
     fn step(&mut self, event: impl FnOnce() -> E) {
         if self.room == 0 {
@@ -213,33 +234,5 @@ mod tests {
             });
             assert_eq!(open, 0, "scopes balance at limit {limit}");
         }
-    }
-
-    #[test]
-    fn a_restarted_recording_is_as_good_as_new() {
-        let mut recording = Recording::new(RecordingLimit::default());
-        (0..40_000_u32).for_each(|i| recording.step(|| i));
-        recording.restart(RecordingLimit::default());
-        assert!(recording.is_empty());
-        (0..20_000_u32).for_each(|i| recording.step(|| 7 * i));
-        assert_eq!(recording.len(), 20_000);
-        assert!(
-            recording
-                .events()
-                .enumerate()
-                .all(|(i, &event)| event == 7 * i as u32)
-        );
-        assert_eq!(*recording.event(17_000), 7 * 17_000);
-    }
-
-    #[test]
-    fn a_restart_keeps_no_more_memory_than_the_new_limit() {
-        let mut recording = Recording::new(RecordingLimit::default());
-        (0..10 * CHUNK).for_each(|i| recording.step(|| i));
-        let bytes = size_of::<usize>() + size_of::<Mark>() + Outline::BYTES_AN_EVENT;
-        recording.restart(RecordingLimit(3 * CHUNK * bytes));
-        assert_eq!(recording.free.len(), 3);
-        (0..10 * CHUNK).for_each(|i| recording.step(|| i));
-        assert_eq!(recording.len(), 3 * CHUNK);
     }
 }

@@ -8,13 +8,13 @@ use std::ops::Range;
 /// A timeline, the step at which it is looked at, and the state there.
 ///
 /// Invariant: the state is the fold of the events 0..=position; with nothing recorded, it is the initial one.
-pub struct Replay<E, S> {
+pub struct Replay<E: Send + 'static, S> {
     timeline: Timeline<E, S>,
     position: usize,
     state: S,
 }
 
-impl<E, S: Fold<E>> Replay<E, S> {
+impl<E: Send + 'static, S: Fold<E>> Replay<E, S> {
     /// Stands at the first step.
     pub fn new(timeline: Timeline<E, S>) -> Self {
         let mut state = timeline.initial().clone();
@@ -58,11 +58,6 @@ impl<E, S: Fold<E>> Replay<E, S> {
 
     pub fn timeline(&self) -> &Timeline<E, S> {
         &self.timeline
-    }
-
-    /// Gives the timeline back, so that the next run can use its memory again.
-    pub fn into_timeline(self) -> Timeline<E, S> {
-        self.timeline
     }
 }
 

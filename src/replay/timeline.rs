@@ -35,7 +35,7 @@ pub struct RecordedField {
 }
 
 /// A recording that can be read at any step, and says what the state was there.
-pub struct Timeline<E, S> {
+pub struct Timeline<E: Send + 'static, S> {
     recording: Recording<E>,
     outline: Outline,
     /// `checkpoints[c]` is the state before step `c * interval`.
@@ -43,7 +43,7 @@ pub struct Timeline<E, S> {
     interval: usize,
 }
 
-impl<E, S: Fold<E>> Timeline<E, S> {
+impl<E: Send + 'static, S: Fold<E>> Timeline<E, S> {
     /// Folds the recording once, from the state `initial` before its first step.
     ///
     /// At most 1024 checkpoints are kept, and at most 512 MiB of them by [`Fold::bytes_beyond`].
@@ -115,7 +115,7 @@ impl<E, S: Fold<E>> Timeline<E, S> {
     }
 }
 
-impl<E, S> Timeline<E, S> {
+impl<E: Send + 'static, S> Timeline<E, S> {
     /// The number of steps.
     pub fn len(&self) -> usize {
         self.recording.len()
@@ -142,11 +142,6 @@ impl<E, S> Timeline<E, S> {
     /// Whether the recording met its limit, so that the timeline shows only the beginning of the run.
     pub fn truncated(&self) -> bool {
         self.recording.truncated()
-    }
-
-    /// Gives the recording back, so that the next run can use its memory again.
-    pub fn into_recording(self) -> Recording<E> {
-        self.recording
     }
 }
 
@@ -301,7 +296,6 @@ mod tests {
         let timeline = Timeline::new(Trace::parse("").recording(), Heard::default());
         assert!(timeline.is_empty() && !timeline.truncated());
         assert_eq!(timeline.initial(), &Heard::default());
-        assert!(timeline.into_recording().is_empty());
     }
 
     #[test]

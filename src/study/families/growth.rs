@@ -18,7 +18,6 @@ use crate::study::form::{
     Axes, Curve, Operations, Reference, Request, Setting, Shared, Study, Sweep, Values,
 };
 use glam::DVec3;
-use std::cell::RefCell;
 use std::rc::Rc;
 
 pub static STUDY: Study = Study {
@@ -269,9 +268,15 @@ fn events(request: &Request) -> Result<Sweep, String> {
     for step in 0..steps {
         let size = [40 << step, 30 << step];
         let prepared = Rc::new(scenes::prepared(scene.clone(), &camera, size));
-        let recording = Rc::new(RefCell::new(Recording::new(RecordingLimit::default())));
-        draw(&prepared, &mut *recording.borrow_mut());
-        let events = recording.borrow().len();
+        let record = {
+            let prepared = prepared.clone();
+            move || {
+                let mut recording = Recording::new(RecordingLimit::default());
+                draw(&prepared, &mut recording);
+                recording.len()
+            }
+        };
+        let events = record();
         let sweep_setting = |bytes: u64, run: Box<crate::study::form::Run>| Setting {
             setting: format!("{events} events"),
             size: events as f64,
@@ -286,13 +291,10 @@ fn events(request: &Request) -> Result<Sweep, String> {
         };
         let an_event = size_of::<gouraud::Event>() + size_of::<Mark>() + Outline::BYTES_AN_EVENT;
         let frame = memory::frame(size);
-        let of_recorded = prepared.clone();
         recorded.push(sweep_setting(
             frame + (events * an_event) as u64,
             Box::new(move || {
-                let mut recording = recording.borrow_mut();
-                recording.restart(RecordingLimit::default());
-                draw(&of_recorded, &mut *recording);
+                record();
                 Ok(Values::Numbers(Vec::new()))
             }),
         ));
