@@ -6,6 +6,7 @@ use lightwalk::algorithms::form_factor::hemicube::Hemicubes;
 use lightwalk::algorithms::form_factor::{FormFactors, Method};
 use lightwalk::scene::patches::Patches;
 use lightwalk::scene::{Limits, read};
+use lightwalk::study::timing::Timing;
 use std::time::Instant;
 
 const ROUNDS: usize = 9;
@@ -84,8 +85,7 @@ fn main() {
             matrix = factors.matrix();
             seconds.push(start.elapsed().as_secs_f64());
         }
-        seconds.sort_by(f64::total_cmp);
-        let median = seconds[rounds / 2];
+        let median = Timing::of(seconds).median;
         let worst = matrix
             .iter()
             .zip(&exact)

@@ -5,17 +5,12 @@ use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::lesson::builtins;
 use lightwalk::render::preview;
 use lightwalk::scene::View;
+use lightwalk::study::timing::Timing;
 use std::num::NonZeroUsize;
 use std::thread::available_parallelism;
 use std::time::{Duration, Instant};
 
 const ROUNDS: usize = 15;
-
-/// Lower quartile, median, upper quartile, in milliseconds.
-fn quartiles(mut times: Vec<Duration>) -> [f64; 3] {
-    times.sort();
-    [1, 2, 3].map(|quarter| times[quarter * (times.len() - 1) / 4].as_secs_f64() * 1e3)
-}
 
 fn main() {
     let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
@@ -40,10 +35,16 @@ fn main() {
                 whole.push(all);
             }
         }
-        let [low, median, high] = quartiles(coarse);
-        let [from, middle, to] = quartiles(whole);
+        let [coarse, whole] = [coarse, whole].map(|times| {
+            let milliseconds = times.iter().map(|time: &Duration| 1e3 * time.as_secs_f64());
+            let time = Timing::of(milliseconds.collect());
+            format!(
+                "{:6.1} ({:.1} to {:.1})",
+                time.median, time.lower, time.upper
+            )
+        });
         println!(
-            "  {:22} {:12} first {median:6.1} ({low:.1} to {high:.1})  whole {middle:6.1} ({from:.1} to {to:.1})",
+            "  {:22} {:12} first {coarse}  whole {whole}",
             builtin.id,
             lesson.method.name()
         );

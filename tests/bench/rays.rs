@@ -1,17 +1,21 @@
-//! Million rays a second on meshes made by a formula, one thread: every triangle in turn, `obvhs` by itself with f32 hits, and ours with exact
+//! Million rays a second on meshes made by a formula, one thread: every triangle, `obvhs` by itself with f32 hits, and ours with exact
 //! f64 hits. All in one run, in alternating order; medians with quartiles, and the median ratio of runs taken in turn.
+
+mod race;
 
 use glam::{DVec3, Vec3A};
 use lightwalk::color::Rgb;
 use lightwalk::numeric::Random;
 use lightwalk::scene::primitives::{Primitives, Ray};
 use lightwalk::scene::{Highlight, Material, Mesh, Object, Scene, Shape, Tessellation};
+use lightwalk::study::timing::Timing;
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
 use obvhs::cwbvh::builder::build_cwbvh_from_tris;
 use obvhs::ray::RayHit;
 use obvhs::rt_triangle::RtTriangle;
 use obvhs::triangle::Triangle;
+use race::{race, ratio};
 use std::f64::consts::TAU;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -193,26 +197,6 @@ fn ours(scene: &Scene) -> Contender {
     }
 }
 
-/// Lower quartile, median, upper quartile.
-fn quartiles(mut values: Vec<f64>) -> [f64; 3] {
-    values.sort_by(f64::total_cmp);
-    [1, 2, 3].map(|quarter| values[quarter * (values.len() - 1) / 4])
-}
-
-/// Million rays a second of each contender, one row a contender and one column a round.
-fn race(contenders: &[Contender], rays: &[Ray]) -> Vec<Vec<f64>> {
-    let mut rates = vec![Vec::new(); contenders.len()];
-    for round in 0..ROUNDS {
-        for turn in 0..contenders.len() {
-            let i = (turn + round) % contenders.len();
-            let start = Instant::now();
-            black_box((contenders[i].hits)(black_box(rays)));
-            rates[i].push(rays.len() as f64 / start.elapsed().as_secs_f64() / 1e6);
-        }
-    }
-    rates
-}
-
 fn compare(triangles: usize, presets: &[(&str, BvhBuildParams)]) {
     let scene = scene_of(bumpy_torus(triangles));
     let Shape::Mesh(mesh) = &scene.objects[0].shape else {
@@ -232,20 +216,27 @@ fn compare(triangles: usize, presets: &[(&str, BvhBuildParams)]) {
         let few: Vec<Ray> = rays.iter().step_by(rays.len() / 16).copied().collect();
         let start = Instant::now();
         for ray in &few {
-            assert_eq!(primitives.nearest_in_turn(ray), primitives.nearest(ray));
+            assert_eq!(
+                primitives.nearest_by_brute_force(ray),
+                primitives.nearest(ray)
+            );
         }
-        let in_turn = few.len() as f64 / start.elapsed().as_secs_f64() / 1e6;
-        let rates = race(&contenders, &rays);
+        let brute_force = few.len() as f64 / start.elapsed().as_secs_f64() / 1e6;
+        let mut runs: Vec<_> = (contenders.iter())
+            .map(|contender| || _ = black_box((contender.hits)(black_box(&rays))))
+            .collect();
+        let mut runs: Vec<&mut dyn FnMut()> = runs.iter_mut().map(|run| run as _).collect();
+        let seconds = race(&mut runs, ROUNDS);
         let hits = (contenders[0].hits)(&rays);
         println!("  {kind}: {} rays, {} hits", rays.len(), hits);
-        println!("    {:22} {in_turn:.6}", "every triangle in turn");
-        for (contender, rates_of) in contenders.iter().zip(&rates) {
-            let [low, median, high] = quartiles(rates_of.clone());
-            let pairs = rates[0].iter().zip(rates_of);
-            let [_, ratio, _] = quartiles(pairs.map(|(ours, other)| ours / other).collect());
+        println!("    {:22} {brute_force:.6}", "every triangle");
+        for (contender, seconds_of) in contenders.iter().zip(&seconds) {
+            let rates = seconds_of.iter().map(|s| rays.len() as f64 / s / 1e6);
+            let rate = Timing::of(rates.collect());
+            let ratio = ratio(seconds_of, &seconds[0]);
             println!(
-                "    {:22} {median:.3} ({low:.3} to {high:.3}) million rays/s; ours is {ratio:.2} of it",
-                contender.name
+                "    {:22} {:.3} ({:.3} to {:.3}) million rays/s; ours is {:.2} of it",
+                contender.name, rate.median, rate.lower, rate.upper, ratio.median
             );
         }
     }

@@ -1,22 +1,26 @@
-//! The cost of telling and of seeking: nanoseconds an event recorded, and random seeks among ten million events.
+//! The cost of recording and of seeking: nanoseconds an event, and random seeks among ten million events.
 
-use criterion::{BenchmarkId, Criterion, Throughput};
+mod race;
+
 use lightwalk::color::Rgb;
 use lightwalk::numeric::Random;
 use lightwalk::record::{Event, Fields, Line, Listing, Recorder, Recording, RecordingLimit};
 use lightwalk::replay::{Canvas, Fold, Query, Replay, Timeline, query};
+use lightwalk::study::timing::Timing;
 use lightwalk::vocabulary::{Declared, Kind};
+use race::{race, ratio};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 const EVENTS: usize = 1_000_000;
+const ROUNDS: usize = 20;
 
 /// An event of `8 * WORDS` bytes.
 #[derive(Clone, Copy)]
 struct Words<const WORDS: usize>([u64; WORDS]);
 
-/// A body that tells `EVENTS` steps, in scopes of a hundred.
-fn tell<const WORDS: usize>(recorder: &mut impl Recorder<Words<WORDS>>) {
+/// `EVENTS` events, in scopes of a hundred.
+fn run<const WORDS: usize>(recorder: &mut impl Recorder<Words<WORDS>>) {
     let word = |i: usize| Words([i as u64; WORDS]);
     for scope in 0..EVENTS / 100 {
         recorder.enter(|| word(scope));
@@ -27,33 +31,35 @@ fn tell<const WORDS: usize>(recorder: &mut impl Recorder<Words<WORDS>>) {
     }
 }
 
-fn record<const WORDS: usize>(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("a million events recorded");
-    group
-        .throughput(Throughput::Elements(EVENTS as u64))
-        .sample_size(20)
-        .warm_up_time(Duration::from_secs(1))
-        .measurement_time(Duration::from_secs(2));
-    let bytes = size_of::<Words<WORDS>>();
-    let limit = RecordingLimit::default();
-    let mut recording = Recording::new(limit);
-    group.bench_function(BenchmarkId::new("reused memory", bytes), |bencher| {
-        bencher.iter(|| {
-            recording.restart(limit);
-            tell::<WORDS>(&mut recording);
-            black_box(recording.len())
-        });
+/// Nanoseconds an event, in memory of the recording before and in fresh memory.
+fn record<const WORDS: usize>() {
+    let mut kept = Vec::new();
+    let record = || {
+        let mut recording = Recording::new(RecordingLimit::default());
+        run::<WORDS>(&mut recording);
+        recording
+    };
+    let seconds = race(
+        &mut [&mut || drop(black_box(record())), &mut || {
+            kept.push(record())
+        }],
+        ROUNDS,
+    );
+    let ratio = ratio(&seconds[1], &seconds[0]);
+    let [reused, fresh] = [0, 1].map(|i| {
+        let Timing { median, .. } = Timing::of(seconds[i].clone());
+        1e9 * median / EVENTS as f64
     });
-    group.bench_function(BenchmarkId::new("fresh memory", bytes), |bencher| {
-        bencher.iter_with_large_drop(|| {
-            let mut recording = Recording::new(limit);
-            tell::<WORDS>(&mut recording);
-            recording
-        });
-    });
+    println!(
+        "an event of {} bytes: {reused:.2} ns in reused memory, {fresh:.2} ns in fresh memory, ratio {:.2} (quartiles {:.2} to {:.2})",
+        size_of::<Words<WORDS>>(),
+        ratio.median,
+        ratio.lower,
+        ratio.upper
+    );
 }
 
-/// What a scan-line method tells, reduced to what it does to the picture.
+/// The events of a scan-line method, reduced to what they do to the picture.
 #[derive(Clone, Copy)]
 enum Drawn {
     Span {
@@ -147,7 +153,7 @@ struct Pixel {
     writer: u32,
 }
 
-/// What a scan-line method's state keeps of the picture.
+/// What the state of a scan-line method keeps of the picture.
 #[derive(Clone)]
 struct Picture(Canvas<Pixel>);
 
@@ -168,7 +174,7 @@ impl Fold<Drawn> for Picture {
     }
 }
 
-/// Polygons of 24×16 pixels at random places, four events a pixel, until `count` events are told.
+/// Polygons of 24×16 pixels at random places, four events a pixel, until there are `count` events.
 fn draw(recorder: &mut impl Recorder<Drawn>, count: usize, random: &mut Random) {
     const WIDTH: usize = 24;
     const HEIGHT: usize = 16;
@@ -260,9 +266,7 @@ fn seek() {
 }
 
 fn main() {
-    let mut criterion = Criterion::default().configure_from_args();
-    record::<4>(&mut criterion);
-    record::<8>(&mut criterion);
+    record::<4>();
+    record::<8>();
     seek();
-    criterion.final_summary();
 }

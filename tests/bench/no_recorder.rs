@@ -1,4 +1,4 @@
-//! Gouraud shading with the recorder calls taken out by hand: what the told body is measured against, and nothing else.
+//! Gouraud shading with the recorder calls taken out by hand, for measuring what they cost and nothing else.
 //! It follows `algorithms::{gouraud, scan_line, illumination, vertex_normal}` line by line.
 
 use glam::DVec3;
