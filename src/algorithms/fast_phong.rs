@@ -27,7 +27,6 @@ use crate::record::{Listing, Recorder};
 use expansion::Expansion;
 
 pub use event::{Cosine, Event, FastPhong};
-pub use expansion::{ExpandedNormal, middle_of};
 
 #[cfg(test)]
 mod tests;

@@ -84,16 +84,10 @@ impl Quadratic {
         (t_5 * x + t_4 * y + t_2) * x + (t_3 * y + t_1) * y + t_0
     }
 
-    /// c_0, c_1, c_2 of c_0 + c_1·s + c_2·s², its values on the row through (x, y), s to the right of it.
-    #[inline]
-    pub fn along_x(&self, x: f64, y: f64) -> [f64; 3] {
-        let [_, _, t_2, _, t_4, t_5] = self.0;
-        [self.at(x, y), 2.0 * t_5 * x + t_4 * y + t_2, t_5]
-    }
-
-    /// The incremental form, from (x, y) in steps of one along x.
+    /// The incremental form, from (x, y) in steps of one along x: s to the right of it the value is c_0 + c_1·s + c_2·s².
     pub fn differences(&self, x: f64, y: f64) -> Differences<f64> {
-        let [c_0, c_1, c_2] = self.along_x(x, y);
+        let [_, _, t_2, _, t_4, t_5] = self.0;
+        let (c_0, c_1, c_2) = (self.at(x, y), 2.0 * t_5 * x + t_4 * y + t_2, t_5);
         Differences {
             value: c_0,
             first: c_1 + c_2,

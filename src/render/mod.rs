@@ -2,7 +2,6 @@
 
 mod bands;
 pub mod compare;
-pub mod lanes;
 mod light;
 mod painter;
 mod pixels;

@@ -8,7 +8,7 @@ use crate::algorithms::prepared_scene::{Polygon, PreparedScene};
 use crate::algorithms::scan_line::{Corner, Fragment};
 use crate::algorithms::texture::WithUv;
 use crate::color::Rgb;
-use crate::numeric::{Differences, LinearNormal, PowerTable, Quadratic, Setup};
+use crate::numeric::{Differences, LinearNormal, PowerTable, Quadratic, slopes};
 use crate::record::Recorder;
 use crate::scene::Highlight;
 use glam::{DVec2, DVec3};
@@ -68,7 +68,7 @@ impl Expansion {
             vanished,
             turned,
         } = ExpandedNormal::over(
-            &Setup::new(screen),
+            screen,
             triangle.map(|corner| corner.value.value),
             polygon.mesh.normal(polygon.face),
             to_eye,
@@ -274,32 +274,32 @@ fn highlight<R: Recorder<Event>>(
 }
 
 /// The point of expansion of a triangle of the screen.
-pub fn middle_of([a, b, c]: [DVec2; 3]) -> DVec2 {
+fn middle_of([a, b, c]: [DVec2; 3]) -> DVec2 {
     (a + b + c) / 3.0
 }
 
 /// N over a triangle, linear on the screen.
-pub struct ExpandedNormal {
+struct ExpandedNormal {
     /// x and y count from the triangle's middle.
-    pub normal: LinearNormal,
+    normal: LinearNormal,
     /// Whether the corners' normals cancel out there, and the normal of the face stands for them.
-    pub vanished: bool,
+    vanished: bool,
     /// Whether it was turned toward the eye.
-    pub turned: bool,
+    turned: bool,
 }
 
 impl ExpandedNormal {
     /// `to_eye` leads from the middle to the eye, of any length.
-    pub fn over(setup: &Setup, normals: [DVec3; 3], face: DVec3, to_eye: DVec3) -> Self {
-        let plane = setup.plane(normals);
+    fn over(screen: [DVec2; 3], normals: [DVec3; 3], face: DVec3, to_eye: DVec3) -> Self {
+        let [n_x, n_y] = slopes(screen, normals);
         let n_0 = (normals[0] + normals[1] + normals[2]) / 3.0;
         let vanished = n_0.length() < VANISHED;
         // A triangle without area has no slopes, nor pixels to notice it.
-        let linear = !vanished && plane.dx.is_finite() && plane.dy.is_finite();
+        let linear = !vanished && n_x.is_finite() && n_y.is_finite();
         let normal = LinearNormal {
             n_0: if vanished { face } else { n_0 },
-            n_x: if linear { plane.dx } else { DVec3::ZERO },
-            n_y: if linear { plane.dy } else { DVec3::ZERO },
+            n_x: if linear { n_x } else { DVec3::ZERO },
+            n_y: if linear { n_y } else { DVec3::ZERO },
         };
         let turned = normal.n_0.dot(to_eye) < 0.0;
         ExpandedNormal {

@@ -70,11 +70,6 @@ impl Needs {
         needs
     }
 
-    /// All parts, needed or not: the picture that leaving out is measured against.
-    pub fn everything(scene: &Scene) -> Self {
-        Needs::of(scene).with_forced(Parts::ALL)
-    }
-
     /// The same, with some parts done although they are not needed: on every surface, also where the scene needs them on others.
     pub fn with_forced(mut self, forced: Parts) -> Self {
         self.forced = forced;

@@ -151,8 +151,8 @@ impl Faces {
         best.map(|(t, triangle)| (near.moved + t, triangle))
     }
 
-    /// What [`Self::meet`] finds, by testing every triangle in turn.
-    pub fn meet_in_turn(&self, ray: &Ray) -> Option<(f64, u32)> {
+    /// What [`Self::meet`] finds, by testing every triangle.
+    pub fn meet_by_brute_force(&self, ray: &Ray) -> Option<(f64, u32)> {
         let near = self.frame.near(ray)?;
         let aim = Aim::of(ray.direction);
         let shear = Shear::new(&near.ray, &aim);

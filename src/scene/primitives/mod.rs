@@ -208,10 +208,12 @@ impl Primitives {
         nearest
     }
 
-    /// What [`Self::nearest`] finds, to the bit, with no hierarchy: every object and every triangle in turn.
-    pub fn nearest_in_turn(&self, ray: &Ray) -> Option<Hit> {
+    /// What [`Self::nearest`] finds, to the bit, with no hierarchy: by testing every triangle of every object.
+    pub fn nearest_by_brute_force(&self, ray: &Ray) -> Option<Hit> {
         let mut nearest: Option<Hit> = None;
-        for hit in (0..self.primitives.len()).filter_map(|object| self.meet_in_turn(object, ray)) {
+        for hit in
+            (0..self.primitives.len()).filter_map(|object| self.meet_by_brute_force(object, ray))
+        {
             if nearest.is_none_or(|nearest| hit.t < nearest.t) {
                 nearest = Some(hit);
             }
@@ -219,12 +221,12 @@ impl Primitives {
         nearest
     }
 
-    fn meet_in_turn(&self, object: usize, ray: &Ray) -> Option<Hit> {
+    fn meet_by_brute_force(&self, object: usize, ray: &Ray) -> Option<Hit> {
         let Solid::Faces { faces, .. } = &self.primitives[object] else {
             return self.meet(object, ray);
         };
         let near = self.frame.near(ray)?;
-        let (t, triangle) = faces.meet_in_turn(&near.ray)?;
+        let (t, triangle) = faces.meet_by_brute_force(&near.ray)?;
         Some(Hit {
             t: faces.t_along(ray, &near, t, triangle),
             object: object as u32,

@@ -45,7 +45,7 @@ pub fn primitives(shapes: impl IntoIterator<Item = Shape>) -> Primitives {
 }
 
 impl Primitives {
-    fn blocked_in_turn(&self, ray: &Ray, distance: f64) -> bool {
+    fn blocked_by_brute_force(&self, ray: &Ray, distance: f64) -> bool {
         (0..self.primitives.len()).any(|object| {
             self.casts_shadow[object] && self.meet(object, ray).is_some_and(|hit| hit.t < distance)
         })
@@ -180,11 +180,11 @@ proptest! {
             }
             let nearest = primitives.nearest(&ray);
             for object in 0..scene.objects.len() {
-                prop_assert_eq!(primitives.meet(object, &ray), primitives.meet_in_turn(object, &ray));
+                prop_assert_eq!(primitives.meet(object, &ray), primitives.meet_by_brute_force(object, &ray));
             }
-            prop_assert_eq!(nearest, primitives.nearest_in_turn(&ray));
+            prop_assert_eq!(nearest, primitives.nearest_by_brute_force(&ray));
             let distance = nearest.filter(|_| distance == 1.0).map_or(distance * scale, |hit| hit.t);
-            prop_assert_eq!(primitives.blocked(&ray, distance), primitives.blocked_in_turn(&ray, distance));
+            prop_assert_eq!(primitives.blocked(&ray, distance), primitives.blocked_by_brute_force(&ray, distance));
             if let Some(hit) = nearest {
                 prop_assert!(hit.t > 0.0 && hit.t.is_finite());
                 let surface = primitives.surface(&ray, &hit);
