@@ -2,7 +2,6 @@
 
 use lightwalk::lesson::{Answer, builtins};
 use lightwalk::panels::strings::Language;
-use std::path::Path;
 
 #[test]
 fn every_lesson_opens_and_teaches() {
@@ -59,15 +58,4 @@ fn every_lesson_opens_and_teaches() {
         numbers.is_sorted_by(|a, b| a < b),
         "lessons are listed in the order of their numbers"
     );
-}
-
-#[test]
-fn every_lesson_file_is_built_in() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons");
-    let files = std::fs::read_dir(folder).unwrap().filter(|entry| {
-        let path = entry.as_ref().unwrap().path();
-        path.extension()
-            .is_some_and(|extension| extension == "json")
-    });
-    assert_eq!(files.count(), builtins().len());
 }
