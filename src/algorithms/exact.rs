@@ -6,8 +6,8 @@
 
 use super::focus::Focus;
 use super::frame::Frame;
-use super::phong::{shade_pixels, unit_normal};
-use super::prepared_scene::PreparedScene;
+use super::phong::{PixelLighting, light_pixels, unit_normal};
+use super::prepared_scene::{Polygon, PreparedScene};
 use super::shading::{self, Shading};
 use crate::record::{Listing, Recorder};
 use crate::scene::primitives::true_point;
@@ -40,31 +40,14 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
+/// Draws what `focus` selects of the prepared scene into `frame`, a band of its picture.
 pub fn exact<R: Recorder<Event>>(
     prepared: &PreparedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
 ) {
-    shade_pixels(
-        prepared,
-        focus,
-        frame,
-        recorder,
-        |polygon, seen, recorder| {
-            let shape = &prepared.scene.objects[polygon.object].shape;
-            let (mesh, face, eye) = (polygon.mesh, polygon.face, prepared.view.eye);
-            match true_point(shape, mesh, face, eye, seen.position) {
-                Some(point) => {
-                    let (position, normal) = (point.position, point.normal);
-                    recorder.step(|| Event::TruePoint { position, normal });
-                    (position, normal)
-                }
-                None => (seen.position, unit_normal(seen.normal, polygon, recorder)),
-            }
-        },
-    );
+    light_pixels::<Exact, R>(prepared, focus, frame, recorder);
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +56,27 @@ pub enum Exact {}
 impl Shading for Exact {
     type Recorded = DVec3;
     const LISTING: &'static Listing = &PSEUDOCODE;
+}
+
+impl PixelLighting for Exact {
+    fn surface<R: Recorder<Event>>(
+        prepared: &PreparedScene,
+        polygon: &Polygon,
+        position: DVec3,
+        n_p: DVec3,
+        recorder: &mut R,
+    ) -> (DVec3, DVec3) {
+        let shape = &prepared.scene.objects[polygon.object].shape;
+        let (mesh, face, eye) = (polygon.mesh, polygon.face, prepared.view.eye);
+        match true_point(shape, mesh, face, eye, position) {
+            Some(point) => {
+                let (position, normal) = (point.position, point.normal);
+                recorder.step(|| Event::TruePoint { position, normal });
+                (position, normal)
+            }
+            None => (position, unit_normal(n_p, polygon, recorder)),
+        }
+    }
 }
 
 pub type Event = shading::Event<Exact>;

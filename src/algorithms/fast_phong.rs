@@ -14,14 +14,14 @@
 mod event;
 mod expansion;
 
-use super::flat::Nothing;
 use super::focus::Focus;
 use super::frame::Frame;
+use super::phong::find_normal;
 use super::prepared_scene::{self, PreparedScene};
-use super::scan_line::{Corner, ScanLine, clip_near};
-use super::shading::{self, OnceAVertex};
-use super::texture::{AtPixel, OnPolygon, WithUv};
-use super::vertex_normal::vertex_normal;
+use super::scan_line::{Corner, EdgeTable, clip_near};
+use super::shading;
+use super::texture::PolygonTexture;
+use super::vertex_cache::VertexCache;
 use crate::numeric::PowerTable;
 use crate::record::{Listing, Recorder};
 use expansion::Expansion;
@@ -73,7 +73,7 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
+/// Draws what `focus` selects of the prepared scene into `frame`, a band of its picture.
 pub fn fast_phong<R: Recorder<Event>>(
     prepared: &PreparedScene,
     focus: Focus,
@@ -81,10 +81,13 @@ pub fn fast_phong<R: Recorder<Event>>(
     recorder: &mut R,
 ) {
     let region = focus.region(frame);
-    let (mut plain, mut textured) = (ScanLine::default(), ScanLine::default());
+    let view = &prepared.view;
+    let mut cache = VertexCache::default();
+    let mut corners = Vec::new();
+    let mut clipped = Vec::new();
+    let mut plain = EdgeTable::new(view, &region);
+    let mut textured = EdgeTable::new(view, &region);
     let mut expansion = Expansion::default();
-    let (mut corners, mut pieces) = (Vec::new(), Vec::new());
-    let mut normals = OnceAVertex::default();
     let mut powers = PowerTable::new(1.0);
     let mut object = None;
 
@@ -96,61 +99,46 @@ pub fn fast_phong<R: Recorder<Event>>(
             powers = PowerTable::new(polygon.material.shininess);
         }
 
-        // Normal at each vertex, once for all the polygons that share it
-        let texture = OnPolygon::of(prepared, &polygon);
-        let uvs = texture.as_ref().map_or(&[][..], OnPolygon::corners);
+        // The normal at each vertex, once for all the polygons that share it
+        let texture = PolygonTexture::of(prepared, &polygon);
+        let uvs = texture.as_ref().map_or(&[][..], PolygonTexture::corners);
         corners.clear();
         for (number, (vertex, place)) in polygon.corners().enumerate() {
-            let value = normals.at(&polygon, vertex, || {
-                let position = polygon.mesh.position(vertex);
-                recorder.enter(|| shading::Event::Vertex { vertex, position }.into());
-                let normal = vertex_normal(polygon.mesh, vertex, recorder);
-                recorder.leave(|| shading::Event::VertexReady { vertex }.into());
-                normal
-            });
+            let normal = cache
+                .at(&polygon, vertex)
+                .get_or_insert_with(|| find_normal::<FastPhong, _>(vertex, &polygon, recorder));
             let uv = uvs.get(number).copied().unwrap_or_default();
             corners.push(Corner {
                 position: place.camera,
-                value: WithUv { value, uv },
+                value: (*normal, uv),
             });
         }
 
         for triangle in polygon.triangles() {
             // What the near plane leaves of a triangle may have four corners: again triangles
-            let corner = |i: usize| corners[triangle[i] as usize];
-            clip_near(
-                &[corner(0), corner(1), corner(2)],
-                prepared.view.near,
-                &mut pieces,
-            );
-            for last in 2..pieces.len() {
-                let piece = [pieces[0], pieces[last - 1], pieces[last]];
+            let whole = triangle.map(|corner| corners[corner as usize]);
+            clip_near(&whole, view.near, &mut clipped);
+            for last in 2..clipped.len() {
+                let piece = [clipped[0], clipped[last - 1], clipped[last]];
                 recorder.enter(|| Event::Triangle { corners: triangle });
-                expansion.expand(&piece, &polygon, prepared, recorder);
+                let with_normals = piece.map(|corner| corner.map(|(normal, _)| normal));
+                expansion.expand(&with_normals, &polygon, prepared, recorder);
                 match &texture {
-                    None => plain.fill(
-                        &piece.map(|corner| corner.with(Nothing)),
-                        &prepared.view,
-                        &region,
-                        frame,
-                        recorder,
-                        |recorder, fragment| expansion.shade(fragment, &powers, recorder).whole,
-                    ),
-                    Some(on) => textured.fill(
-                        &piece.map(|corner| corner.with(corner.value.with(Nothing))),
-                        &prepared.view,
-                        &region,
-                        frame,
-                        recorder,
-                        |recorder, fragment| {
-                            let WithUv { value, uv: linear } = fragment.value;
-                            let intensity =
-                                expansion.shade(fragment.with(value), &powers, recorder);
-                            let position = fragment.position(&prepared.view);
+                    None => {
+                        let corners = piece.map(|corner| corner.map(|_| ()));
+                        plain.fill(corners, frame, recorder, |recorder, pixel, ()| {
+                            expansion.shade(pixel, &powers, recorder).whole
+                        });
+                    }
+                    Some(texture) => {
+                        let corners = piece.map(|corner| corner.map(|(_, uv)| uv));
+                        textured.fill(corners, frame, recorder, |recorder, pixel, uv| {
+                            let intensity = expansion.shade(pixel, &powers, recorder);
+                            let position = pixel.position(view);
                             recorder.step(|| shading::Event::PixelPoint { position }.into());
-                            AtPixel { on, linear }.applied(intensity, position, recorder)
-                        },
-                    ),
+                            texture.applied(intensity, position, uv, recorder)
+                        });
+                    }
                 }
                 recorder.leave(|| Event::TriangleDone);
             }

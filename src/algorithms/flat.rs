@@ -2,17 +2,15 @@
 //!
 //! Exact where the object really is a polyhedron, the light is far (N·L constant) and the viewer is far (V·R constant).
 
-use super::fill::Fill;
 use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
 use super::prepared_scene::{self, PreparedScene};
-use super::scan_line::{Carried, Names};
-use super::shading::{self, Shading, pixel_point};
-use crate::numeric::Linear;
-use crate::record::{Listing, Recorder, Value};
+use super::scan_line::EdgeTable;
+use super::shading::{self, Shading, corners, pixel_point};
+use super::texture::PolygonTexture;
+use crate::record::{Listing, Recorder};
 use glam::DVec3;
-use std::ops::{Add, Mul, Sub};
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "flat",
@@ -31,7 +29,7 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
+/// Draws what `focus` selects of the prepared scene into `frame`, a band of its picture.
 pub fn flat<R: Recorder<Event>>(
     prepared: &PreparedScene,
     focus: Focus,
@@ -40,11 +38,14 @@ pub fn flat<R: Recorder<Event>>(
 ) {
     let region = focus.region(frame);
     let lighting = prepared.lighting();
-    let mut fill: Fill<Nothing, Nothing> = Fill::new(prepared, &region);
+    let mut plain = EdgeTable::new(&prepared.view, &region);
+    let mut textured = EdgeTable::new(&prepared.view, &region);
 
     recorder.enter(|| prepared.entered().into());
     for polygon in prepared.polygons(focus, &region) {
         recorder.enter(|| polygon.entered().into());
+
+        // One intensity for the whole polygon
         let vertices = polygon.mesh.face(polygon.face);
         let position = vertices
             .iter()
@@ -53,70 +54,34 @@ pub fn flat<R: Recorder<Event>>(
             / vertices.len() as f64;
         recorder.step(|| Event::Middle { position });
         let normal = polygon.mesh.normal(polygon.face);
-        let point = SurfacePoint {
-            position,
-            normal,
-            to_eye: (prepared.view.eye - position).normalize_or_zero(),
-            material: polygon.material,
-            diffuse: polygon.material.diffuse,
-        };
+        let point = SurfacePoint::seen_from(prepared.view.eye, position, normal, polygon.material);
         let intensity = illuminate(&point, &lighting, recorder, |_, _| true);
 
-        fill.polygon(
-            &polygon,
-            &vec![Nothing; vertices.len()],
-            frame,
-            recorder,
-            |_, _| intensity.whole,
-            |recorder, fragment, texture| {
-                let position = pixel_point(prepared, &fragment, recorder);
-                texture.applied(intensity, position, recorder)
-            },
-        );
+        // Every pixel takes it; a texture multiplies its diffuse part
+        match PolygonTexture::of(prepared, &polygon) {
+            None => {
+                let corners = corners(&polygon, vertices.iter().map(|_| ()));
+                plain.fill(corners, frame, recorder, |_, _, ()| intensity.whole);
+            }
+            Some(texture) => {
+                let corners = corners(&polygon, texture.corners().iter().copied());
+                textured.fill(corners, frame, recorder, |recorder, pixel, uv| {
+                    let position = pixel_point(prepared, &pixel, recorder);
+                    texture.applied(intensity, position, uv, recorder)
+                });
+            }
+        }
         recorder.leave(|| prepared_scene::Event::PolygonDone.into());
     }
     recorder.leave(|| prepared_scene::Event::FrameDone.into());
-}
-
-/// Flat shading carries nothing from the corners to the pixels.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Nothing;
-
-impl Carried for Nothing {
-    const NAMES: Option<&'static Names> = None;
-    fn value(self) -> Option<Value> {
-        None
-    }
-}
-
-impl Linear for Nothing {}
-
-impl Add for Nothing {
-    type Output = Nothing;
-    fn add(self, _: Nothing) -> Nothing {
-        Nothing
-    }
-}
-
-impl Sub for Nothing {
-    type Output = Nothing;
-    fn sub(self, _: Nothing) -> Nothing {
-        Nothing
-    }
-}
-
-impl Mul<f64> for Nothing {
-    type Output = Nothing;
-    fn mul(self, _: f64) -> Nothing {
-        Nothing
-    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Flat {}
 
 impl Shading for Flat {
-    type Recorded = Nothing;
+    /// Nothing is interpolated.
+    type Recorded = ();
     const LISTING: &'static Listing = &PSEUDOCODE;
 }
 

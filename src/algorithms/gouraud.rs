@@ -4,19 +4,23 @@
 //! N_v = Σ N_k / |Σ N_k| over the faces that share vertex v; I_v = illumination(N_v);
 //! I_4 = (y_4−y_2)/(y_1−y_2)·I_1 + (y_1−y_4)/(y_1−y_2)·I_2 on an edge, and
 //! I_P = (x_5−x_P)/(x_5−x_4)·I_4 + (x_P−x_4)/(x_5−x_4)·I_5 on a span. The slide counts y upward, the rows here count down;
-//! the formulas are the same. What is drawn is the incremental value, I' = I + ΔI; the direct one is told beside it.
+//! the formulas are the same. The incremental value, I' = I + ΔI, is the one drawn; the direct one is recorded beside it.
 
-use super::fill::Fill;
 use super::focus::Focus;
 use super::frame::Frame;
-use super::illumination::{SurfacePoint, illuminate};
+use super::illumination::{Lighting, SurfacePoint, illuminate};
 use super::intensity::Intensity;
-use super::prepared_scene::{self, PreparedScene};
-use super::scan_line::{Carried, Names};
-use super::shading::{self, OnceAVertex, Shading, pixel_point};
+use super::prepared_scene::{self, Polygon, PreparedScene};
+use super::scan_line::{self, EdgeTable, Pixel, Varying};
+use super::shading::{self, Shading, corners, pixel_point};
+use super::texture::PolygonTexture;
+use super::vertex_cache::VertexCache;
 use super::vertex_normal::vertex_normal;
 use crate::color::Rgb;
-use crate::record::{Listing, Recorder, Value};
+use crate::numeric::interpolate;
+use crate::record::{Listing, Recorder};
+use glam::DVec3;
+use std::iter::zip;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "Gouraud",
@@ -37,7 +41,7 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
+/// Draws what `focus` selects of the prepared scene into `frame`, a band of its picture.
 pub fn gouraud<R: Recorder<Event>>(
     prepared: &PreparedScene,
     focus: Focus,
@@ -45,71 +49,139 @@ pub fn gouraud<R: Recorder<Event>>(
     recorder: &mut R,
 ) {
     let region = focus.region(frame);
-    let lighting = prepared.lighting();
-    let mut fill: Fill<Rgb, Intensity> = Fill::new(prepared, &region);
+    let (eye, lighting) = (prepared.view.eye, prepared.lighting());
+    let mut cache = VertexCache::default();
     let mut intensities = Vec::new();
-    let mut lit = OnceAVertex::default();
+    let mut plain = EdgeTable::new(&prepared.view, &region);
+    let mut textured = EdgeTable::new(&prepared.view, &region);
 
     recorder.enter(|| prepared.entered().into());
     for polygon in prepared.polygons(focus, &region) {
         recorder.enter(|| polygon.entered().into());
-        // Intensity at each vertex, once for all the polygons that share it
+
+        // The intensity at each vertex, once for all the polygons that share it
         intensities.clear();
         for (vertex, _) in polygon.corners() {
-            let intensity = lit.at(&polygon, vertex, || {
-                let position = polygon.mesh.position(vertex);
-                recorder.enter(|| Event::Vertex { vertex, position });
-                let normal = vertex_normal(polygon.mesh, vertex, recorder);
-                let point = SurfacePoint {
-                    position,
-                    normal,
-                    to_eye: (prepared.view.eye - position).normalize_or_zero(),
-                    material: polygon.material,
-                    diffuse: polygon.material.diffuse,
-                };
-                let intensity = illuminate(&point, &lighting, recorder, |_, _| true);
-                recorder.leave(|| Event::VertexLit {
-                    vertex,
-                    intensity: intensity.whole,
-                });
-                intensity
-            });
-            intensities.push(intensity);
+            let intensity = cache
+                .at(&polygon, vertex)
+                .get_or_insert_with(|| light_vertex(vertex, &polygon, eye, &lighting, recorder));
+            intensities.push(*intensity);
         }
 
-        // Interpolation along edges and spans
-        fill.polygon(
-            &polygon,
-            &intensities,
-            frame,
-            recorder,
-            |_, fragment| fragment.value,
-            |recorder, fragment, texture| {
-                let position = pixel_point(prepared, &fragment, recorder);
-                texture.applied(fragment.value, position, recorder)
-            },
-        );
+        // Interpolation to the pixels; a texture multiplies the diffuse part, which is then interpolated as well
+        match PolygonTexture::of(prepared, &polygon) {
+            None => {
+                let intensities = intensities.iter().map(|intensity| intensity.whole);
+                plain.build(corners(&polygon, intensities), recorder);
+                fill(&mut plain, frame, recorder, |_, _, i_p| i_p);
+            }
+            Some(texture) => {
+                let with_uv = zip(
+                    intensities.iter().copied(),
+                    texture.corners().iter().copied(),
+                );
+                textured.build(corners(&polygon, with_uv), recorder);
+                fill(
+                    &mut textured,
+                    frame,
+                    recorder,
+                    |recorder, pixel, (i_p, uv)| {
+                        let position = pixel_point(prepared, &pixel, recorder);
+                        texture.applied(i_p, position, uv, recorder)
+                    },
+                );
+            }
+        }
         recorder.leave(|| prepared_scene::Event::PolygonDone.into());
     }
     recorder.leave(|| prepared_scene::Event::FrameDone.into());
 }
 
-/// Gouraud carries an intensity.
-impl Carried for Rgb {
-    const NAMES: Option<&'static Names> = Some(&Names {
-        corner: "I",
-        one: "I_1",
-        two: "I_2",
-        four: "I_4",
-        four_incremental: "I_4_incremental",
-        five: "I_5",
-        pixel: "I_P",
-        pixel_incremental: "I_P_incremental",
-        step: "dI_dy",
+/// I_v: the illumination model at a vertex, with the mean normal of the faces around it.
+fn light_vertex<R: Recorder<Event>>(
+    vertex: u32,
+    polygon: &Polygon,
+    eye: DVec3,
+    lighting: &Lighting,
+    recorder: &mut R,
+) -> Intensity {
+    let position = polygon.mesh.position(vertex);
+    recorder.enter(|| Event::Vertex { vertex, position });
+    let normal = vertex_normal(polygon.mesh, vertex, recorder);
+    let point = SurfacePoint::seen_from(eye, position, normal, polygon.material);
+    let intensity = illuminate(&point, lighting, recorder, |_, _| true);
+    recorder.leave(|| Event::VertexLit {
+        vertex,
+        intensity: intensity.whole,
     });
+    intensity
+}
 
-    fn value(self) -> Option<Value> {
-        Some(self.into())
+/// Interpolates the intensities of a polygon along its edges and spans. `color` is the colour of a pixel of intensity I_P.
+fn fill<I: Varying<Recorded = Rgb>, R: Recorder<Event>>(
+    edge_table: &mut EdgeTable<I>,
+    frame: &mut Frame,
+    recorder: &mut R,
+    color: impl Fn(&mut R, Pixel, I) -> Rgb,
+) {
+    while let Some(line) = edge_table.next_scan_line() {
+        recorder.enter(|| line.entered().into());
+
+        // I_4 where the scan line cuts each active edge
+        for edge in edge_table.active_edges() {
+            recorder.enter(|| edge.entered().into());
+            let (i_1, y_1) = (edge.upper.value, edge.upper.y);
+            let (i_2, y_2) = (edge.lower.value, edge.lower.y);
+            recorder.step(|| {
+                scan_line::Event::EdgeEnds {
+                    upper: i_1.recorded(),
+                    lower: i_2.recorded(),
+                }
+                .into()
+            });
+            recorder.leave(|| {
+                scan_line::Event::EdgeInterpolated {
+                    direct: interpolate(i_1, y_1, i_2, y_2, line.y_4).recorded(),
+                    incremental: edge.value.value.recorded(),
+                }
+                .into()
+            });
+        }
+
+        // I_P at each pixel of each span, between I_4 on its left edge and I_5 on its right edge
+        for span in edge_table.spans(line) {
+            recorder.enter(|| span.entered().into());
+            let (i_4, x_4) = (span.left, span.x_4);
+            let (i_5, x_5) = (span.right, span.x_5);
+            recorder.step(|| {
+                scan_line::Event::SpanEnds {
+                    left: i_4.recorded(),
+                    right: i_5.recorded(),
+                }
+                .into()
+            });
+            let mut i_p = span.ramp(i_4, i_5);
+            for pixel in span.pixels() {
+                recorder.enter(|| pixel.entered().into());
+                if pixel.is_nearer(frame, recorder) {
+                    recorder.step(|| {
+                        scan_line::Event::SpanInterpolated {
+                            direct: interpolate(i_4, x_4, i_5, x_5, pixel.x_p()).recorded(),
+                            incremental: i_p.value.recorded(),
+                        }
+                        .into()
+                    });
+                    let color = color(recorder, pixel, i_p.value);
+                    pixel.draw(color, frame);
+                    recorder.leave(|| scan_line::Event::PixelColored { color }.into());
+                } else {
+                    recorder.leave(|| scan_line::Event::PixelHidden.into());
+                }
+                i_p.advance();
+            }
+            recorder.leave(|| scan_line::Event::SpanDone.into());
+        }
+        recorder.leave(|| scan_line::Event::ScanLineDone.into());
     }
 }
 
@@ -117,6 +189,7 @@ impl Carried for Rgb {
 pub enum Gouraud {}
 
 impl Shading for Gouraud {
+    /// An intensity is interpolated.
     type Recorded = Rgb;
     const LISTING: &'static Listing = &PSEUDOCODE;
 }

@@ -9,7 +9,7 @@
 
 use super::intensity::Intensity;
 use crate::color::Rgb;
-use crate::numeric::power_of_cosine;
+use crate::numeric::{Linear, power_of_cosine};
 use crate::record::{Listing, Recorder};
 use crate::scene::{Highlight, Light, Material};
 use glam::DVec3;
@@ -47,6 +47,19 @@ pub struct SurfacePoint<'a> {
     pub material: &'a Material,
     /// k_d with the texture already applied.
     pub diffuse: Rgb,
+}
+
+impl<'a> SurfacePoint<'a> {
+    /// A point without a texture.
+    pub fn seen_from(eye: DVec3, position: DVec3, normal: DVec3, material: &'a Material) -> Self {
+        SurfacePoint {
+            position,
+            normal,
+            to_eye: (eye - position).normalize_or_zero(),
+            material,
+            diffuse: material.diffuse,
+        }
+    }
 }
 
 /// The light of a scene.
@@ -104,7 +117,7 @@ pub fn illuminate<E: From<Event>, R: Recorder<E>>(
     };
     for light in 0..lighting.lights.len() {
         let added = illuminate_by(light, lighting, point, normal, recorder, &mut arrives);
-        intensity = intensity + added;
+        intensity = intensity.plus(added);
     }
     recorder.leave(|| {
         Event::Illuminated {

@@ -1,9 +1,8 @@
 //! An intensity of light, with its diffuse part kept apart for a texture to multiply.
 
-use super::scan_line::Cargo;
+use super::scan_line::Varying;
 use crate::color::Rgb;
 use crate::numeric::Linear;
-use std::ops::{Add, Mul, Sub};
 
 /// Light sent to the eye, with the part of it that a texture multiplies.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -21,31 +20,25 @@ impl Intensity {
     }
 }
 
-impl Linear for Intensity {}
-
-impl Add for Intensity {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
+impl Linear for Intensity {
+    #[inline]
+    fn plus(self, other: Self) -> Self {
         Intensity {
             whole: self.whole + other.whole,
             diffuse: self.diffuse + other.diffuse,
         }
     }
-}
 
-impl Sub for Intensity {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
+    #[inline]
+    fn minus(self, other: Self) -> Self {
         Intensity {
             whole: self.whole - other.whole,
             diffuse: self.diffuse - other.diffuse,
         }
     }
-}
 
-impl Mul<f64> for Intensity {
-    type Output = Self;
-    fn mul(self, factor: f64) -> Self {
+    #[inline]
+    fn times(self, factor: f64) -> Self {
         Intensity {
             whole: self.whole * factor,
             diffuse: self.diffuse * factor,
@@ -53,16 +46,9 @@ impl Mul<f64> for Intensity {
     }
 }
 
-/// Of a textured polygon the diffuse part goes along: the texture multiplies that alone.
-impl Cargo for Intensity {
+impl Varying for Intensity {
     type Recorded = Rgb;
     fn recorded(self) -> Rgb {
         self.whole
-    }
-}
-
-impl From<Intensity> for Rgb {
-    fn from(intensity: Intensity) -> Rgb {
-        intensity.whole
     }
 }

@@ -11,8 +11,8 @@
 //! | [`phong`] | normal interpolated from the vertices, lit at every pixel | Phong 1975 |
 //! | [`fast_phong`] | cosines as Taylor series over a triangle | Bishop & Weimer 1986 |
 //! | [`exact`] | lit with the normal of the true surface: what the three are compared with | |
-//! | [`shading`], [`fill`] | what these have in common | |
-//! | [`texture`] | textures on polygons, right and as plain interpolation has them | Heckbert & Moreton 1991 |
+//! | [`shading`], [`vertex_cache`] | what these have in common | |
+//! | [`texture`] | textures on polygons, and what linear interpolation of (u, v) does to them | Heckbert & Moreton 1991 |
 //! | [`primary`], [`visible`], [`surface`] | a ray a pixel, the nearest object that it meets, the point that is lit | Appel 1968 |
 //! | [`ray_casting`] | the visible surface, lit | Appel 1968, Roth 1982 |
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays that tells them | Whitted 1980 |
@@ -26,7 +26,6 @@ pub mod enclosure;
 pub mod enclosure_needs;
 pub mod exact;
 pub mod fast_phong;
-pub mod fill;
 pub mod flat;
 pub mod focus;
 pub mod form_factor;
@@ -46,6 +45,7 @@ pub mod scan_line;
 pub mod shading;
 pub mod surface;
 pub mod texture;
+pub mod vertex_cache;
 pub mod vertex_normal;
 pub mod visible;
 pub mod wireframe;

@@ -1,21 +1,24 @@
 //! Phong shading: the normal at the vertices, interpolated along edges, then along scan lines, and the illumination model at every
 //! pixel (Phong, "Illumination for computer generated pictures", Communications of the ACM 18.6, 1975).
 //!
-//! N_4 and N_P are interpolated exactly as Gouraud's intensities are, directly and by increments; what is drawn with is the
-//! incremental value, brought to unit length at the pixel. Where it vanishes (opposite vertex normals, half-way between) the
-//! normal of the face stands for it. P is the point of the polygon that the pixel shows: L and V start there.
+//! N_4 and N_P are interpolated exactly as Gouraud's intensities are, directly and by increments; the incremental value is the one
+//! used, brought to unit length at the pixel. Where it vanishes (opposite vertex normals, half-way between) the normal of the face
+//! takes its place. P is the point of the polygon that the pixel shows: L and V start there.
 
-use super::fill::Fill;
 use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
 use super::prepared_scene::{self, Polygon, PreparedScene};
-use super::scan_line::{Carried, Fragment, Names};
-use super::shading::{self, OnceAVertex, Shading, pixel_point};
-use super::texture::AtPixel;
-use super::vertex_normal::{VANISHED, vertex_normal};
-use crate::record::{Listing, Recorder, Value};
-use glam::DVec3;
+use super::scan_line::{self, EdgeTable, Pixel, Varying};
+use super::shading::{self, Shading, corners, pixel_point};
+use super::texture::PolygonTexture;
+use super::vertex_cache::VertexCache;
+use super::vertex_normal::{self, VANISHED, vertex_normal};
+use crate::color::Rgb;
+use crate::numeric::interpolate;
+use crate::record::{Listing, Recorder};
+use glam::{DVec2, DVec3};
+use std::iter::{repeat, zip};
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "Phong",
@@ -41,42 +44,40 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
+/// Draws what `focus` selects of the prepared scene into `frame`, a band of its picture.
 pub fn phong<R: Recorder<Event>>(
     prepared: &PreparedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
 ) {
-    shade_pixels(
-        prepared,
-        focus,
-        frame,
-        recorder,
-        |polygon, seen, recorder| (seen.position, unit_normal(seen.normal, polygon, recorder)),
-    );
+    light_pixels::<Phong, R>(prepared, focus, frame, recorder);
 }
 
-/// What a pixel shows of a polygon: the point, and the normal interpolated there.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
-    pub position: DVec3,
-    pub normal: DVec3,
+/// A method that interpolates the vertex normals and lights every pixel.
+pub(super) trait PixelLighting: Shading<Recorded = DVec3> {
+    /// The point to be lit and its unit normal, where a pixel shows `position` of the polygon and the normal interpolated
+    /// there is `n_p`.
+    fn surface<R: Recorder<shading::Event<Self>>>(
+        prepared: &PreparedScene,
+        polygon: &Polygon,
+        position: DVec3,
+        n_p: DVec3,
+        recorder: &mut R,
+    ) -> (DVec3, DVec3);
 }
 
-/// Carries vertex normals to the pixels and lights each pixel; `surface` tells the point that is lit and its unit normal.
-pub(super) fn shade_pixels<M: Shading<Recorded = DVec3>, R: Recorder<shading::Event<M>>>(
+pub(super) fn light_pixels<M: PixelLighting, R: Recorder<shading::Event<M>>>(
     prepared: &PreparedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
-    surface: impl Fn(&Polygon, Seen, &mut R) -> (DVec3, DVec3),
 ) {
     let region = focus.region(frame);
     let lighting = prepared.lighting();
-    let mut fill: Fill<DVec3, DVec3> = Fill::new(prepared, &region);
+    let mut cache = VertexCache::default();
     let mut normals = Vec::new();
-    let mut found = OnceAVertex::default();
+    let mut edge_table = EdgeTable::new(&prepared.view, &region);
 
     recorder.enter(|| prepared.entered().into());
     for polygon in prepared.polygons(focus, &region) {
@@ -85,44 +86,121 @@ pub(super) fn shade_pixels<M: Shading<Recorded = DVec3>, R: Recorder<shading::Ev
         // The normal at each vertex, once for all the polygons that share it
         normals.clear();
         for (vertex, _) in polygon.corners() {
-            normals.push(found.at(&polygon, vertex, || {
-                let position = polygon.mesh.position(vertex);
-                recorder.enter(|| shading::Event::Vertex { vertex, position });
-                let normal = vertex_normal(polygon.mesh, vertex, recorder);
-                recorder.leave(|| shading::Event::VertexReady { vertex });
-                normal
-            }));
+            let normal = cache
+                .at(&polygon, vertex)
+                .get_or_insert_with(|| find_normal::<M, _>(vertex, &polygon, recorder));
+            normals.push(*normal);
         }
 
-        // Interpolation along edges and spans, illumination at every pixel
-        let shade = |recorder: &mut R, fragment: Fragment<DVec3>, texture: Option<AtPixel>| {
-            let seen = Seen {
-                position: pixel_point(prepared, &fragment, recorder),
-                normal: fragment.value,
-            };
-            let (position, normal) = surface(&polygon, seen, recorder);
-            let k_d = polygon.material.diffuse;
-            let diffuse = texture.map_or(k_d, |texture| texture.color_at(position, recorder) * k_d);
-            let point = SurfacePoint {
-                position,
-                normal,
-                to_eye: (prepared.view.eye - position).normalize_or_zero(),
-                material: polygon.material,
-                diffuse,
-            };
-            illuminate(&point, &lighting, recorder, |_, _| true).whole
-        };
-        fill.polygon(
-            &polygon,
-            &normals,
+        // Interpolation to the pixels, and the illumination model at each pixel
+        let texture = PolygonTexture::of(prepared, &polygon);
+        let uvs = texture.as_ref().map_or(&[][..], PolygonTexture::corners);
+        let uvs = uvs.iter().copied().chain(repeat(DVec2::ZERO));
+        let normals = zip(normals.iter().copied(), uvs);
+        edge_table.build(corners(&polygon, normals), recorder);
+        fill(
+            &mut edge_table,
             frame,
             recorder,
-            |recorder, fragment| shade(recorder, fragment, None),
-            |recorder, fragment, texture| shade(recorder, fragment, Some(texture)),
+            |recorder, pixel, n_p, uv| {
+                let position = pixel_point(prepared, &pixel, recorder);
+                let (position, normal) = M::surface(prepared, &polygon, position, n_p, recorder);
+                let eye = prepared.view.eye;
+                let mut point = SurfacePoint::seen_from(eye, position, normal, polygon.material);
+                if let Some(texture) = &texture {
+                    point.diffuse = texture.color_at(position, uv, recorder) * point.diffuse;
+                }
+                illuminate(&point, &lighting, recorder, |_, _| true).whole
+            },
         );
         recorder.leave(|| prepared_scene::Event::PolygonDone.into());
     }
     recorder.leave(|| prepared_scene::Event::FrameDone.into());
+}
+
+/// N_v: the mean normal of the faces around a vertex.
+pub(super) fn find_normal<M: Shading, E>(
+    vertex: u32,
+    polygon: &Polygon,
+    recorder: &mut impl Recorder<E>,
+) -> DVec3
+where
+    E: From<shading::Event<M>> + From<vertex_normal::Event>,
+{
+    let position = polygon.mesh.position(vertex);
+    recorder.enter(|| shading::Event::Vertex { vertex, position }.into());
+    let normal = vertex_normal(polygon.mesh, vertex, recorder);
+    recorder.leave(|| shading::Event::VertexReady { vertex }.into());
+    normal
+}
+
+/// Interpolates the normals of a polygon, and (u, v) with them, along its edges and spans. `color` is the colour of a pixel.
+fn fill<M: PixelLighting, R: Recorder<shading::Event<M>>>(
+    edge_table: &mut EdgeTable<(DVec3, DVec2)>,
+    frame: &mut Frame,
+    recorder: &mut R,
+    color: impl Fn(&mut R, Pixel, DVec3, DVec2) -> Rgb,
+) {
+    while let Some(line) = edge_table.next_scan_line() {
+        recorder.enter(|| line.entered().into());
+
+        // N_4 where the scan line cuts each active edge
+        for edge in edge_table.active_edges() {
+            recorder.enter(|| edge.entered().into());
+            let ((n_1, _), y_1) = (edge.upper.value, edge.upper.y);
+            let ((n_2, _), y_2) = (edge.lower.value, edge.lower.y);
+            recorder.step(|| {
+                scan_line::Event::EdgeEnds {
+                    upper: n_1,
+                    lower: n_2,
+                }
+                .into()
+            });
+            recorder.leave(|| {
+                scan_line::Event::EdgeInterpolated {
+                    direct: interpolate(n_1, y_1, n_2, y_2, line.y_4),
+                    incremental: edge.value.value.recorded(),
+                }
+                .into()
+            });
+        }
+
+        // N_P at each pixel of each span, between N_4 on its left edge and N_5 on its right edge
+        for span in edge_table.spans(line) {
+            recorder.enter(|| span.entered().into());
+            let ((n_4, uv_4), x_4) = (span.left, span.x_4);
+            let ((n_5, uv_5), x_5) = (span.right, span.x_5);
+            recorder.step(|| {
+                scan_line::Event::SpanEnds {
+                    left: n_4,
+                    right: n_5,
+                }
+                .into()
+            });
+            let (mut n_p, mut uv) = (span.ramp(n_4, n_5), span.ramp(uv_4, uv_5));
+            for pixel in span.pixels() {
+                recorder.enter(|| pixel.entered().into());
+                if pixel.is_nearer(frame, recorder) {
+                    recorder.step(|| {
+                        scan_line::Event::SpanInterpolated {
+                            direct: interpolate(n_4, x_4, n_5, x_5, pixel.x_p()),
+                            incremental: n_p.value,
+                        }
+                        .into()
+                    });
+                    let color = color(recorder, pixel, n_p.value, uv.value);
+                    pixel.draw(color, frame);
+                    recorder.leave(|| scan_line::Event::PixelColored { color }.into());
+                } else {
+                    recorder.leave(|| scan_line::Event::PixelHidden.into());
+                }
+                n_p.advance();
+                uv.advance();
+            }
+            recorder.leave(|| scan_line::Event::SpanDone.into());
+        }
+        recorder.leave(|| scan_line::Event::ScanLineDone.into());
+    }
 }
 
 /// An interpolated normal brought to unit length; where it vanishes, the normal of the face.
@@ -143,31 +221,25 @@ pub(super) fn unit_normal<M: Shading, R: Recorder<shading::Event<M>>>(
     }
 }
 
-/// Phong carries a normal.
-impl Carried for DVec3 {
-    const NAMES: Option<&'static Names> = Some(&Names {
-        corner: "N",
-        one: "N_1",
-        two: "N_2",
-        four: "N_4",
-        four_incremental: "N_4_incremental",
-        five: "N_5",
-        pixel: "N_P",
-        pixel_incremental: "N_P_incremental",
-        step: "dN_dy",
-    });
-
-    fn value(self) -> Option<Value> {
-        Some(self.into())
-    }
-}
-
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Phong {}
 
 impl Shading for Phong {
+    /// A normal is interpolated.
     type Recorded = DVec3;
     const LISTING: &'static Listing = &PSEUDOCODE;
+}
+
+impl PixelLighting for Phong {
+    fn surface<R: Recorder<Event>>(
+        _: &PreparedScene,
+        polygon: &Polygon,
+        position: DVec3,
+        n_p: DVec3,
+        recorder: &mut R,
+    ) -> (DVec3, DVec3) {
+        (position, unit_normal(n_p, polygon, recorder))
+    }
 }
 
 pub type Event = shading::Event<Phong>;

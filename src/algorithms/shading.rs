@@ -1,63 +1,47 @@
-//! What the scan-line methods that light surfaces have in common: each lights points of its polygons (their middles, vertices or
-//! pixels), carries something from the corners to the pixels, and tells of it in the same words. A method says what it carries
-//! and where its listing has the lines.
+//! What the scan-line methods that light surfaces have in common: their events, and how they meet polygons and pixels. A method
+//! says what it interpolates, and on which lines of its pseudocode.
 
 use super::illumination;
 use super::prepared_scene::{self, Polygon, PreparedScene};
-use super::scan_line::{self, Carried, Fragment};
+use super::scan_line::{self, Corner, Named, Pixel};
 use super::texture;
 use super::vertex_normal;
 use crate::color::Rgb;
 use crate::record::{Listing, Recorder};
 use glam::DVec3;
 use std::fmt::Debug;
+use std::iter::zip;
 
 /// A scan-line method that lights surfaces.
 pub trait Shading: Copy + PartialEq + Debug + Send + Sync + 'static {
-    /// What is told of what goes from the corners to the pixels.
-    type Recorded: Carried;
+    /// What is interpolated from the corners to the pixels and recorded.
+    type Recorded: Named;
     const LISTING: &'static Listing;
 }
 
-/// What is found once for each vertex of an object, for all the polygons that share it.
-pub struct OnceAVertex<V> {
-    object: Option<usize>,
-    found: Vec<Option<V>>,
-}
-
-impl<V> Default for OnceAVertex<V> {
-    fn default() -> Self {
-        OnceAVertex {
-            object: None,
-            found: Vec::new(),
-        }
-    }
-}
-
-impl<V: Copy> OnceAVertex<V> {
-    /// What was found at a vertex of the polygon's object, or what `find` finds now. Objects come one after another.
-    pub fn at(&mut self, polygon: &Polygon, vertex: u32, find: impl FnOnce() -> V) -> V {
-        if self.object != Some(polygon.object) {
-            self.object = Some(polygon.object);
-            self.found.clear();
-            self.found.resize(polygon.mesh.vertex_count(), None);
-        }
-        *self.found[vertex as usize].get_or_insert_with(find)
-    }
+/// The corners of a polygon, with a value for each.
+pub fn corners<'a, V>(
+    polygon: &Polygon<'a>,
+    values: impl IntoIterator<Item = V>,
+) -> impl Iterator<Item = Corner<V>> {
+    zip(polygon.corners(), values).map(|((_, place), value)| Corner {
+        position: place.camera,
+        value,
+    })
 }
 
 /// P, the point of its polygon that a pixel shows.
-pub fn pixel_point<M: Shading, A, R: Recorder<Event<M>>>(
+pub fn pixel_point<M: Shading, R: Recorder<Event<M>>>(
     prepared: &PreparedScene,
-    fragment: &Fragment<A>,
+    pixel: &Pixel,
     recorder: &mut R,
 ) -> DVec3 {
-    let position = fragment.position(&prepared.view);
+    let position = pixel.position(&prepared.view);
     recorder.step(|| Event::PixelPoint { position });
     position
 }
 
-/// What a method of the family tells.
+/// The events of the scan-line methods.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event<M: Shading> {
     PreparedScene(prepared_scene::Event),
@@ -92,7 +76,7 @@ pub enum Event<M: Shading> {
         length: f64,
         normal: DVec3,
     },
-    /// The interpolated normal at a pixel vanishes: the normal of the face stands for it.
+    /// The interpolated normal at a pixel vanishes: the normal of the face takes its place.
     PixelNormalLost {
         length: f64,
         normal: DVec3,

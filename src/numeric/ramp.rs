@@ -1,21 +1,66 @@
 //! Linear interpolation, direct and incremental (Gouraud 1971; Foley, van Dam, Feiner, Hughes 1990, §3.6).
 
 use crate::color::Rgb;
-use glam::DVec3;
-use std::ops::{Add, Mul, Sub};
+use glam::{DVec2, DVec3};
 
-/// A quantity that can be interpolated linearly: a number, a colour, a vector.
-pub trait Linear: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self> {}
+/// A quantity that can be interpolated linearly: a number, a colour, a vector, several of these together, or nothing at all.
+pub trait Linear: Copy {
+    fn plus(self, other: Self) -> Self;
+    fn minus(self, other: Self) -> Self;
+    fn times(self, factor: f64) -> Self;
+}
 
-impl Linear for f64 {}
-impl Linear for Rgb {}
-impl Linear for DVec3 {}
+macro_rules! linear {
+    ($($type:ty),*) => {$(
+        impl Linear for $type {
+            #[inline]
+            fn plus(self, other: Self) -> Self {
+                self + other
+            }
+
+            #[inline]
+            fn minus(self, other: Self) -> Self {
+                self - other
+            }
+
+            #[inline]
+            fn times(self, factor: f64) -> Self {
+                self * factor
+            }
+        }
+    )*};
+}
+linear!(f64, Rgb, DVec2, DVec3);
+
+impl Linear for () {
+    fn plus(self, (): ()) {}
+    fn minus(self, (): ()) {}
+    fn times(self, _: f64) {}
+}
+
+impl<A: Linear, B: Linear> Linear for (A, B) {
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        (self.0.plus(other.0), self.1.plus(other.1))
+    }
+
+    #[inline]
+    fn minus(self, other: Self) -> Self {
+        (self.0.minus(other.0), self.1.minus(other.1))
+    }
+
+    #[inline]
+    fn times(self, factor: f64) -> Self {
+        (self.0.times(factor), self.1.times(factor))
+    }
+}
 
 /// The direct form, weights as on the lecture's slide:
 /// `(s − s_2)/(s_1 − s_2)·a_1 + (s_1 − s)/(s_1 − s_2)·a_2`. `s_1` and `s_2` must differ.
 #[inline]
 pub fn interpolate<A: Linear>(a_1: A, s_1: f64, a_2: A, s_2: f64, s: f64) -> A {
-    a_1 * ((s - s_2) / (s_1 - s_2)) + a_2 * ((s_1 - s) / (s_1 - s_2))
+    let (weight_1, weight_2) = ((s - s_2) / (s_1 - s_2), (s_1 - s) / (s_1 - s_2));
+    a_1.times(weight_1).plus(a_2.times(weight_2))
 }
 
 /// The incremental form: one addition a step. After n steps its rounding error is at most n units in the last place
@@ -33,16 +78,14 @@ impl<A: Linear> Ramp<A> {
     pub fn start(a_1: A, s_1: f64, a_2: A, s_2: f64, s: f64) -> Self {
         Ramp {
             value: interpolate(a_1, s_1, a_2, s_2, s),
-            step: (a_2 - a_1) * (1.0 / (s_2 - s_1)),
+            step: a_2.minus(a_1).times(1.0 / (s_2 - s_1)),
         }
     }
-}
 
-impl<A: Copy + Add<Output = A>> Ramp<A> {
     /// One unit further.
     #[inline]
     pub fn advance(&mut self) {
-        self.value = self.value + self.step;
+        self.value = self.value.plus(self.step);
     }
 }
 

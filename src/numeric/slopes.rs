@@ -9,8 +9,11 @@ pub fn slopes<A: Linear>([a, b, c]: [DVec2; 3], values: [A; 3]) -> [A; 2] {
     let (p, q) = (b - a, c - a);
     let share = 1.0 / p.perp_dot(q);
     let (p, q) = (p * share, q * share);
-    let (along_p, along_q) = (values[1] - values[0], values[2] - values[0]);
-    [along_p * q.y - along_q * p.y, along_q * p.x - along_p * q.x]
+    let (along_p, along_q) = (values[1].minus(values[0]), values[2].minus(values[0]));
+    [
+        along_p.times(q.y).minus(along_q.times(p.y)),
+        along_q.times(p.x).minus(along_p.times(q.x)),
+    ]
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //! far and the step that opened it.
 
 use crate::algorithms::illumination;
-use crate::algorithms::scan_line::{Carried, Names};
+use crate::algorithms::scan_line::{Named, Names};
 use crate::color::Rgb;
 use crate::record::Value;
 use glam::DVec3;
@@ -137,7 +137,7 @@ pub struct Varying {
 }
 
 impl Varying {
-    pub(super) fn of<A: Carried>() -> Option<Self> {
+    pub(super) fn of<A: Named>() -> Option<Self> {
         Some(Varying {
             names: A::NAMES?,
             zero: A::default().value()?,
@@ -154,11 +154,11 @@ pub struct Interpolated {
 }
 
 impl Interpolated {
-    pub(super) fn new<A: Carried>(direct: A, incremental: A) -> Option<Self> {
+    pub(super) fn new<A: Named>(direct: A, incremental: A) -> Option<Self> {
         Some(Interpolated {
             direct: direct.value()?,
             incremental: incremental.value()?,
-            difference: (incremental - direct).value()?,
+            difference: incremental.minus(direct).value()?,
         })
     }
 }

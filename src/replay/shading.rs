@@ -8,7 +8,7 @@ pub use super::current::{
     CurrentPolygon, CurrentRow, CurrentSpan, CurrentVertex, Interpolated, Varying,
 };
 use crate::algorithms::prepared_scene::{self, PreparedScene};
-use crate::algorithms::scan_line::Carried;
+use crate::algorithms::scan_line::Named;
 use crate::algorithms::shading::Event;
 use crate::algorithms::{scan_line, vertex_normal};
 use crate::color::Rgb;
@@ -64,7 +64,7 @@ pub struct State {
 
 impl State {
     /// Before the first step: an empty picture.
-    pub fn new<A: Carried>(prepared: Arc<PreparedScene>) -> Self {
+    pub fn new<A: Named>(prepared: Arc<PreparedScene>) -> Self {
         State {
             varying: Varying::of::<A>(),
             canvas: Canvas::blank(&prepared),
@@ -158,7 +158,7 @@ impl State {
 }
 
 impl State {
-    fn convert<A: Carried>(&mut self, step: usize, event: &scan_line::Event<A>) {
+    fn convert<A: Named>(&mut self, step: usize, event: &scan_line::Event<A>) {
         use scan_line::Event;
         match *event {
             Event::EdgeTable { .. } => {
@@ -242,9 +242,9 @@ impl State {
                     step,
                 });
             }
-            Event::SpanEnds { a_4, a_5 } => {
+            Event::SpanEnds { left, right } => {
                 if let Some(span) = &mut self.span {
-                    span.ends = a_4.value().zip(a_5.value()).map(<[Value; 2]>::from);
+                    span.ends = left.value().zip(right.value()).map(<[Value; 2]>::from);
                 }
             }
             Event::SpanDone => {

@@ -1,7 +1,7 @@
 //! The macro that declares the kinds of an event type, and what follows from the declaration.
 
 use super::kind::Kind;
-use crate::algorithms::scan_line::{Carried, Names};
+use crate::algorithms::scan_line::{Named, Names};
 use crate::color::Rgb;
 use crate::record::{Fields, Value};
 use glam::DVec3;
@@ -42,7 +42,7 @@ impl<T: Recorded> Recorded for Option<T> {
 /// An interpolated value, under the name that its method gives it.
 pub struct Interpolated<A>(pub A, pub fn(&Names) -> &'static str);
 
-impl<A: Carried> Recorded for Interpolated<A> {
+impl<A: Named> Recorded for Interpolated<A> {
     fn push(self, _: &'static str, fields: &mut Fields) {
         if let (Some(names), Some(value)) = (A::NAMES, self.0.value()) {
             fields.push(self.1(names), value);

@@ -2,11 +2,11 @@
 
 use super::declare::Interpolated;
 use super::entry::{When, entry, if_recorded, is, noted, only};
-use crate::algorithms::scan_line::{Carried, Event};
+use crate::algorithms::scan_line::{Event, Named};
 use crate::language::Message;
 
 vocabulary! {
-    [A: Carried] Event<A> {
+    [A: Named] Event<A> {
     };
     Event::EdgeTable { corners } => "EdgeTable" at "edge-table" scope "scope-edge-table"
         {
@@ -104,10 +104,10 @@ vocabulary! {
                     )],
             ),
         ];
-    Event::EdgeEnds { a_1, a_2 } => "EdgeEnds" at "cut"
+    Event::EdgeEnds { upper, lower } => "EdgeEnds" at "cut"
         {
-            "I_1" | "N_1" = Interpolated(a_1, |names| names.one),
-            "I_2" | "N_2" = Interpolated(a_2, |names| names.two),
+            "I_1" | "N_1" = Interpolated(upper, |names| names.upper),
+            "I_2" | "N_2" = Interpolated(lower, |names| names.lower),
         }
         [
             only(When::Recorded("N_1"), "event-edge-ends-normal", &[is("{N_1}"), is("{N_2}")]),
@@ -115,9 +115,9 @@ vocabulary! {
         ];
     Event::EdgeInterpolated { direct, incremental } => "EdgeInterpolated" at "cut"
         {
-            "I_4" | "N_4" = Interpolated(direct, |names| names.four),
-            "I_4_incremental" | "N_4_incremental" = Interpolated(incremental, |names| names.four_incremental),
-            "difference" = Interpolated(incremental - direct, |_| "difference"),
+            "I_4" | "N_4" = Interpolated(direct, |names| names.left),
+            "I_4_incremental" | "N_4_incremental" = Interpolated(incremental, |names| names.left_incremental),
+            "difference" = Interpolated(incremental.minus(direct), |_| "difference"),
         }
         [
             only(
@@ -158,10 +158,10 @@ vocabulary! {
         [
             entry("event-span", &[is("{x_4}"), is("{x_5}")]),
         ];
-    Event::SpanEnds { a_4, a_5 } => "SpanEnds" at "span"
+    Event::SpanEnds { left, right } => "SpanEnds" at "span"
         {
-            "I_4" | "N_4" = Interpolated(a_4, |names| names.four),
-            "I_5" | "N_5" = Interpolated(a_5, |names| names.five),
+            "I_4" | "N_4" = Interpolated(left, |names| names.left),
+            "I_5" | "N_5" = Interpolated(right, |names| names.right),
         }
         [
             only(When::Recorded("N_4"), "event-span-ends-normal", &[is("{N_4}"), is("{N_5}")]),
@@ -190,7 +190,7 @@ vocabulary! {
         {
             "I_P" | "N_P" = Interpolated(direct, |names| names.pixel),
             "I_P_incremental" | "N_P_incremental" = Interpolated(incremental, |names| names.pixel_incremental),
-            "difference" = Interpolated(incremental - direct, |_| "difference"),
+            "difference" = Interpolated(incremental.minus(direct), |_| "difference"),
         }
         [
             only(

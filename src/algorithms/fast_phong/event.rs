@@ -1,7 +1,6 @@
-//! What Fast Phong tells.
+//! The events of Fast Phong shading.
 
 use super::PSEUDOCODE;
-use crate::algorithms::flat::Nothing;
 use crate::algorithms::shading::{self, Shading};
 use crate::algorithms::{illumination, prepared_scene, scan_line, texture, vertex_normal};
 use crate::color::Rgb;
@@ -34,13 +33,14 @@ impl Cosine {
 pub enum FastPhong {}
 
 impl Shading for FastPhong {
-    type Recorded = Nothing;
+    /// Nothing is interpolated: the cosines follow from their series.
+    type Recorded = ();
     const LISTING: &'static Listing = &PSEUDOCODE;
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
-    /// What every method tells; of the illumination model, its directions at the point of expansion.
+    /// An event that every method has; of the illumination model, the directions at the point of expansion.
     Shading(shading::Event<FastPhong>),
     /// Opens a triangle between three corners of the polygon, or what the near plane leaves of it.
     Triangle {
@@ -110,8 +110,8 @@ impl From<illumination::Event> for Event {
     }
 }
 
-impl From<scan_line::Event<Nothing>> for Event {
-    fn from(event: scan_line::Event<Nothing>) -> Self {
+impl From<scan_line::Event<()>> for Event {
+    fn from(event: scan_line::Event<()>) -> Self {
         Event::Shading(event.into())
     }
 }

@@ -1,12 +1,10 @@
 //! The cosines of one triangle as Taylor series about its middle, and their values along its spans.
 
 use super::event::{Cosine, Event};
-use crate::algorithms::flat::Nothing;
 use crate::algorithms::illumination::{self, incidence};
 use crate::algorithms::intensity::Intensity;
 use crate::algorithms::prepared_scene::{Polygon, PreparedScene};
-use crate::algorithms::scan_line::{Corner, Fragment};
-use crate::algorithms::texture::WithUv;
+use crate::algorithms::scan_line::{Corner, Pixel};
 use crate::color::Rgb;
 use crate::numeric::{Differences, LinearNormal, PowerTable, Quadratic, slopes};
 use crate::record::Recorder;
@@ -49,10 +47,10 @@ struct Exact {
 }
 
 impl Expansion {
-    /// Expands the cosines of every light about the middle of a triangle of `polygon`, whose corners carry unit normals.
+    /// Expands the cosines of every light about the middle of a triangle of `polygon`, given the unit normals at its corners.
     pub fn expand<R: Recorder<Event>>(
         &mut self,
-        triangle: &[Corner<WithUv<DVec3>>; 3],
+        triangle: &[Corner<DVec3>; 3],
         polygon: &Polygon,
         prepared: &PreparedScene,
         recorder: &mut R,
@@ -69,7 +67,7 @@ impl Expansion {
             turned,
         } = ExpandedNormal::over(
             screen,
-            triangle.map(|corner| corner.value.value),
+            triangle.map(|corner| corner.value),
             polygon.mesh.normal(polygon.face),
             to_eye,
         );
@@ -125,11 +123,11 @@ impl Expansion {
     #[inline]
     pub fn shade<R: Recorder<Event>>(
         &mut self,
-        fragment: Fragment<Nothing>,
+        pixel: Pixel,
         powers: &PowerTable,
         recorder: &mut R,
     ) -> Intensity {
-        let Fragment { x, y, first, .. } = fragment;
+        let Pixel { x, y, first, .. } = pixel;
         let on_screen = |x: u32| DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5) - self.middle;
         let steps = match self.at {
             Some((before, row)) if row == y => x - before,

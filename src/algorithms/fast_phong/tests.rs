@@ -1,5 +1,6 @@
 use super::*;
 use crate::algorithms::phong::phong;
+use crate::algorithms::scan_line::Pixel;
 use crate::color::Rgb;
 use crate::numeric::{LinearNormal, Quadratic};
 use crate::record::{Event as _, Recording, RecordingLimit, Unrecorded, Value};
@@ -282,24 +283,16 @@ fn vertex_normals_that_cancel_out_give_way_to_the_normal_of_the_face() {
         ..triangle[i]
     });
     let color = |triangle: [Corner<DVec3>; 3]| {
-        let uv = glam::DVec2::ZERO;
-        let triangle = triangle.map(|corner| {
-            corner.with(WithUv {
-                value: corner.value,
-                uv,
-            })
-        });
         let mut expansion = Expansion::default();
         expansion.expand(&triangle, &polygon, &prepared, &mut Unrecorded);
-        let fragment = crate::algorithms::scan_line::Fragment {
+        let pixel = Pixel {
             x: 20,
             y: 20,
             first: 15,
             inverse_depth: 1.0,
-            value: Nothing,
         };
         expansion
-            .shade(fragment, &PowerTable::new(40.0), &mut Unrecorded)
+            .shade(pixel, &PowerTable::new(40.0), &mut Unrecorded)
             .whole
     };
     let (found, flat) = (color(cancelling), color(triangle));

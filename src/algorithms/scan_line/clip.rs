@@ -4,11 +4,11 @@ use super::Corner;
 use crate::numeric::Linear;
 use glam::DVec3;
 
-/// Keeps the part of `polygon` whose depth is at least `near`. What the corners carry is interpolated linearly in space.
+/// Keeps the part of `polygon` whose depth is at least `near`. The values at the corners are interpolated linearly in space.
 ///
 /// Invariant: every corner of the result has depth ≥ `near` > 0. A concave polygon that is cut in two comes out as one,
-/// with edges of no area along the plane, which even–odd filling leaves out.
-pub fn clip_near<A: Linear>(polygon: &[Corner<A>], near: f64, clipped: &mut Vec<Corner<A>>) {
+/// joined by edges along the plane that enclose no area: even–odd filling draws nothing there.
+pub fn clip_near<V: Linear>(polygon: &[Corner<V>], near: f64, clipped: &mut Vec<Corner<V>>) {
     clipped.clear();
     for (index, &corner) in polygon.iter().enumerate() {
         let previous = polygon[(index + polygon.len() - 1) % polygon.len()];
@@ -23,7 +23,7 @@ pub fn clip_near<A: Linear>(polygon: &[Corner<A>], near: f64, clipped: &mut Vec<
             let position = hidden.position + (seen.position - hidden.position) * t;
             clipped.push(Corner {
                 position: DVec3::new(position.x, position.y, near),
-                value: hidden.value + (seen.value - hidden.value) * t,
+                value: hidden.value.plus(seen.value.minus(hidden.value).times(t)),
             });
         }
         if corner.position.z >= near {

@@ -1,17 +1,26 @@
 //! An edge of the edge table.
 
-use super::{Cargo, Event, ScreenCorner, first_centre};
-use crate::numeric::{Ramp, interpolate};
+use super::{Event, Varying, first_centre};
+use crate::numeric::Ramp;
+
+/// A corner on the screen.
+#[derive(Clone, Copy, Debug)]
+pub struct ScreenCorner<V> {
+    pub x: f64,
+    pub y: f64,
+    pub inverse_depth: f64,
+    pub value: V,
+}
 
 /// An edge from its upper to its lower end, and where the current scan line cuts it.
 ///
 /// Invariant: equal ends give equal edges, in whichever direction a polygon runs along them.
 #[derive(Clone, Copy, Debug)]
-pub struct Edge<A> {
+pub struct Edge<V> {
     /// Position in its polygon: from corner `number` to the next.
     pub number: u32,
-    pub upper: End<A>,
-    pub lower: End<A>,
+    pub upper: End<V>,
+    pub lower: End<V>,
     /// The first row of the frame whose centre it reaches, and the row behind the last.
     pub first: u32,
     pub end: u32,
@@ -19,24 +28,24 @@ pub struct Edge<A> {
     pub slope: f64,
     /// Where the scan line cuts it.
     pub x_4: f64,
-    /// What is carried, on the current scan line.
-    pub value: Ramp<A>,
+    /// The value on the current scan line.
+    pub value: Ramp<V>,
     pub inverse_depth: Ramp<f64>,
 }
 
 /// An end of an edge, on the screen.
 #[derive(Clone, Copy, Debug)]
-pub struct End<A> {
+pub struct End<V> {
     pub corner: u32,
     pub x: f64,
     pub y: f64,
-    pub value: A,
+    pub value: V,
 }
 
-impl<A: Cargo> Edge<A> {
+impl<V: Varying> Edge<V> {
     /// The edge between two corners, or `None` where it passes the centre of no row: a horizontal edge never does.
     pub fn between(
-        corners: &[ScreenCorner<A>],
+        corners: &[ScreenCorner<V>],
         from: usize,
         to: usize,
         height: u32,
@@ -63,36 +72,22 @@ impl<A: Cargo> Edge<A> {
             return None;
         }
         let y_4 = f64::from(first) + 0.5;
-        let slope = (lower.x - upper.x) / (lower.y - upper.y);
-        let mut edge = Edge {
+        Some(Edge {
             number: from as u32,
             upper,
             lower,
             first,
             end,
-            slope,
+            slope: (lower.x - upper.x) / (lower.y - upper.y),
             x_4: upper.x,
             value: Ramp::start(upper.value, upper.y, lower.value, lower.y, y_4),
             inverse_depth: Ramp::start(depth_1, upper.y, depth_2, lower.y, y_4),
-        };
-        edge.cut(y_4);
-        Some(edge)
+        })
     }
 
     /// Moves the cut to the line at height `y_4`, directly.
     pub fn cut(&mut self, y_4: f64) {
         self.x_4 = self.upper.x + (y_4 - self.upper.y) * self.slope;
-    }
-
-    /// What is carried at height `y_4`, by the direct form.
-    pub fn value_at(&self, y_4: f64) -> A {
-        interpolate(
-            self.upper.value,
-            self.upper.y,
-            self.lower.value,
-            self.lower.y,
-            y_4,
-        )
     }
 
     /// One scan line down.
@@ -101,7 +96,8 @@ impl<A: Cargo> Edge<A> {
         self.inverse_depth.advance();
     }
 
-    pub fn entered(&self) -> Event<A::Recorded> {
+    /// Its entry in the edge table.
+    pub fn listed(&self) -> Event<V::Recorded> {
         Event::EdgeEntered {
             edge: self.number,
             upper: self.upper.corner,
@@ -113,7 +109,7 @@ impl<A: Cargo> Edge<A> {
         }
     }
 
-    pub fn scope(&self) -> Event<A::Recorded> {
+    pub fn entered(&self) -> Event<V::Recorded> {
         Event::Edge {
             edge: self.number,
             upper: self.upper.corner,

@@ -1,26 +1,79 @@
-//! What scan conversion tells, whatever it carries from the corners to the pixels.
+//! The events of scan conversion, whatever is interpolated from the corners to the pixels.
 
 use crate::color::Rgb;
+use crate::numeric::Linear;
+use crate::record::Value;
+use glam::DVec3;
+use std::fmt::Debug;
 
-/// How the carried values are called: for Gouraud `I_1` … `I_P`, as the slide names them.
+/// An interpolated quantity that is recorded under the names of its values. Flat shading interpolates none, which is `()`.
+pub trait Named: Linear + Default + PartialEq + Debug + Send + Sync + 'static {
+    const NAMES: Option<&'static Names>;
+    fn value(self) -> Option<Value>;
+}
+
+/// The names of the interpolated values: `I_1` … `I_P` of Gouraud shading, as on the slide.
 #[derive(Debug)]
 pub struct Names {
     pub corner: &'static str,
-    pub one: &'static str,
-    pub two: &'static str,
-    pub four: &'static str,
-    pub four_incremental: &'static str,
-    pub five: &'static str,
+    pub upper: &'static str,
+    pub lower: &'static str,
+    pub left: &'static str,
+    pub left_incremental: &'static str,
+    pub right: &'static str,
     pub pixel: &'static str,
     pub pixel_incremental: &'static str,
-    /// What one scan line down adds.
+    /// The increment from one scan line to the next.
     pub step: &'static str,
+}
+
+impl Named for () {
+    const NAMES: Option<&'static Names> = None;
+    fn value(self) -> Option<Value> {
+        None
+    }
+}
+
+/// An intensity.
+impl Named for Rgb {
+    const NAMES: Option<&'static Names> = Some(&Names {
+        corner: "I",
+        upper: "I_1",
+        lower: "I_2",
+        left: "I_4",
+        left_incremental: "I_4_incremental",
+        right: "I_5",
+        pixel: "I_P",
+        pixel_incremental: "I_P_incremental",
+        step: "dI_dy",
+    });
+    fn value(self) -> Option<Value> {
+        Some(self.into())
+    }
+}
+
+/// A normal.
+impl Named for DVec3 {
+    const NAMES: Option<&'static Names> = Some(&Names {
+        corner: "N",
+        upper: "N_1",
+        lower: "N_2",
+        left: "N_4",
+        left_incremental: "N_4_incremental",
+        right: "N_5",
+        pixel: "N_P",
+        pixel_incremental: "N_P_incremental",
+        step: "dN_dy",
+    });
+    fn value(self) -> Option<Value> {
+        Some(self.into())
+    }
 }
 
 /// Indices: `edge` and `corner` count within the polygon as it is after clipping at the near plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event<A> {
-    /// Opens the building of the edge table.
+    /// Opens the construction of the edge table.
     EdgeTable {
         corners: u32,
     },
@@ -32,7 +85,7 @@ pub enum Event<A> {
         z: f64,
         value: A,
     },
-    /// Rows `first..end`; `slope` is dx/dy, `step` what one scan line adds to the carried value.
+    /// Rows `first..end`; `slope` is dx/dy, `step` the increment of the value from one scan line to the next.
     EdgeEntered {
         edge: u32,
         upper: u32,
@@ -66,15 +119,15 @@ pub enum Event<A> {
         x_4: f64,
     },
     EdgeEnds {
-        a_1: A,
-        a_2: A,
+        upper: A,
+        lower: A,
     },
     /// Closes `Edge`.
     EdgeInterpolated {
         direct: A,
         incremental: A,
     },
-    /// Closes `Edge` where nothing is carried.
+    /// Closes `Edge` where nothing is interpolated.
     EdgeCut,
     /// Opens a span; its pixels are `first..end`, those whose centres lie in [x_4, x_5).
     Span {
@@ -84,8 +137,8 @@ pub enum Event<A> {
         end: u32,
     },
     SpanEnds {
-        a_4: A,
-        a_5: A,
+        left: A,
+        right: A,
     },
     /// Opens a pixel.
     Pixel {

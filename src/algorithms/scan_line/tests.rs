@@ -1,7 +1,9 @@
 use super::*;
+use crate::algorithms::focus::Region;
+use crate::algorithms::frame::Frame;
 use crate::color::Rgb;
 use crate::record::Unrecorded;
-use crate::scene::Camera;
+use crate::scene::{Camera, View};
 use proptest::prelude::*;
 
 const SIZE: u32 = 24;
@@ -20,7 +22,7 @@ fn view() -> View {
     }
 }
 
-/// A corner at (x, y) of the screen, carrying `value`.
+/// A corner at (x, y) of the screen with `value`.
 fn at(x: f64, y: f64, value: f64) -> Corner<Rgb> {
     let half = f64::from(SIZE / 2);
     Corner {
@@ -36,28 +38,36 @@ fn whole() -> Region {
     }
 }
 
+/// Draws a polygon into the whole frame.
+fn fill<V: Named>(
+    polygon: &[Corner<V>],
+    frame: &mut Frame,
+    mut color: impl FnMut(Pixel, V) -> Rgb,
+) {
+    let (view, region) = (view(), whole());
+    EdgeTable::new(&view, &region).fill::<Event<V>, _>(
+        polygon.iter().copied(),
+        frame,
+        &mut Unrecorded,
+        |_, pixel, value| color(pixel, value),
+    );
+}
+
 /// How often each pixel is shaded by the polygons, each in a frame of its own so that depth plays no part.
 fn coverage(polygons: &[Vec<Corner<Rgb>>]) -> Vec<u32> {
     let mut count = vec![0; (SIZE * SIZE) as usize];
     for polygon in polygons {
         let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::BLACK);
-        ScanLine::default().fill::<Event<Rgb>, _>(
-            polygon,
-            &view(),
-            &whole(),
-            &mut frame,
-            &mut Unrecorded,
-            |_, fragment| {
-                count[(fragment.y * SIZE + fragment.x) as usize] += 1;
-                fragment.value
-            },
-        );
+        fill(polygon, &mut frame, |pixel, value| {
+            count[(pixel.y * SIZE + pixel.x) as usize] += 1;
+            value
+        });
     }
     count
 }
 
-/// Fills a triangle that carries `values` and compares every pixel with the linear function on its plane.
-fn assert_bilinear<A: Carried>(values: [A; 3], outside: A, apart: impl Fn(A, A) -> f64) {
+/// Fills a triangle with `values` at its corners and compares every pixel with the linear function on its plane.
+fn assert_bilinear<A: Named>(values: [A; 3], outside: A, apart: impl Fn(A, A) -> f64) {
     let places = [[3.2, 2.7], [21.6, 8.1], [7.3, 20.9]];
     let half = f64::from(SIZE / 2);
     let corners: Vec<Corner<A>> = places
@@ -70,17 +80,10 @@ fn assert_bilinear<A: Carried>(values: [A; 3], outside: A, apart: impl Fn(A, A) 
         .collect();
     let mut drawn = vec![outside; (SIZE * SIZE) as usize];
     let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::BLACK);
-    ScanLine::default().fill::<Event<A>, _>(
-        &corners,
-        &view(),
-        &whole(),
-        &mut frame,
-        &mut Unrecorded,
-        |_, fragment| {
-            drawn[(fragment.y * SIZE + fragment.x) as usize] = fragment.value;
-            Rgb::WHITE
-        },
-    );
+    fill(&corners, &mut frame, |pixel, value| {
+        drawn[(pixel.y * SIZE + pixel.x) as usize] = value;
+        Rgb::WHITE
+    });
     // Barycentric coordinates: the linear function on the plane of the triangle.
     let cross = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
         (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
@@ -97,8 +100,8 @@ fn assert_bilinear<A: Carried>(values: [A; 3], outside: A, apart: impl Fn(A, A) 
         ];
         let drawn = drawn[(y * SIZE + x) as usize];
         if weights.iter().all(|&weight| weight > 0.0) {
-            let [one, two, three] = [0, 1, 2].map(|i| values[i] * weights[i]);
-            let error = apart(drawn, one + two + three);
+            let [one, two, three] = [0, 1, 2].map(|i| values[i].times(weights[i]));
+            let error = apart(drawn, one.plus(two).plus(three));
             assert!(error < 1e-14, "({x}, {y}): off by {error:e}");
             inside += 1;
         } else {
@@ -173,18 +176,11 @@ fn the_nearer_polygon_is_seen_in_either_order() {
         let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::BLACK);
         for depth in order {
             let corners = plane(depth, depth);
-            ScanLine::default().fill::<Event<Rgb>, _>(
-                &corners,
-                &view(),
-                &whole(),
-                &mut frame,
-                &mut Unrecorded,
-                |_, f| f.value,
-            );
+            fill(&corners, &mut frame, |_, value| value);
         }
         assert!(
             frame.pixel(5, 5).r < 1.5,
-            "the polygon at depth 1, which carries 1, hides the one at depth 2"
+            "the polygon at depth 1, whose value is 1, hides the one at depth 2"
         );
     }
 }
@@ -215,14 +211,7 @@ fn a_polygon_a_million_times_the_screen_keeps_its_value() {
         at(-far, far, 1.0),
     ];
     let mut frame = Frame::new(SIZE, 0..SIZE, Rgb::BLACK);
-    ScanLine::default().fill::<Event<Rgb>, _>(
-        &corners,
-        &view(),
-        &whole(),
-        &mut frame,
-        &mut Unrecorded,
-        |_, fragment| fragment.value,
-    );
+    fill(&corners, &mut frame, |_, value| value);
     for y in 0..SIZE {
         let exact = (f64::from(y) + 0.5 + far) / (2.0 * far);
         assert!((frame.pixel(3, y).r - exact).abs() < 1e-13, "row {y}");

@@ -7,12 +7,13 @@ use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Region;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::patch_view::corner_values;
-use crate::algorithms::scan_line::{self, Corner, ScanLine};
+use crate::algorithms::scan_line::{self, Corner, EdgeTable};
 use crate::color::Rgb;
 use crate::picture::{Image, Rect};
 use crate::record::Unrecorded;
 use crate::scene::View;
 use glam::DVec2;
+use std::iter::zip;
 use std::ops::Range;
 
 /// More pixels are not drawn: what is that near is shown coarser.
@@ -40,31 +41,22 @@ pub(super) fn image(room: &Enclosure, view: &RoomView, fit: &Fit, colors: &[Rgb]
 
     let mut frame = Frame::new(enlarged.width, 0..enlarged.height, Rgb::BLACK);
     let corners = corner_values(room, colors);
-    let mut scan_line = ScanLine::default();
-    let mut polygon = Vec::new();
+    let mut edge_table = EdgeTable::new(&enlarged, &region);
     for seen in &view.seen {
         let mut values = corners[seen.patch].iter();
         for piece in room.patches.pieces(seen.patch) {
-            polygon.clear();
-            polygon.extend(
-                piece
-                    .corners
-                    .iter()
-                    .zip(values.by_ref())
-                    .map(|(&at, &value)| Corner {
-                        position: enlarged.to_camera(at),
-                        value,
-                    }),
-            );
+            let corners: Vec<Corner<Rgb>> = zip(piece.corners, values.by_ref())
+                .map(|(&at, &value)| Corner {
+                    position: enlarged.to_camera(at),
+                    value,
+                })
+                .collect();
             if piece.normal.dot(enlarged.eye - piece.corners[0]) > 0.0 {
-                let untold = &mut Unrecorded;
-                scan_line.fill::<scan_line::Event<Rgb>, _>(
-                    &polygon,
-                    &enlarged,
-                    &region,
+                edge_table.fill::<scan_line::Event<Rgb>, _>(
+                    corners,
                     &mut frame,
-                    untold,
-                    |_, fragment| fragment.value,
+                    &mut Unrecorded,
+                    |_, _, value| value,
                 );
             }
         }

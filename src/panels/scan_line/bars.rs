@@ -65,7 +65,7 @@ impl Interpolation {
         if let (Some(pixel), Some(span)) = (&state.pixel, &state.span) {
             let [four, five] = span.ends?;
             return Some(Interpolation {
-                ends: [(names.four, four), (names.five, five)],
+                ends: [(names.left, four), (names.right, five)],
                 weights: weights(span.x_4, span.x_5, pixel.x_p),
                 names: [names.pixel, names.pixel_incremental],
                 values: pixel.values,
@@ -75,9 +75,9 @@ impl Interpolation {
         let upper = state.corners.get(edge.upper as usize)?;
         let lower = state.corners.get(edge.lower as usize)?;
         Some(Interpolation {
-            ends: [(names.one, upper.value?), (names.two, lower.value?)],
+            ends: [(names.upper, upper.value?), (names.lower, lower.value?)],
             weights: weights(upper.y, lower.y, state.scan_line?.y_4),
-            names: [names.four, names.four_incremental],
+            names: [names.left, names.left_incremental],
             values: edge.cut.and_then(|cut| cut.values),
         })
     }

@@ -208,8 +208,8 @@ impl Drawing<'_> {
         if let Some(span) = &state.span {
             let [four, five] = span.ends.map_or([None; 2], |ends| ends.map(Some));
             let calm = state.pixel.is_some();
-            points.push((span.x_4, "x_4", names.map(|names| names.four), four, calm));
-            points.push((span.x_5, "x_5", names.map(|names| names.five), five, calm));
+            points.push((span.x_4, "x_4", names.map(|names| names.left), four, calm));
+            points.push((span.x_5, "x_5", names.map(|names| names.right), five, calm));
             if let Some(pixel) = &state.pixel {
                 let value = pixel.values.map(|values| values.incremental);
                 points.push((
@@ -225,7 +225,7 @@ impl Drawing<'_> {
                 let Some(cut) = &edge.cut else { continue };
                 let value = cut.values.map(|values| values.incremental);
                 if state.edge == Some(number) {
-                    points.push((cut.x_4, "x_4", names.map(|names| names.four), value, false));
+                    points.push((cut.x_4, "x_4", names.map(|names| names.left), value, false));
                 } else {
                     points.push((cut.x_4, "x", names.map(|names| names.corner), value, true));
                 }
@@ -323,9 +323,9 @@ impl Drawing<'_> {
         let corners = std::mem::take(&mut self.corners);
         for (number, corner) in corners.iter().enumerate() {
             let name = if is(edge.map(|edge| edge.upper), number) {
-                names.one
+                names.upper
             } else if is(edge.map(|edge| edge.lower), number) {
-                names.two
+                names.lower
             } else {
                 names.corner
             };

@@ -5,7 +5,6 @@ use crate::study::fit::Law;
 use crate::study::form::{
     Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
-use std::ops::{Add, Mul, Sub};
 
 pub static STUDY: Study = Study {
     name: "interpolation",
@@ -18,27 +17,18 @@ pub static STUDY: Study = Study {
 #[derive(Clone, Copy)]
 struct Single(f32);
 
-impl Linear for Single {}
-
-impl Add for Single {
-    type Output = Single;
-    fn add(self, other: Single) -> Single {
+impl Linear for Single {
+    fn plus(self, other: Self) -> Self {
         Single(self.0 + other.0)
     }
-}
 
-impl Sub for Single {
-    type Output = Single;
-    fn sub(self, other: Single) -> Single {
+    fn minus(self, other: Self) -> Self {
         Single(self.0 - other.0)
     }
-}
 
-/// Weights are rounded to 32 bits too.
-impl Mul<f64> for Single {
-    type Output = Single;
-    fn mul(self, weight: f64) -> Single {
-        Single(self.0 * weight as f32)
+    /// Weights are rounded to 32 bits too.
+    fn times(self, factor: f64) -> Self {
+        Single(self.0 * factor as f32)
     }
 }
 

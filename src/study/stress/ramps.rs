@@ -2,7 +2,6 @@
 
 use super::case::{Case, Measured, Ran, degrades, holds};
 use crate::numeric::{Linear, Ramp, interpolate};
-use std::ops::{Add, Mul, Sub};
 
 pub const CASES: &[Case] = &[
     Case {
@@ -105,28 +104,19 @@ pub const CASES: &[Case] = &[
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Single(pub f32);
 
-impl Add for Single {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
+impl Linear for Single {
+    fn plus(self, other: Self) -> Self {
         Single(self.0 + other.0)
     }
-}
 
-impl Sub for Single {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
+    fn minus(self, other: Self) -> Self {
         Single(self.0 - other.0)
     }
-}
 
-impl Mul<f64> for Single {
-    type Output = Self;
-    fn mul(self, weight: f64) -> Self {
-        Single((f64::from(self.0) * weight) as f32)
+    fn times(self, factor: f64) -> Self {
+        Single((f64::from(self.0) * factor) as f32)
     }
 }
-
-impl Linear for Single {}
 
 /// The largest error on the way from 0 to 1 in both precisions.
 fn ramp(n: u32) -> Result<Ran, String> {

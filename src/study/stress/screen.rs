@@ -5,7 +5,7 @@ use super::ramps::Single;
 use super::scenes::{picture, scene, staged};
 use crate::algorithms::focus::Region;
 use crate::algorithms::frame::Frame;
-use crate::algorithms::scan_line::{Carried, Corner, Event, Fragment, Names, ScanLine};
+use crate::algorithms::scan_line::{Corner, EdgeTable, Event, Named, Names};
 use crate::color::Rgb;
 use crate::numeric::Random;
 use crate::numeric::interpolate;
@@ -17,7 +17,7 @@ use glam::DVec3;
 pub const SIZE: u32 = 24;
 pub const PIXELS: usize = (SIZE * SIZE) as usize;
 
-impl Carried for Single {
+impl Named for Single {
     const NAMES: Option<&'static Names> = None;
     fn value(self) -> Option<Value> {
         None
@@ -44,8 +44,8 @@ pub fn place(x: f64, y: f64) -> DVec3 {
     DVec3::new(x - half, half - y, 1.0)
 }
 
-/// Draws into the whole frame, whose height and width are those of the view; `each` sees the pixels and what they carry.
-pub fn fill<A: Carried + Into<Shade>>(
+/// Draws into the whole frame, whose height and width are those of the view; `each` sees the pixels and their values.
+pub fn fill<A: Named + Into<Shade>>(
     corners: &[Corner<A>],
     frame: &mut Frame,
     mut each: impl FnMut(usize, A),
@@ -55,16 +55,16 @@ pub fn fill<A: Carried + Into<Shade>>(
         columns: 0..width,
         rows: 0..height,
     };
-    let shade = |_: &mut Unrecorded, fragment: Fragment<A>| {
-        each((fragment.y * width + fragment.x) as usize, fragment.value);
-        fragment.value.into().0
-    };
-    let mut scan_line = ScanLine::default();
     let view = view(width, height);
-    scan_line.fill::<Event<A>, _>(corners, &view, &region, frame, &mut Unrecorded, shade);
+    let mut edge_table = EdgeTable::new(&view, &region);
+    let corners = corners.iter().copied();
+    edge_table.fill::<Event<A>, _>(corners, frame, &mut Unrecorded, |_, pixel, value| {
+        each((pixel.y * width + pixel.x) as usize, value);
+        value.into().0
+    });
 }
 
-/// The colour that a carried value stands for.
+/// The colour that an interpolated value stands for.
 pub struct Shade(Rgb);
 
 impl From<Rgb> for Shade {
@@ -157,7 +157,7 @@ pub fn larger(times: f64) -> Result<Ran, String> {
 }
 
 /// The largest difference of values by increments and directly, along the longest span that pictures have.
-pub fn drift<A: Carried + Into<Shade>>(a_1: A, a_2: A, number: fn(A) -> f64) -> f64 {
+pub fn drift<A: Named + Into<Shade>>(a_1: A, a_2: A, number: fn(A) -> f64) -> f64 {
     let (left, right) = (0.25, f64::from(MAX_SIDE) - 0.25);
     let corners = [
         (left, -1.0, a_1),

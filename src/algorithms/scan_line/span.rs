@@ -1,0 +1,149 @@
+//! A span, its pixels, and the depth test of each.
+
+use super::edge::Edge;
+use super::{Event, Varying, first_centre};
+use crate::algorithms::frame::Frame;
+use crate::color::Rgb;
+use crate::numeric::{Linear, Ramp};
+use crate::record::Recorder;
+use crate::scene::View;
+use glam::{DVec2, DVec3};
+use std::ops::Range;
+
+/// The pixels `first..end` of row `y`, those whose centres lie in [x_4, x_5).
+pub struct Span<V> {
+    y: u32,
+    pub x_4: f64,
+    pub x_5: f64,
+    /// The values at x_4 and x_5, as interpolated along the edges.
+    pub left: V,
+    pub right: V,
+    inverse_depths: [f64; 2],
+    first: u32,
+    end: u32,
+    /// Those of its pixels that are drawn.
+    columns: Range<u32>,
+}
+
+/// A pixel inside a polygon.
+#[derive(Clone, Copy, Debug)]
+pub struct Pixel {
+    pub x: u32,
+    pub y: u32,
+    /// The first pixel of its span.
+    pub first: u32,
+    /// 1/depth, as interpolated by increments.
+    pub inverse_depth: f64,
+}
+
+impl<V: Varying> Span<V> {
+    pub(super) fn between(
+        left: &Edge<V>,
+        right: &Edge<V>,
+        y: u32,
+        columns: &Range<u32>,
+        width: u32,
+    ) -> Self {
+        let (x_4, x_5) = (left.x_4, right.x_4);
+        let (first, end) = (first_centre(x_4, width), first_centre(x_5, width));
+        Span {
+            y,
+            x_4,
+            x_5,
+            left: left.value.value,
+            right: right.value.value,
+            inverse_depths: [left.inverse_depth.value, right.inverse_depth.value],
+            first,
+            end,
+            columns: first.max(columns.start)..end.min(columns.end),
+        }
+    }
+
+    pub fn entered(&self) -> Event<V::Recorded> {
+        Event::Span {
+            x_4: self.x_4,
+            x_5: self.x_5,
+            first: self.first,
+            end: self.end,
+        }
+    }
+
+    /// A quantity that is `a_4` at the left end of the span and `a_5` at the right end, at the first pixel that is drawn.
+    /// Increments count from the first pixel of the span.
+    #[inline]
+    pub fn ramp<T: Linear>(&self, a_4: T, a_5: T) -> Ramp<T> {
+        let start = f64::from(self.first) + 0.5;
+        let mut ramp = Ramp::start(a_4, self.x_4, a_5, self.x_5, start);
+        for _ in self.first..self.columns.start {
+            ramp.advance();
+        }
+        ramp
+    }
+
+    /// The pixels that are drawn, from left to right. There may be none.
+    #[inline]
+    pub fn pixels(&self) -> impl Iterator<Item = Pixel> + use<V> {
+        let [left, right] = self.inverse_depths;
+        let mut inverse_depth = self.ramp(left, right);
+        let (y, first) = (self.y, self.first);
+        self.columns.clone().map(move |x| {
+            let pixel = Pixel {
+                x,
+                y,
+                first,
+                inverse_depth: inverse_depth.value,
+            };
+            inverse_depth.advance();
+            pixel
+        })
+    }
+}
+
+impl Pixel {
+    /// The column of its centre.
+    pub fn x_p(&self) -> f64 {
+        f64::from(self.x) + 0.5
+    }
+
+    pub fn entered<A>(&self) -> Event<A> {
+        Event::Pixel {
+            x: self.x,
+            y: self.y,
+            x_p: self.x_p(),
+        }
+    }
+
+    /// The depth test: whether it is nearer than what was drawn there before.
+    #[inline]
+    pub fn is_nearer<A, E: From<Event<A>>>(
+        &self,
+        frame: &Frame,
+        recorder: &mut impl Recorder<E>,
+    ) -> bool {
+        let nearest = frame.inverse_depth[frame.index(self.x, self.y)];
+        let nearer = self.inverse_depth > nearest;
+        recorder.step(|| {
+            Event::DepthTested {
+                z: 1.0 / self.inverse_depth,
+                nearest: 1.0 / nearest,
+                nearer,
+            }
+            .into()
+        });
+        nearer
+    }
+
+    #[inline]
+    pub fn draw(&self, color: Rgb, frame: &mut Frame) {
+        let index = frame.index(self.x, self.y);
+        frame.inverse_depth[index] = self.inverse_depth;
+        frame.color[index] = color;
+    }
+
+    /// The point of the polygon that the pixel's centre shows, in the world. 1/depth is linear on the screen, so it lies on
+    /// the polygon however much the depth changes from corner to corner.
+    pub fn position(&self, view: &View) -> DVec3 {
+        let centre = DVec2::new(self.x_p(), f64::from(self.y) + 0.5);
+        view.from_screen(centre, 1.0 / self.inverse_depth)
+    }
+}
