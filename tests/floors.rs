@@ -26,7 +26,7 @@ const FLOORS: [&[&str]; 15] = [
 const OF_PICTURE: [&str; 2] = ["color", "picture"];
 
 /// What `figure` may use: values come in ready to be drawn.
-const OF_FIGURE: [&str; 4] = ["color", "figure", "numeric", "picture"];
+const OF_FIGURE: [&str; 5] = ["color", "figure", "language", "numeric", "picture"];
 
 fn level(floor: &str) -> Option<usize> {
     FLOORS.iter().position(|row| row.contains(&floor))

@@ -1,8 +1,9 @@
 //! The parameters that the lesson lets be changed, each with a slider and its value, on a card over the panels.
 
-use super::session::{Command, Session};
+use super::session::{Command, Session, read_number};
 use super::window::button;
 use super::{narration, strings, style};
+use crate::language::Language;
 use crate::lesson::{Change, Coefficient, DIVISIONS, Parameter};
 use crate::picture::Ink;
 use crate::scene::Scene;
@@ -135,7 +136,7 @@ fn value(
         .range(rail.range.clone())
         .clamp_existing_to_range(false)
         .max_decimals(if rail.whole { 0 } else { 3 });
-    let response = ui.add(number);
+    let response = ui.add(written(number, session.look.language));
     let as_number = format!("{name} ({})", session.localize(strings::AS_A_NUMBER));
     named(&response, &as_number, rail.value);
     let moved = value != rail.value;
@@ -243,7 +244,10 @@ fn coordinates(session: &Session, parameter: Parameter, ui: &mut Ui) -> Option<C
     for (axis, x) in ["x", "y", "z"].into_iter().zip(place.as_mut()) {
         let before = *x;
         ui.label(RichText::new(axis).size(13.0));
-        let response = ui.add(DragValue::new(x).speed(speed).max_decimals(3));
+        let response = ui.add(written(
+            DragValue::new(x).speed(speed).max_decimals(3),
+            session.look.language,
+        ));
         named(&response, &format!("{who}, {axis}"), before);
     }
     (place != position).then_some(match now {
@@ -253,6 +257,15 @@ fn coordinates(session: &Session, parameter: Parameter, ui: &mut Ui) -> Option<C
         },
         _ => Change::Eye { position: place },
     })
+}
+
+/// Shows and reads the number as the language writes it.
+fn written(number: DragValue<'_>, language: Language) -> DragValue<'_> {
+    number
+        .custom_formatter(move |value, decimals| {
+            language.typeset(&egui::emath::format_with_decimals_in_range(value, decimals))
+        })
+        .custom_parser(read_number)
 }
 
 /// What a parameter is called.

@@ -5,7 +5,7 @@ use super::session::{Command, Guess, Session, Standing, read_number};
 use super::window::Window;
 use super::{strings, style};
 use crate::lesson::{Answer, Question};
-use crate::picture::{Ink, number};
+use crate::picture::Ink;
 use egui::{Button, FontId, Frame, Key, Margin, RichText, Stroke, TextEdit, Ui};
 
 pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>, ui: &mut Ui) {
@@ -141,7 +141,9 @@ fn verdict(
         Standing::Open | Standing::Skipped => (strings::SKIPPED, Ink::Muted),
     };
     let answer = match &question.answer {
-        Answer::Number { value, tolerance } => number(rounded(*value, *tolerance)),
+        Answer::Number { value, tolerance } => {
+            session.look.language.number(rounded(*value, *tolerance))
+        }
         Answer::Choice { options, right } => {
             options[*right][session.look.language as usize].clone()
         }

@@ -107,7 +107,9 @@ fn times(session: &Session) -> String {
         None => session.localize(strings::TIMES_MEASURED).into(),
         Some(Err(_)) => session.localize(strings::TIMES_NONE).into(),
         Some(Ok([without, with])) => {
-            let [a, b] = [without, with].map(|time| format!("{:.2} ms", 1e3 * time.median));
+            let language = session.look.language;
+            let [a, b] =
+                [without, with].map(|time| format!("{} ms", language.fixed(1e3 * time.median, 2)));
             let tie = match with.ties(without) {
                 true => format!(" ({})", session.localize(strings::TIME_TIE)),
                 false => String::new(),

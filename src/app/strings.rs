@@ -1,6 +1,6 @@
 //! The window's words, in both languages.
 
-use crate::language::Message;
+use crate::language::{Language, Message};
 use crate::study::harness::Point;
 use crate::study::report::strings as report;
 
@@ -182,25 +182,14 @@ pub const SHARE_LESSON_ONLY: Message = Message("app-share-lesson-only");
 
 /// What is said where the picture of a study's point is opened, by language.
 pub fn said_of_a_point(point: &Point) -> [String; 2] {
-    let time = report::seconds(point.seconds.median);
-    let error = point.errors.map(|errors| report::error(errors.rms));
-    let [en, id] = match error {
-        Some(error) => [
-            format!("an rms error of {error} in {time}"),
-            format!("galat rms {error} dalam {time}"),
-        ],
-        None => [
-            format!("a picture in {time}"),
-            format!("satu gambar dalam {time}"),
-        ],
-    };
-    let setting = &point.setting;
-    [
-        format!(
-            "A point of a study: {setting} came to {en} on one thread. Here is the run behind it; the list of lessons leads back, and the menu to the study."
-        ),
-        format!(
-            "Sebuah titik studi: {setting} mencapai {id} pada satu utas. Inilah jalannya; daftar pelajaran membawa kembali, dan menu membuka studi."
-        ),
-    ]
+    Language::ALL.map(|language| {
+        let time = report::seconds(point.seconds.median, language);
+        let (setting, time) = (("setting", point.setting.as_str()), ("time", time.as_str()));
+        match point.errors.map(|errors| language.magnitude(errors.rms)) {
+            Some(error) => {
+                Message("app-said-of-a-point").format(language, &[setting, ("error", &error), time])
+            }
+            None => Message("app-said-of-a-picture").format(language, &[setting, time]),
+        }
+    })
 }

@@ -163,7 +163,7 @@ fn about(session: &Session, part: &Part, ui: &mut Ui) {
     }
     if part.axes != Axes::TimeOverSize {
         let reference = &part.reference;
-        let own = report::error(reference.error);
+        let own = session.look.language.magnitude(reference.error);
         let said = session.localize(strings::REFERENCE);
         ui.label(format!(
             "{said}: {} (± {own}; {}).",
@@ -197,9 +197,12 @@ fn points(
             let ring = if point.on_front { "○ " } else { "" };
             let mut text = format!("{ring}{}", point.setting);
             if let Some(errors) = point.errors {
-                text += &format!("   {}", report::error(errors.rms));
+                text += &format!("   {}", session.look.language.magnitude(errors.rms));
             }
-            text += &format!("   {}", report::seconds(point.seconds.median));
+            text += &format!(
+                "   {}",
+                report::seconds(point.seconds.median, session.look.language)
+            );
             let picked = session.studying().picked == Some(at);
             let button = Button::new(RichText::new(text).small()).selected(picked);
             let response = ui.add(button);
@@ -222,14 +225,15 @@ fn points(
 
 /// How error falls and time grows along a curve, as far as they do by a law.
 fn laws(session: &Session, part: &Part, line: &Line) -> String {
-    let size = study_words::measure(part.size, session.look.language);
+    let language = session.look.language;
+    let size = study_words::measure(part.size, language);
     let law = |strings, fit: Option<Fit>| {
         let fit = fit.filter(|fit| fit.is_clean() && !fit.is_level());
         let recorded = fit.map_or_else(
             || session.localize(strings::NO_LAW).to_owned(),
             |fit| match fit.law {
-                Law::Power => format!("∝ n^{:.2}", fit.rate),
-                Law::Geometric => format!("∝ {:.3}^n", fit.rate),
+                Law::Power => format!("∝ n^{}", language.fixed(fit.rate, 2)),
+                Law::Geometric => format!("∝ {}^n", language.fixed(fit.rate, 3)),
             },
         );
         format!("{} {recorded}", session.localize(strings))
@@ -247,15 +251,16 @@ pub fn recorded(session: &Session, line: &Line, point: &Point) -> String {
     let localize = |strings| session.localize(strings);
     let mut recorded = format!("{}, {}", line.name, point.setting);
     if let Some(errors) = point.errors {
-        let [rms, largest, relative] =
-            [errors.rms, errors.largest, errors.relative].map(report::error);
+        let [rms, largest, relative] = [errors.rms, errors.largest, errors.relative]
+            .map(|error| session.look.language.magnitude(error));
         recorded += &format!(
             "\n{}: rms {rms}, max {largest}, rel {relative}",
             localize(strings::ERROR_IS)
         );
     }
     let timing = &point.seconds;
-    let [median, lower, upper] = [timing.median, timing.lower, timing.upper].map(report::seconds);
+    let [median, lower, upper] = [timing.median, timing.lower, timing.upper]
+        .map(|seconds| report::seconds(seconds, session.look.language));
     recorded += &format!(
         "\n{}: {median} ({} {lower} – {upper}, {}×)",
         localize(strings::TIME_IS),
@@ -273,7 +278,7 @@ pub fn recorded(session: &Session, line: &Line, point: &Point) -> String {
     counts.push(format!(
         "{} {}",
         localize(strings::MEMORY_IS),
-        report::bytes(point.bytes)
+        report::bytes(point.bytes, session.look.language)
     ));
     recorded += &format!("\n{}", counts.join(", "));
     if point.on_front {

@@ -3,7 +3,7 @@
 use super::session::{Command, Direction, Session};
 use super::window::{Window, button};
 use super::{strings, style};
-use crate::picture::{Ink, number};
+use crate::picture::Ink;
 use crate::replay::query;
 use egui::containers::menu::MenuButton;
 use egui::{Button, Key, Rect, RichText, TextEdit, Ui};
@@ -96,7 +96,7 @@ fn speed(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     );
     let speed = format!(
         "{} {}",
-        number(session.speed()),
+        session.look.language.number(session.speed()),
         session.localize(strings::STEPS_A_SECOND)
     );
     ui.label(RichText::new(speed).size(13.0));

@@ -1,6 +1,7 @@
 //! A plot area with logarithmic axes, powers of ten on both.
 
-use crate::picture::{Ink, Picture, Rect, Style, Text, power_of_ten};
+use crate::language::power_of_ten;
+use crate::picture::{Ink, Picture, Rect, Style, Text};
 use glam::Vec2;
 
 const TEXT: f32 = 11.0;

@@ -175,6 +175,8 @@ app-no-view = From there, what is up in the picture would not be known.
 app-out-of-range = That value cannot be had.
 app-share-unchanged-only = A parameter was changed: r puts it back, and then this step can be shared.
 app-share-lesson-only = Only steps of the lesson itself can be shared; r leads back to it.
+app-said-of-a-point = A point of a study: { $setting } came to an rms error of { $error } in { $time } on one thread. Here is the run behind it; the list of lessons leads back, and the menu to the study.
+app-said-of-a-picture = A point of a study: { $setting } came to a picture in { $time } on one thread. Here is the run behind it; the list of lessons leads back, and the menu to the study.
 
 ## active-edges
 

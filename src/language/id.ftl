@@ -153,7 +153,7 @@ app-nothing-narrated-ahead = Tidak ada penjelasan lagi sesudah langkah ini.
 app-nothing-narrated-before = Tidak ada penjelasan sebelum langkah ini.
 app-answer-first = Jawab dahulu pertanyaannya, atau lewati.
 app-no-question = Tidak ada pertanyaan pada langkah ini.
-app-not-a-number = Itu bukan angka; tulis misalnya 0.52.
+app-not-a-number = Itu bukan angka; tulis misalnya 0,52.
 app-not-found = Tidak ada langkah yang cocok.
 app-fastest = Ini yang tercepat.
 app-slowest = Ini yang paling lambat.
@@ -175,6 +175,8 @@ app-no-view = Dari sana tidak diketahui mana yang atas pada gambar.
 app-out-of-range = Nilai itu tidak diperbolehkan.
 app-share-unchanged-only = Sebuah parameter diubah: r mengembalikannya, lalu langkah ini dapat dibagikan.
 app-share-lesson-only = Hanya langkah pelajaran yang dapat dibagikan; r kembali ke pelajaran.
+app-said-of-a-point = Sebuah titik studi: { $setting } mencapai galat rms { $error } dalam { $time } pada satu utas. Inilah jalannya; daftar pelajaran membawa kembali, dan menu membuka studi.
+app-said-of-a-picture = Sebuah titik studi: { $setting } mencapai satu gambar dalam { $time } pada satu utas. Inilah jalannya; daftar pelajaran membawa kembali, dan menu membuka studi.
 
 ## active-edges
 

@@ -1,7 +1,10 @@
 //! The languages of the program. All text that people read stands in one catalogue a language (`en.ftl`, `id.ftl`, in the
-//! format of Project Fluent), as data; the code names a message of the catalogues by its key.
+//! format of Project Fluent), as data; the code names a message of the catalogues by its key. Numbers are written here too.
 
 mod catalogue;
+mod number;
+
+pub use number::power_of_ten;
 
 /// A language of the window, the panels and the lessons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]

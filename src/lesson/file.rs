@@ -149,8 +149,7 @@ impl Text {
         }
     }
 
-    /// Both languages, with the keys under which they stand.
-    pub fn both(&self) -> [(&'static str, &str); 2] {
-        [("en", &self.en), ("id", &self.id)]
+    pub fn both(&self) -> [(Language, &str); 2] {
+        Language::ALL.map(|language| (language, self.in_language(language)))
     }
 }

@@ -73,9 +73,9 @@ impl Search<'_> {
     fn fill(&mut self, text: &Text, step: usize, place: &str) -> [String; 2] {
         let fields = self.walk.fields(step);
         text.both().map(|(language, text)| {
-            fill(text, &fields).unwrap_or_else(|message| {
+            fill(text, &fields, language).unwrap_or_else(|message| {
                 self.problems
-                    .push(problem(format!("{place}.{language}"), message));
+                    .push(problem(format!("{place}.{}", language.code()), message));
                 String::new()
             })
         })

@@ -357,7 +357,7 @@ fn check_words(file: &LessonFile, problems: &mut Vec<Problem>) {
         for (language, text) in text.both() {
             if text.trim().is_empty() {
                 problems.push(problem(
-                    format!("{place}.{language}"),
+                    format!("{place}.{}", language.code()),
                     "found an empty text",
                 ));
             }

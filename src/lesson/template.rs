@@ -1,6 +1,6 @@
 //! Numbers in narration: `{I_4}` becomes the value that the run told, so that no text can contradict the picture.
 
-use crate::picture::{fixed, number};
+use crate::language::Language;
 use crate::record::{Fields, Value};
 
 /// A piece of a narration text.
@@ -51,13 +51,13 @@ fn field(inside: &str) -> Result<Piece<'_>, String> {
 }
 
 /// The text with its values. Errors: what [`pieces`] refuses, and names that were not told.
-pub fn fill(text: &str, fields: &Fields) -> Result<String, String> {
+pub fn fill(text: &str, fields: &Fields, language: Language) -> Result<String, String> {
     pieces(text)?
         .into_iter()
         .map(|piece| match piece {
             Piece::Plain(plain) => Ok(plain.to_owned()),
             Piece::Field(name, decimals) => match fields.get(name) {
-                Some(value) => Ok(write(value, decimals)),
+                Some(value) => Ok(write(value, decimals, language)),
                 None => {
                     let recorded: Vec<&str> = fields.iter().map(|field| field.name).collect();
                     Err(format!(
@@ -71,14 +71,19 @@ pub fn fill(text: &str, fields: &Fields) -> Result<String, String> {
 }
 
 /// A value as narration writes it: a grey colour as one number.
-pub fn write(value: Value, decimals: Option<usize>) -> String {
-    let one = |v: f64| decimals.map_or_else(|| number(v), |decimals| fixed(v, decimals));
+pub fn write(value: Value, decimals: Option<usize>, language: Language) -> String {
+    let one = |v: f64| {
+        decimals.map_or_else(
+            || language.number(v),
+            |decimals| language.fixed(v, decimals),
+        )
+    };
     match value {
         Value::Number(v) => one(v),
         Value::Integer(v) => v.to_string(),
         Value::Rgb(color) if color.is_grey() => one(color.r),
-        Value::Rgb(color) => format!("({})", color.channels().map(one).join(", ")),
-        Value::Vector(vector) => format!("({})", vector.to_array().map(one).join(", ")),
+        Value::Rgb(color) => format!("({})", language.list(color.channels().map(one))),
+        Value::Vector(vector) => format!("({})", language.list(vector.to_array().map(one))),
         Value::Truth(truth) => if truth { "✓" } else { "✗" }.to_owned(),
         Value::Word(word) => word.to_owned(),
     }
@@ -97,16 +102,19 @@ mod tests {
             .push("I_4", Rgb::splat(0.51399))
             .push("I_5", Rgb::new(0.25, 0.5, 1.0));
         assert_eq!(
-            fill("Line {y}: {I_4:2}, {I_5:2}.", &fields),
+            fill("Line {y}: {I_4:2}, {I_5:2}.", &fields, Language::English),
             Ok("Line 15: 0.51, (0.25, 0.50, 1.00).".into())
         );
         assert!(
-            fill("{I_6}", &fields)
+            fill("{I_6}", &fields, Language::English)
                 .unwrap_err()
                 .contains("told are y, I_4, I_5")
         );
         for broken in ["{", "}", "a {y", "{}", "{y:x}", "{y:99}"] {
-            assert!(fill(broken, &fields).is_err(), "{broken}");
+            assert!(
+                fill(broken, &fields, Language::English).is_err(),
+                "{broken}"
+            );
         }
     }
 }

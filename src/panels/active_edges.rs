@@ -6,7 +6,7 @@ use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
 use super::values::told_in_words;
 use crate::language::{Language, Message};
-use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, fixed};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
 use crate::record::Value;
 use crate::replay::shading::{ActiveEdge, State};
 use crate::replay::{Run, Walk};
@@ -143,7 +143,7 @@ fn row(edge: &ActiveEdge, y: Option<u32>, current: bool, language: Language) -> 
         Turn::Active => "–",
     };
     let step = edge.value_step;
-    let numbers = |value| numbers(value, 3);
+    let numbers = |value| numbers(value, 3, language);
     Row {
         number: edge.edge as usize,
         turn,
@@ -153,24 +153,27 @@ fn row(edge: &ActiveEdge, y: Option<u32>, current: bool, language: Language) -> 
             format!("{}–{}", edge.upper + 1, edge.lower + 1),
             edge.first.to_string(),
             (edge.end - 1).to_string(),
-            cut.map_or(yet.to_string(), |cut| fixed(cut.x_4, 2)),
+            cut.map_or(yet.to_string(), |cut| language.fixed(cut.x_4, 2)),
             carried.map_or_else(String::new, numbers),
             step.map_or_else(String::new, numbers),
-            fixed(edge.slope, 3),
+            language.fixed(edge.slope, 3),
         ],
     }
 }
 
 /// A grey as one number, another colour and a vector as three.
-fn numbers(value: Value, digits: usize) -> String {
+fn numbers(value: Value, digits: usize, language: Language) -> String {
     match value {
-        Value::Vector(vector) => vector.to_array().map(|v| fixed(v, digits)).join(" "),
+        Value::Vector(vector) => vector
+            .to_array()
+            .map(|v| language.fixed(v, digits))
+            .join(" "),
         Value::Rgb(color) if !color.is_grey() => color
             .channels()
-            .map(|channel| fixed(channel, digits))
+            .map(|channel| language.fixed(channel, digits))
             .join(" "),
-        Value::Rgb(color) => fixed(color.r, digits),
-        value => super::values::short(value, digits),
+        Value::Rgb(color) => language.fixed(color.r, digits),
+        value => super::values::short(value, digits, language),
     }
 }
 
@@ -271,8 +274,12 @@ mod tests {
         let Some(Value::Number(x_4)) = recorded.get("x_4") else {
             panic!("an edge tells x_4")
         };
-        assert!(shown(&fixed(x_4, 2)));
-        assert!(shown(&numbers(recorded.get("I_4_incremental").unwrap(), 3)));
+        assert!(shown(&Language::English.fixed(x_4, 2)));
+        assert!(shown(&numbers(
+            recorded.get("I_4_incremental").unwrap(),
+            3,
+            Language::English
+        )));
         let (Some(Value::Integer(upper)), Some(Value::Integer(lower))) =
             (recorded.get("upper"), recorded.get("lower"))
         else {

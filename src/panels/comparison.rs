@@ -8,7 +8,7 @@ use super::PanelInput;
 use super::message::{NOT_COMPARED, message};
 use super::values::told_in_words;
 use crate::language::Message;
-use crate::picture::{Image, Ink, Picture, Rect, Style, elide, fixed, number};
+use crate::picture::{Image, Ink, Picture, Rect, Style, elide};
 use crate::render::Method;
 use crate::render::compare::Compared;
 use cells::{Cell, cells};
@@ -52,8 +52,13 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         let here = shown.map_or_else(String::new, |color| {
             let [r, g, b] = color.channels();
             match r == g && g == b {
-                true => format!("I = {}", fixed(r, 3)),
-                false => format!("I = {}, {}, {}", fixed(r, 3), fixed(g, 3), fixed(b, 3)),
+                true => format!("I = {}", input.language.fixed(r, 3)),
+                false => {
+                    let channels = color
+                        .channels()
+                        .map(|channel| input.language.fixed(channel, 3));
+                    format!("I = {}", input.language.list(channels))
+                }
             }
         });
         let lines = [figures.1, figures.0, here];
@@ -84,7 +89,7 @@ fn figures(input: &PanelInput, compared: &Compared) -> (String, String) {
         if count > 0 {
             recorded.push(format!(
                 "{} {}",
-                three(count as f64 / pixels),
+                input.language.significant(count as f64 / pixels, 3),
                 localize(what)
             ));
         }
@@ -92,13 +97,12 @@ fn figures(input: &PanelInput, compared: &Compared) -> (String, String) {
     let time = 1e9 * compared.seconds / pixels;
     (
         recorded.join(" · "),
-        format!("{} ns {}", three(time), localize(A_PIXEL)),
+        format!(
+            "{} ns {}",
+            input.language.significant(time, 3),
+            localize(A_PIXEL)
+        ),
     )
-}
-
-/// Three digits.
-pub(super) fn three(value: f64) -> String {
-    number(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
 impl Cell {

@@ -6,8 +6,8 @@ use super::message::{NO_PATCHES, message};
 use super::values::told_in_words;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::language::{Language, Message};
-use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, elide, number, power_of_ten};
+use crate::language::{Language, Message, power_of_ten};
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, elide};
 use crate::replay::Run;
 use crate::replay::radiosity::{ChannelNow, IterationNow, State};
 use glam::Vec2;
@@ -57,7 +57,11 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let axes = Axes::new(prepared, state, input.focus, whole);
     axes.draw(&mut picture, input.language);
     let mut labels = Labels::new(axes.place.grown(2.0));
-    let name = axes.tolerance(&mut picture, prepared.radiosity.stop.tolerance);
+    let name = axes.tolerance(
+        &mut picture,
+        prepared.radiosity.stop.tolerance,
+        input.language,
+    );
     if let Some(name) = name {
         labels.reserve(name);
     }
@@ -224,7 +228,7 @@ impl Axes {
         let stride = round_stride((self.last - self.first).div_ceil(most));
         let ticks = (self.first.next_multiple_of(stride)..=self.last).step_by(stride as usize);
         for k in ticks {
-            let text = number(k.into());
+            let text = k.to_string();
             let width = style.width(&text);
             let left = (self.x(k) - 0.5 * width).max(row.x);
             if left + width <= end {
@@ -237,14 +241,14 @@ impl Axes {
     }
 
     /// Below this line the solver stops. Returns the place of its name, at the left, where no curve is that low.
-    fn tolerance(&self, picture: &mut Picture, tolerance: f64) -> Option<Rect> {
+    fn tolerance(&self, picture: &mut Picture, tolerance: f64, language: Language) -> Option<Rect> {
         if tolerance <= 0.0 {
             return None;
         }
         let y = self.y(tolerance);
         let stroke = Ink::Good.stroke(1.5).dotted();
         picture.line((self.place.x, y), (self.place.right(), y), stroke);
-        let text = format!("ε = {}", number(tolerance));
+        let text = format!("ε = {}", language.number(tolerance));
         let style = Style::Body.size(TEXT).ink(Ink::Good);
         let above = y - self.place.y > ROW;
         let at = Vec2::new(self.place.x + 5.0, if above { y - 4.0 } else { y + 13.0 });
@@ -380,10 +384,14 @@ fn in_words(input: &PanelInput, state: &State) -> String {
             localize(ITERATION),
             last.k,
             localize(RESIDUAL),
-            number(last.residual)
+            input.language.number(last.residual)
         );
         if let Some(bound) = last.error_bound {
-            strings = format!("{strings}, {} {}", localize(BOUND), number(bound));
+            strings = format!(
+                "{strings}, {} {}",
+                localize(BOUND),
+                input.language.number(bound)
+            );
         }
         strings.push('.');
     }

@@ -3,7 +3,6 @@
 use super::PanelInput;
 use super::comparison::cells::{ROW, cells};
 use super::comparison::cursor::Cursor;
-use super::comparison::three;
 use super::message::{NOT_COMPARED, message};
 use super::values::told_in_words;
 use crate::color::Rgb;
@@ -67,11 +66,23 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             (Some(x), Some(y)) => difference.signed.get(y as usize * width + x as usize),
             _ => None,
         };
-        let rms = format!("{} {}", localize(RMS), three(difference.rms));
-        let largest = format!("{} {}", localize(LARGEST), three(difference.largest));
+        let rms = format!(
+            "{} {}",
+            localize(RMS),
+            input.language.significant(difference.rms, 3)
+        );
+        let largest = format!(
+            "{} {}",
+            localize(LARGEST),
+            input.language.significant(difference.largest, 3)
+        );
         let figures = format!("{rms} · {largest}");
         let here = here.map_or_else(String::new, |here| {
-            format!("{}: {}", localize(HERE), three(*here))
+            format!(
+                "{}: {}",
+                localize(HERE),
+                input.language.significant(*here, 3)
+            )
         });
         let style = Style::Body.size(TEXT);
         // In a narrow cell the two figures take both rows.
@@ -141,7 +152,10 @@ fn scale(picture: &mut Picture, most: f64, reference: &Compared, input: &PanelIn
         style,
     );
     let row = Rect::new(6.0, size.y - SCALE, size.x - 12.0, SCALE - 2.0);
-    let (low, high) = (format!("−{}", three(most)), format!("+{}", three(most)));
+    let (low, high) = (
+        format!("−{}", input.language.significant(most, 3)),
+        format!("+{}", input.language.significant(most, 3)),
+    );
     let around = style.width(&low) + style.width(&high) + 12.0;
     let strip = Rect::new(
         row.x + style.width(&low) + 6.0,

@@ -13,8 +13,8 @@ use super::values::told_in_words;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::language::Message;
-use crate::picture::{Ink, Picture, Rect, Style, Text, elide, number};
+use crate::language::{Language, Message};
+use crate::picture::{Ink, Picture, Rect, Style, Text, elide};
 use crate::replay::Run;
 use crate::replay::form_factor::{Running, State, Way};
 use glam::Vec2;
@@ -135,7 +135,8 @@ impl Layout<'_> {
 
     /// The value, the reference, how far they are apart, how many rays met, and what nothing blocks.
     fn lines(&self) -> Vec<(String, Text)> {
-        let localize = |strings: Message| strings.text(self.input.language);
+        let language = self.input.language;
+        let localize = |strings: Message| strings.text(language);
         let strong = Style::LabelBold.size(12.0).ink(Ink::This);
         let quiet = Style::Label.size(11.0).ink(Ink::Muted);
         let counted = |strings: Message, part: usize, all: usize| {
@@ -147,17 +148,17 @@ impl Layout<'_> {
         let mut lines = Vec::new();
         let last = self.running().last().map(|&(f, _)| f);
         match (self.state.found, last) {
-            (Some((f, _)), _) => lines.push((format!("F_i_j = {}", number(f)), strong)),
-            (None, Some(f)) => lines.push((format!("F_i_j ← {}", number(f)), strong)),
+            (Some((f, _)), _) => lines.push((format!("F_i_j = {}", language.number(f)), strong)),
+            (None, Some(f)) => lines.push((format!("F_i_j ← {}", language.number(f)), strong)),
             (None, None) => {}
         }
         if let Some((exact, _)) = self.state.reference {
-            let text = format!("{}: {}", localize(EXACT), number(exact));
+            let text = format!("{}: {}", localize(EXACT), language.number(exact));
             lines.push((text, quiet.ink(Ink::Text)));
             let found = self.state.found.map(|(f, _)| f);
             let whole = found.or(last.filter(|_| self.state.runs_as_mean()));
             if let Some(f) = whole.filter(|_| exact > 0.0) {
-                let error = percent((f - exact) / exact);
+                let error = percent((f - exact) / exact, language);
                 lines.push((format!("{}: {error}", localize(ERROR)), quiet));
             }
         }
@@ -180,15 +181,14 @@ impl Layout<'_> {
             lines.push(counted(FREE, free, all));
         }
         if let Some((share, _)) = self.state.visible {
-            lines.push((format!("V_i_j = {}", number(share)), quiet));
+            lines.push((format!("V_i_j = {}", language.number(share)), quiet));
         }
         lines
     }
 }
 
-fn percent(share: f64) -> String {
-    let percent: f64 = format!("{:.1e}", 100.0 * share).parse().unwrap_or(f64::NAN);
-    format!("{} %", number(percent))
+fn percent(share: f64, language: Language) -> String {
+    format!("{} %", language.significant(100.0 * share, 2))
 }
 
 #[cfg(test)]

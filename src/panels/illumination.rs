@@ -122,7 +122,7 @@ fn rows(point: &CurrentPoint, language: Language) -> Vec<Row> {
         .into_iter()
         .map(|(name, term, told_by, ink)| Row {
             name: symbol(name),
-            value: term.map_or("–".into(), |term| short(Value::from(term), 3)),
+            value: term.map_or("–".into(), |term| short(Value::from(term), 3, language)),
             tag: Tag::Field(name),
             told_by,
             ink,
@@ -137,7 +137,7 @@ fn rows(point: &CurrentPoint, language: Language) -> Vec<Row> {
     let mut factor = |name: String, value: f64, tag, ink| {
         rows.push(Row {
             name,
-            value: short(Value::Number(value), 4),
+            value: language.short(value, 4),
             tag: Tag::Field(tag),
             told_by: "ToLight",
             ink,
@@ -300,7 +300,7 @@ mod tests {
         let slide = recorded("slide_factor");
         let picture = draw(&fixture.input(), Vec2::new(420.0, 400.0));
         for value in [standard, slide, slide / standard] {
-            let shown = short(Value::Number(value), 4);
+            let shown = Language::English.short(value, 4);
             let found = texts(&picture).iter().any(|(text, _)| *text == shown);
             assert!(found, "{shown}");
         }

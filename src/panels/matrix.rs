@@ -9,7 +9,7 @@ use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::radiosity::SolverEvent;
 use crate::language::{Language, Message};
-use crate::picture::{Picture, number};
+use crate::picture::Picture;
 use crate::replay::Run;
 use crate::replay::radiosity::State;
 use glam::Vec2;
@@ -114,10 +114,17 @@ impl Layout<'_> {
             let (i, name) = (hand.i, self.name(hand.i));
             text.push_str(&format!(" {name} {} {i}", localize(does)));
             if !hand.shoots() {
-                text.push_str(&format!(", {} {}", localize(SUM), number(self.row_sums[i])));
+                text.push_str(&format!(
+                    ", {} {}",
+                    localize(SUM),
+                    self.language.number(self.row_sums[i])
+                ));
             }
             if let Some((row, column, f)) = hand.entry {
-                text.push_str(&format!("; F({row}, {column}) = {}", number(f)));
+                text.push_str(&format!(
+                    "; F({row}, {column}) = {}",
+                    self.language.number(f)
+                ));
             }
             text.push('.');
         }

@@ -5,9 +5,9 @@ use super::PanelInput;
 use super::comparison::cursor::Cursor;
 use super::message::{NOT_COMPARED, message};
 use super::values::told_in_words;
-use crate::language::Message;
+use crate::language::{Language, Message};
 use crate::numeric::perceived;
-use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide, number};
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide};
 use crate::render::Method;
 use crate::render::compare::Compared;
 use glam::Vec2;
@@ -81,7 +81,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     // One margin for all, so that the same column stands above itself.
     let numbers = ranges.iter().flat_map(|&(low, high)| [low, high]);
     let style = Style::Body.size(TEXT);
-    let widths = numbers.map(|end| style.width(&number(three(end))));
+    let widths = numbers.map(|end| style.width(&input.language.significant(end, 3)));
     let left = widths.fold(0.0, f32::max) + 8.0;
     for (strip, ((strings, values, _), (low, high))) in fields.into_iter().zip(ranges).enumerate() {
         let field = Field {
@@ -95,7 +95,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             low,
             high,
         };
-        field.frame(&mut picture, localize(strings), cursor.x);
+        field.frame(&mut picture, localize(strings), cursor.x, input.language);
         for profile in &profiles {
             field.curve(&mut picture, profile, values(profile));
         }
@@ -108,7 +108,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         format!(
             "{name}: {} {}",
             localize(LARGEST_JUMP),
-            number(three(profile.jump))
+            input.language.significant(profile.jump, 3)
         )
     });
     picture.alt = format!(
@@ -273,7 +273,7 @@ impl Field {
         self.place.bottom() - self.place.height * share.clamp(0.0, 1.0) as f32
     }
 
-    fn frame(&self, picture: &mut Picture, title: &str, cursor: Option<u32>) {
+    fn frame(&self, picture: &mut Picture, title: &str, cursor: Option<u32>, language: Language) {
         let style = Style::Body.size(TEXT).ink(Ink::Muted);
         let row = Rect::new(self.place.x, self.place.y - ROW, self.place.width, ROW);
         picture.text_in(
@@ -299,7 +299,7 @@ impl Field {
             let baseline = at + style.baseline_below_middle();
             picture.text(
                 (self.place.x - 5.0, baseline),
-                number(three(value)),
+                language.significant(value, 3),
                 style.end(),
             );
         }
@@ -364,11 +364,6 @@ impl Field {
         picture.text_in(row, format!("x = {}", self.columns.start), style);
         picture.text_in(row, format!("x = {last}"), style.end());
     }
-}
-
-/// To three digits.
-fn three(value: f64) -> f64 {
-    format!("{value:.2e}").parse().unwrap_or(value)
 }
 
 #[cfg(test)]

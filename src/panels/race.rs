@@ -9,7 +9,7 @@ use crate::algorithms::radiosity::race::{Lap, Race, Racer};
 use crate::algorithms::radiosity::{Solver, Unsolved};
 use crate::figure::LogAxes;
 use crate::language::{Language, Message};
-use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide, number};
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
 use glam::Vec2;
@@ -308,19 +308,14 @@ fn standing(racer: &Racer, now: Now, language: Language) -> String {
     let effort = format!(
         "{} · {} {unit}",
         last.iterations,
-        number(three(many * last.seconds))
+        // No clock tells more than three digits.
+        language.significant(many * last.seconds, 3)
     );
     match racer.unsolved {
         None => effort,
         Some(Unsolved::NotConverged { .. }) => format!("{} ({effort})", localize(GAVE_UP)),
         Some(_) => localize(GAVE_UP).to_owned(),
     }
-}
-
-/// To three digits: no clock tells more.
-fn three(value: f64) -> f64 {
-    let text = format!("{value:.2e}");
-    text.parse().unwrap_or(value)
 }
 
 fn in_words(input: &PanelInput, race: &Race, now: Now) -> String {

@@ -18,7 +18,7 @@ use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, Text, elide};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
 use colors::{DECADES, shares, viridis};
-use exchange::{Exchange, three_digits};
+use exchange::Exchange;
 use glam::Vec2;
 use room_view::RoomView;
 
@@ -85,7 +85,14 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             });
         }
         if let Some(exchange) = &exchange {
-            exchange.draw(&mut picture, prepared, room, &view, &fit, area);
+            exchange.draw(
+                &mut picture,
+                (prepared, room),
+                input.language,
+                &view,
+                &fit,
+                area,
+            );
         }
     }
     picture
@@ -131,7 +138,7 @@ fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
             color: Rgb::splat,
             ends: [
                 "0".to_string(),
-                format!("≥ {}", three_digits(1.0 / exposure)),
+                format!("≥ {}", input.language.significant(1.0 / exposure, 3)),
             ],
         }),
     }];
@@ -148,8 +155,8 @@ fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
             scale: Some(Scale {
                 color: viridis,
                 ends: [
-                    format!("≤ {}", three_digits(least)),
-                    three_digits(unshot.brightest),
+                    format!("≤ {}", input.language.significant(least, 3)),
+                    input.language.significant(unshot.brightest, 3),
                 ],
             }),
         });
@@ -292,7 +299,7 @@ fn in_words(
         strings = format!(
             "{strings} {} {}",
             localize(IN_HAND),
-            exchange.in_words(prepared, room)
+            exchange.in_words(prepared, room, input.language)
         );
     }
     strings

@@ -24,7 +24,7 @@ use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::replay::rays::{Outcome, RayState, State};
 use arrange::{Arrangement, Detail, arrange};
 use glam::Vec2;
-use node::{Describer, Standing, letter, line, number};
+use node::{Describer, Standing, letter, line};
 use pick::{Node, Rays};
 use strings::*;
 
@@ -54,7 +54,14 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let (rising, returning) = rising(input, state);
 
     let mut picture = Picture::new(size.x, size.y);
-    edges::draw(&mut picture, &rays, &arrangement, rising, places.tree);
+    edges::draw(
+        &mut picture,
+        &rays,
+        &arrangement,
+        rising,
+        input.language,
+        places.tree,
+    );
     nodes(&mut picture, &describer, &rays, &arrangement, places.tree);
     let levels = input.run.method() == Method::RayTracing;
     let said = said_of_tree(&describer, &rays, &arrangement, levels);
@@ -345,7 +352,7 @@ fn head(picture: &mut Picture, said: &str, legend: bool, area: Rect) {
 fn in_words(describer: &Describer, ray: &RayState) -> String {
     let mut said = describer.name(ray)[0].clone();
     if let Some(met) = ray.met.filter(|met| met.t().is_finite()) {
-        said += &format!(", t {}", number(met.t()));
+        said += &format!(", t {}", describer.number(met.t()));
     }
     if node::nothing_passes(ray) {
         said += &format!(", {}", describer.localize(TIR));
@@ -360,8 +367,10 @@ fn in_words(describer: &Describer, ray: &RayState) -> String {
         };
     }
     match (ray.returned, ray.sum) {
-        (Some((light, _)), _) => said + &format!("; I = {}", node::color(light)),
-        (None, Some(sum)) => said + &format!("; I sum = {}", node::color(sum)),
+        (Some((light, _)), _) => {
+            said + &format!("; I = {}", node::color(light, describer.language))
+        }
+        (None, Some(sum)) => said + &format!("; I sum = {}", node::color(sum, describer.language)),
         (None, None) => said,
     }
 }

@@ -15,11 +15,10 @@ pub use grip::{Grip, grip};
 use super::PanelInput;
 use super::message::{NO_RAYS, NO_STEPS, message};
 use super::names;
-use super::values::{short, told_in_words};
+use super::values::told_in_words;
 use crate::algorithms::visible::Intersection;
 use crate::language::{Language, Message};
 use crate::picture::{Picture, Rect};
-use crate::record::Value;
 use crate::replay::rays::State;
 use glam::Vec2;
 use view::View;
@@ -92,13 +91,13 @@ fn in_words(state: &State, language: Language) -> String {
             format!(
                 " → {}, t {}",
                 names::light(light, language),
-                short(Value::Number(t), 3)
+                language.short(t, 3)
             )
         }
         Some(Intersection::Object(hit)) => format!(
             " → {}, t {}",
             names::object(&state.prepared, hit.object),
-            short(Value::Number(hit.t), 3)
+            language.short(hit.t, 3)
         ),
     };
     format!(

@@ -25,7 +25,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         Run::Wireframe(replay) => match replay.state().line {
             Some(ends) => {
                 let mut picture = Picture::new(size.x, size.y);
-                line::draw(&mut picture, replay, ends);
+                line::draw(&mut picture, replay, ends, input.language);
                 picture.alt = told_in_words(input);
                 picture
             }
@@ -48,7 +48,7 @@ fn of_state(input: &PanelInput, state: &State, size: Vec2) -> Picture {
         None => 0.0,
     };
     let area = Rect::new(0.0, 0.0, size.x, size.y - bars);
-    polygon::draw(&mut picture, state, area);
+    polygon::draw(&mut picture, state, input.language, area);
     if bars > 0.0 {
         let area = Rect::new(0.0, area.bottom(), size.x, bars).grown(-2.0);
         match bars::Interpolation::current(state) {
@@ -146,7 +146,7 @@ mod tests {
         let recorded = walk.own_fields(walk.position()).get("I_4_incremental");
         let expected = format!(
             "I_4 = {}",
-            super::super::values::short(recorded.unwrap(), 3)
+            super::super::values::short(recorded.unwrap(), 3, crate::language::Language::English)
         );
         let picture = draw(&fixture.input(), Vec2::new(480.0, 400.0));
         assert!(

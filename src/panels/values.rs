@@ -1,39 +1,36 @@
 //! How panels write and colour the values that events tell.
 
-use super::PanelInput;
+use super::{PanelInput, names};
 use crate::color::Rgb;
 use crate::language::{Language, Message};
-use crate::picture::{Ink, fixed, number};
+use crate::picture::Ink;
 use crate::record::Value;
 
 const STEP: Message = Message("panels-step");
 
 /// A value with at most `digits` decimals: one number for a grey colour, three for another.
-pub(super) fn short(value: Value, digits: usize) -> String {
-    let decimal = |v: f64| trimmed(&fixed(v, digits));
+pub(super) fn short(value: Value, digits: usize, language: Language) -> String {
+    let decimal = |v: f64| language.short(v, digits);
     match value {
         Value::Number(number) => decimal(number),
-        Value::Integer(integer) => fixed(integer as f64, 0),
+        Value::Integer(integer) => decimal(integer as f64),
         Value::Rgb(color) if color.is_grey() => decimal(color.r),
         Value::Rgb(color) => color.channels().map(decimal).join(" "),
         Value::Vector(vector) => vector.to_array().map(decimal).join(" "),
-        Value::Truth(truth) => truth.to_string(),
-        Value::Word(word) => word.to_string(),
+        Value::Truth(truth) => yes_or_no(truth).text(language).to_string(),
+        Value::Word(word) => names::word(word, language).to_string(),
     }
 }
 
 /// A difference of nearly equal values, by its order of magnitude: `2.2e−16`, `0`; of vectors, its length.
-pub(super) fn difference(value: Value) -> String {
-    let small = |v: f64| match v {
-        0.0 => "0".to_string(),
-        v => format!("{v:.1e}").replace('-', "−"),
-    };
+pub(super) fn difference(value: Value, language: Language) -> String {
+    let small = |v: f64| language.magnitude(v);
     match value {
         Value::Number(number) => small(number),
         Value::Rgb(color) if color.is_grey() => small(color.r),
         Value::Rgb(color) => color.channels().map(small).join(" "),
         Value::Vector(vector) => small(vector.length()),
-        value => short(value, 6),
+        value => short(value, 6, language),
     }
 }
 
@@ -66,35 +63,38 @@ pub(super) fn step_in_words(input: &PanelInput) -> String {
     format!("{step} {position}, {}", walk.kind(position))
 }
 
-const YES: Message = Message("panels-yes");
-const NO: Message = Message("panels-no");
+fn yes_or_no(truth: bool) -> Message {
+    Message(if truth { "panels-yes" } else { "panels-no" })
+}
 
 /// A value in one line: numbers to six digits, a grey as one number, vectors and colours with `decimals` each.
 pub(super) fn shown(value: Value, decimals: usize, language: Language) -> String {
     match value {
-        Value::Number(v) => number(v),
-        Value::Integer(v) => number(v as f64),
-        Value::Rgb(color) if color.is_grey() => number(color.r),
+        Value::Number(v) => language.number(v),
+        Value::Integer(v) => language.number(v as f64),
+        Value::Rgb(color) if color.is_grey() => language.number(color.r),
         Value::Rgb(color) => color
             .channels()
-            .map(|channel| component(channel, decimals))
+            .map(|channel| component(channel, decimals, language))
             .join("  "),
-        Value::Vector(v) => format!("({})", v.to_array().map(|v| fixed(v, decimals)).join(", ")),
-        Value::Truth(true) => YES.text(language).to_string(),
-        Value::Truth(false) => NO.text(language).to_string(),
-        Value::Word(word) => word.to_string(),
+        Value::Vector(v) => {
+            let components = v.to_array().map(|v| language.fixed(v, decimals));
+            format!("({})", language.list(components))
+        }
+        Value::Truth(truth) => yes_or_no(truth).text(language).to_string(),
+        Value::Word(word) => names::word(word, language).to_string(),
     }
 }
 
 /// With `decimals`, but what would round to zero with two digits: a difference of 10⁻¹⁷ is none of 0.
-fn component(v: f64, decimals: usize) -> String {
+fn component(v: f64, decimals: usize, language: Language) -> String {
     let rounds_to_zero = v.abs() < 0.5 * 10_f64.powi(-(decimals as i32));
     if v == 0.0 {
         "0".to_string()
     } else if rounds_to_zero {
-        number(format!("{v:.1e}").parse().unwrap_or(v))
+        language.significant(v, 2)
     } else {
-        fixed(v, decimals)
+        language.fixed(v, decimals)
     }
 }
 
@@ -107,23 +107,12 @@ pub(super) fn told_in_words(input: &PanelInput) -> String {
     let values: Vec<String> = walk
         .own_fields(walk.position())
         .iter()
-        .map(|field| format!("{} = {}", field.name, short(field.value, 6)))
+        .map(|field| format!("{} = {}", field.name, short(field.value, 6, input.language)))
         .collect();
     if values.is_empty() {
         return format!("{}.", step_in_words(input));
     }
     format!("{}: {}.", step_in_words(input), values.join(", "))
-}
-
-fn trimmed(decimal: &str) -> String {
-    if decimal.contains('.') {
-        decimal
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .to_string()
-    } else {
-        decimal.to_string()
-    }
 }
 
 #[cfg(test)]
@@ -133,11 +122,20 @@ mod tests {
 
     #[test]
     fn grey_is_one_number_and_differences_are_magnitudes() {
-        assert_eq!(short(Rgb::splat(0.514).into(), 3), "0.514");
-        assert_eq!(short(Rgb::new(0.5, 0.25, -0.1).into(), 2), "0.5 0.25 −0.1");
-        assert_eq!(short(Value::Number(6.0), 2), "6");
-        assert_eq!(difference(Value::Number(-f64::EPSILON)), "−2.2e−16");
-        assert_eq!(difference(Rgb::BLACK.into()), "0");
+        assert_eq!(
+            short(Rgb::splat(0.514).into(), 3, Language::English),
+            "0.514"
+        );
+        assert_eq!(
+            short(Rgb::new(0.5, 0.25, -0.1).into(), 2, Language::English),
+            "0.5 0.25 −0.1"
+        );
+        assert_eq!(short(Value::Number(6.0), 2, Language::English), "6");
+        assert_eq!(
+            difference(Value::Number(-f64::EPSILON), Language::English),
+            "−2.2e−16"
+        );
+        assert_eq!(difference(Rgb::BLACK.into(), Language::English), "0");
         assert_eq!(on_swatch(Some(Rgb::BLACK.into())), Ink::Rgb(Rgb::WHITE));
     }
 

@@ -67,7 +67,14 @@ fn at_point(input: &PanelInput, size: Vec2) -> Picture {
     let walk = input.run.walk();
     let kind = walk.kind(walk.position());
     let mut picture = Picture::new(size.x, size.y);
-    let angles = point::draw(&mut picture, point, prepared.view.eye, kind, size);
+    let angles = point::draw(
+        &mut picture,
+        point,
+        prepared.view.eye,
+        kind,
+        input.language,
+        size,
+    );
     picture.alt = format!("{} {angles}.", told_in_words(input));
     picture
 }

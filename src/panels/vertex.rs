@@ -122,7 +122,7 @@ mod tests {
             let walk = fixture.run.walk();
             let recorded = walk.own_fields(walk.position()).get(name).unwrap();
             let picture = draw(&fixture.input(), Vec2::new(560.0, 360.0));
-            let shown = short(recorded, 3);
+            let shown = short(recorded, 3, Language::English);
             let found = texts(&picture).iter().any(|(text, _)| *text == shown);
             assert!(found, "{name} = {shown}");
             assert!(picture.tagged_bounds(Tag::Field(name)).is_some());

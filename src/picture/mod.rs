@@ -25,7 +25,6 @@ mod hit;
 mod ink;
 mod line;
 mod math;
-mod number;
 mod path;
 mod raster;
 mod rect;
@@ -39,7 +38,6 @@ use glam::Vec2;
 
 pub use ink::{Dash, Fill, Ink, Paint, Stroke};
 pub use math::{Run, Script, braced, math, symbol};
-pub use number::{fixed, number, power_of_ten};
 pub use raster::{RasterError, draw_over, rasterize, to_png};
 pub use rect::Rect;
 pub use shape::{Image, Item, Shape};

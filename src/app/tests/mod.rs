@@ -13,7 +13,7 @@ use super::{narration, strings, style};
 use crate::algorithms::focus::Focus;
 use crate::lesson::{Answer, Lesson, builtin};
 use crate::panels::strings::Language;
-use crate::picture::{Ink, Tag, Theme, number, to_png};
+use crate::picture::{Ink, Tag, Theme, to_png};
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -292,7 +292,7 @@ fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
         panic!("a number is asked for")
     };
     assert_eq!(standing, Standing::Wrong);
-    let value = number(rounded(value, tolerance));
+    let value = Language::English.number(rounded(value, tolerance));
     let recorded = format!("Not quite. The answer is {value}.");
     screen.harness.get_by_label(&recorded);
     screen.keep("wrong");

@@ -1,7 +1,7 @@
 //! The value as it runs, against the reference.
 
 use super::{EXACT, Layout};
-use crate::picture::{Ink, Picture, Rect, Style, Tag, number};
+use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use glam::Vec2;
 
 /// More values than these are thinned.
@@ -44,7 +44,7 @@ pub fn draw(picture: &mut Picture, layout: &Layout, place: Rect) {
     let below = Rect::new(place.x, frame.bottom() + 1.0, place.width, 15.0);
     picture.text_in(below, "0", set);
     if !running.is_empty() {
-        picture.text_in(below, number(running.len() as f64), set.end());
+        picture.text_in(below, running.len().to_string(), set.end());
     }
     if let Some(exact) = exact {
         let at = y(exact);

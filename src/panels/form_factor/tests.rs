@@ -30,7 +30,7 @@ fn at_the_end_the_value_stands_beside_the_reference() {
         };
         let picture = draw(&fixture.input(), Vec2::new(800.0, 500.0));
         let printed: Vec<&str> = texts(&picture).into_iter().map(|(text, _)| text).collect();
-        let value = format!("F_i_j = {}", number(f));
+        let value = format!("F_i_j = {}", Language::English.number(f));
         assert!(printed.contains(&value.as_str()), "{value}: {printed:?}");
         assert!(printed.iter().any(|text| text.starts_with("reference: ")));
     }

@@ -4,7 +4,7 @@ use super::grid::Grid;
 use super::{Hand, Layout};
 use crate::algorithms::radiosity::SolverEvent;
 use crate::figure::viridis;
-use crate::picture::{Image, Ink, Paint, Picture, Rect, Style, Tag, elide, fixed, number};
+use crate::picture::{Image, Ink, Paint, Picture, Rect, Style, Tag, elide};
 use std::ops::Range;
 
 const MARGIN: f32 = 8.0;
@@ -104,11 +104,14 @@ fn title(picture: &mut Picture, layout: &Layout) {
             } else {
                 (column, "F_i_j")
             };
-            parts.push(format!("{symbol} = {}", number(f)));
+            parts.push(format!("{symbol} = {}", layout.language.number(f)));
             parts.push(format!("j = {other}: {}", layout.name(other)));
         }
         if !hand.shoots() {
-            parts.push(format!("Σ_j F_i_j = {}", fixed(layout.row_sums[hand.i], 4)));
+            parts.push(format!(
+                "Σ_j F_i_j = {}",
+                layout.language.fixed(layout.row_sums[hand.i], 4)
+            ));
         }
     }
     let mut text = String::new();
@@ -377,7 +380,7 @@ fn system(picture: &mut Picture, layout: &Layout, rho: f64, emission: f64, place
             picture.text_in(cell(j, 0), symbol, small().end());
             picture.text_in(
                 cell(j, 1),
-                fixed(value, 3),
+                layout.language.fixed(value, 3),
                 style.size(SMALL).ink(ink).end(),
             );
         });
@@ -390,5 +393,5 @@ fn system(picture: &mut Picture, layout: &Layout, rho: f64, emission: f64, place
     );
     picture.text_in(last, "E_i", small().end());
     let set = Style::Label.size(SMALL).end();
-    picture.text_in(cell(layout.n, 1), fixed(emission, 3), set);
+    picture.text_in(cell(layout.n, 1), layout.language.fixed(emission, 3), set);
 }

@@ -8,7 +8,8 @@ use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::radiosity::SolverEvent;
-use crate::picture::{Dash, Ink, Picture, Rect, Shape, Stroke, Style, Tag, number};
+use crate::language::Language;
+use crate::picture::{Dash, Ink, Picture, Rect, Shape, Stroke, Style, Tag};
 use crate::record::Value;
 use crate::replay::Run;
 use crate::replay::radiosity::Focused;
@@ -81,19 +82,24 @@ impl Exchange {
         }
     }
 
-    fn recorded(&self) -> Option<String> {
+    fn recorded(&self, language: Language) -> Option<String> {
         let (symbol, value) = self.value?;
-        Some(format!("{symbol} = {}", three_digits(value)))
+        Some(format!("{symbol} = {}", language.significant(value, 3)))
     }
 
-    pub fn in_words(&self, prepared: &PreparedScene, room: &Enclosure) -> String {
+    pub fn in_words(
+        &self,
+        prepared: &PreparedScene,
+        room: &Enclosure,
+        language: Language,
+    ) -> String {
         let name = |patch| names::patch(prepared, room, patch);
         let mut strings = format!("i = {}", name(self.i));
         if let Some(j) = self.j {
             let way = if self.outward { "→" } else { "←" };
             strings = format!("{strings} {way} j = {}", name(j));
         }
-        match self.recorded() {
+        match self.recorded(language) {
             Some(value) => format!("{strings}, {}.", value.replace(['{', '}'], "")),
             None => format!("{strings}."),
         }
@@ -103,8 +109,8 @@ impl Exchange {
     pub fn draw(
         &self,
         picture: &mut Picture,
-        prepared: &PreparedScene,
-        room: &Enclosure,
+        (prepared, room): (&PreparedScene, &Enclosure),
+        language: Language,
         view: &RoomView,
         fit: &Fit,
         area: Rect,
@@ -138,7 +144,7 @@ impl Exchange {
                 picture.arrow(from, to, self.stroke());
             });
             labels.avoid(from, to);
-            if let Some(value) = self.recorded() {
+            if let Some(value) = self.recorded(language) {
                 let aside = (to - from).perp();
                 let middle = (from.lerp(to, 0.5), 3.0);
                 let style = Style::LabelBold.size(text).ink(Ink::This);
@@ -184,9 +190,4 @@ fn lay_over(picture: &mut Picture, labels: Picture) {
         }
         picture.items.push(item);
     }
-}
-
-/// As few digits as a drawing has room for.
-pub(super) fn three_digits(value: f64) -> String {
-    number(format!("{value:.2e}").parse().unwrap_or(value))
 }

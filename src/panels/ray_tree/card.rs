@@ -1,13 +1,11 @@
 //! All about the ray in hand beside its tree: what it met, what stands before each light, and the light that comes back up.
 
-use super::node::{Describer, bracketed, color, ink, letter, mark, nothing_passes, number};
+use super::node::{Describer, bracketed, color, ink, letter, mark, nothing_passes};
 use super::strings::*;
 use crate::algorithms::ray_tree::End;
 use crate::algorithms::visible::Intersection;
 use crate::color::Rgb;
-use crate::panels::values::short;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide, symbol};
-use crate::record::Value;
 use crate::replay::rays::{Outcome, RayState, Target};
 
 const ROW: f32 = 17.0;
@@ -92,9 +90,13 @@ pub(super) fn draw(
 pub(super) fn line(picture: &mut Picture, describer: &Describer, ray: &RayState, area: Rect) {
     let mut parts = vec![describer.name(ray)[0].clone()];
     let verdicts = ray.shadows.iter().map(|verdict| {
-        let by = verdict
-            .by
-            .map(|hit| format!(" {}, t {}", describer.object(hit.object), number(hit.t)));
+        let by = verdict.by.map(|hit| {
+            format!(
+                " {}, t {}",
+                describer.object(hit.object),
+                describer.number(hit.t)
+            )
+        });
         format!(
             "{} {}{}",
             describer.light(verdict.light),
@@ -104,8 +106,13 @@ pub(super) fn line(picture: &mut Picture, describer: &Describer, ray: &RayState,
     });
     parts.extend(verdicts);
     match (ray.returned, ray.sum) {
-        (Some((returned, _)), _) => parts.insert(1, format!("I {}", color(returned))),
-        (None, Some(sum)) => parts.insert(1, format!("{} {}", symbol("I_sum"), color(sum))),
+        (Some((returned, _)), _) => {
+            parts.insert(1, format!("I {}", color(returned, describer.language)))
+        }
+        (None, Some(sum)) => parts.insert(
+            1,
+            format!("{} {}", symbol("I_sum"), color(sum, describer.language)),
+        ),
         _ => {}
     }
     let set = Style::Label.size(11.0);
@@ -194,12 +201,12 @@ fn surface(describer: &Describer, ray: &RayState) -> Section {
     let light = ray.returned.map(|(color, _)| color).or(ray.sum);
     let mut place = Vec::new();
     if let Some(met) = ray.met.filter(|met| met.t().is_finite()) {
-        place.push(format!("t {}", short(Value::Number(met.t()), 3)));
+        place.push(format!("t {}", describer.language.short(met.t(), 3)));
     }
     if let Some((normal, cosine, _)) = ray.surface.and_then(|surface| surface.facing) {
-        let normal = short(Value::Vector(normal), 3).replace(' ', ", ");
-        place.push(format!("  N ({normal})"));
-        place.push(format!("  cos θ_i {}", short(Value::Number(cosine), 3)));
+        let normal = normal.to_array().map(|v| describer.language.short(v, 3));
+        place.push(format!("  N ({})", describer.language.list(normal)));
+        place.push(format!("  cos θ_i {}", describer.language.short(cosine, 3)));
     }
     match ray.met {
         None => entries.extend(search(describer)),
@@ -215,12 +222,12 @@ fn surface(describer: &Describer, ray: &RayState) -> Section {
     if let Some(refraction) = ray.refraction {
         let eta = format!(
             "η {} → {}",
-            number(refraction.eta_i),
-            number(refraction.eta_r)
+            describer.number(refraction.eta_i),
+            describer.number(refraction.eta_r)
         );
         let radicand = format!(
             "  cos^2 θ_r {}",
-            short(Value::Number(refraction.radicand), 3)
+            describer.language.short(refraction.radicand, 3)
         );
         let mut parts = vec![eta, radicand];
         if nothing_passes(ray) {
@@ -255,7 +262,7 @@ fn search(describer: &Describer) -> Option<Entry> {
     let mut parts = Vec::new();
     if let Some(tested) = search.tested {
         let t = if tested.t.is_finite() {
-            format!("t {}", number(tested.t))
+            format!("t {}", describer.number(tested.t))
         } else {
             describer.localize(MISSED)
         };
@@ -266,7 +273,7 @@ fn search(describer: &Describer) -> Option<Entry> {
         ));
     }
     if let Some(nearest) = search.nearest {
-        let (word, t) = (describer.localize(NEAREST), number(nearest.t));
+        let (word, t) = (describer.localize(NEAREST), describer.number(nearest.t));
         parts.push(format!("· {word}: {}, t {t}", name(nearest.target)));
     }
     (!parts.is_empty()).then(|| Entry::parts(parts))
@@ -281,7 +288,7 @@ fn lights(describer: &Describer, ray: &RayState) -> Option<Section> {
         let lights = point.map_or(&[][..], |point| &point.lights);
         let lit = lights.iter().find(|lit| lit.light == light);
         lit.and_then(|lit| lit.to_light)
-            .map(|(_, cosine)| format!("  N·L {}", number(cosine)))
+            .map(|(_, cosine)| format!("  N·L {}", describer.number(cosine)))
     };
     let mut entries: Vec<Entry> = ray
         .shadows
@@ -290,13 +297,13 @@ fn lights(describer: &Describer, ray: &RayState) -> Option<Section> {
             let why = match (verdict.blocked, verdict.by) {
                 (true, Some(hit)) => {
                     let (by, name) = (describer.localize(BLOCKED_BY), describer.object(hit.object));
-                    format!("{by} {name}, t {}", number(hit.t))
+                    format!("{by} {name}, t {}", describer.number(hit.t))
                 }
                 (true, None) => describer.localize(BLOCKED),
                 (false, _) => format!(
                     "{}, d {}",
                     describer.localize(CLEAR),
-                    number(verdict.distance)
+                    describer.number(verdict.distance)
                 ),
             };
             let mark = mark(!verdict.blocked);
@@ -312,7 +319,7 @@ fn lights(describer: &Describer, ray: &RayState) -> Option<Section> {
         let mut text = format!("{}  …", describer.light(shadow.light));
         if let Some((object, t, _)) = shadow.tested {
             let place = if t.is_finite() {
-                format!("t {}", number(t))
+                format!("t {}", describer.number(t))
             } else {
                 describer.localize(MISSED)
             };
@@ -376,13 +383,16 @@ pub(super) fn sum(describer: &Describer, ray: &RayState) -> Vec<String> {
     let name = &describer.name(ray)[0];
     let returned = ray.returned.map(|(returned, _)| returned);
     let Some(local) = ray.local else {
-        let light = returned.map_or_else(|| "…".to_owned(), bracketed);
+        let light = returned.map_or_else(
+            || "…".to_owned(),
+            |light| bracketed(light, describer.language),
+        );
         return vec![format!("{name} → {light}")];
     };
-    let mut parts = vec![format!("{name} → {}", bracketed(local))];
+    let mut parts = vec![format!("{name} → {}", bracketed(local, describer.language))];
     for branch in ray.branches.iter().flatten() {
         let Some(sent) = branch.branch else { continue };
-        let k = bracketed(sent.coefficient);
+        let k = bracketed(sent.coefficient, describer.language);
         let back = match branch.outcome {
             Outcome::Ray(index) => describer.state.rays.get(index).and_then(|ray| ray.returned),
             _ => None,
@@ -390,20 +400,30 @@ pub(super) fn sum(describer: &Describer, ray: &RayState) -> Vec<String> {
         let light = match (branch.outcome, branch.attenuation, back, branch.carried) {
             (Outcome::Ended(_), ..) => format!("0 ({})", describer.localize(DEPTH_REACHED)),
             (_, Some((_, divisor)), Some((light, _)), _) => {
-                format!("{}/{}", bracketed(light), number(divisor))
+                format!(
+                    "{}/{}",
+                    bracketed(light, describer.language),
+                    describer.number(divisor)
+                )
             }
-            (_, None, _, Some(light)) | (_, None, Some((light, _)), None) => bracketed(light),
+            (_, None, _, Some(light)) | (_, None, Some((light, _)), None) => {
+                bracketed(light, describer.language)
+            }
             _ => "…".to_owned(),
         };
         parts.push(format!("+ {k}·{light}"));
     }
     match (returned, ray.sum) {
-        (Some(light), _) => parts.push(format!("= {}", bracketed(light))),
+        (Some(light), _) => parts.push(format!("= {}", bracketed(light, describer.language))),
         (None, Some(sum)) => {
             if ray.branches[1].is_none() {
                 parts.push("+ …".to_owned());
             }
-            parts.push(format!("({} {})", describer.localize(SO_FAR), color(sum)));
+            parts.push(format!(
+                "({} {})",
+                describer.localize(SO_FAR),
+                color(sum, describer.language)
+            ));
         }
         (None, None) => {}
     }

@@ -4,6 +4,7 @@ use super::arrange::{Arrangement, Detail};
 use super::node::{color, letter, line, nothing_passes, too_deep};
 use super::pick::Rays;
 use crate::algorithms::ray_tree::{End, RayKind};
+use crate::language::Language;
 use crate::panels::labels::crosses;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::rays::{CurrentBranch, Outcome};
@@ -18,6 +19,7 @@ pub(super) fn draw(
     rays: &Rays,
     arrangement: &Arrangement,
     rising: Option<usize>,
+    language: Language,
     area: Rect,
 ) {
     let mut taken: Vec<Rect> = arrangement
@@ -85,7 +87,15 @@ pub(super) fn draw(
         }
     }
     for (branch, edge, scale) in labels {
-        label(picture, &branch, (&lines, edge), scale, &mut taken, area);
+        label(
+            picture,
+            &branch,
+            language,
+            (&lines, edge),
+            scale,
+            &mut taken,
+            area,
+        );
     }
     for (i, rect) in arrangement.rects.iter().enumerate() {
         if arrangement.details[i] > Detail::Dot {
@@ -98,6 +108,7 @@ pub(super) fn draw(
 fn label(
     picture: &mut Picture,
     branch: &CurrentBranch,
+    language: Language,
     (lines, edge): (&[[Vec2; 2]], usize),
     scale: f32,
     taken: &mut Vec<Rect>,
@@ -107,7 +118,9 @@ fn label(
     let others = || lines.iter().enumerate().filter(|(line, _)| *line != edge);
     let set = Style::Bold.size(11.0 * scale);
     let letter = letter(branch.kind);
-    let coefficient = branch.branch.map(|branch| color(branch.coefficient));
+    let coefficient = branch
+        .branch
+        .map(|branch| color(branch.coefficient, language));
     let full = coefficient.map(|coefficient| format!("{letter} {coefficient}"));
     let left = branch.kind == RayKind::Reflected;
     let along = bottom - top;

@@ -7,9 +7,7 @@ use crate::algorithms::visible::Intersection;
 use crate::color::Rgb;
 use crate::panels::names;
 use crate::panels::strings::Language;
-use crate::panels::values::short;
 use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, Text, elide, symbol};
-use crate::record::Value;
 use crate::replay::rays::{Outcome, RayState, State};
 
 /// Width of the strip that shows a node's light.
@@ -50,6 +48,11 @@ impl Describer<'_> {
         }
     }
 
+    /// With at most two decimals.
+    pub fn number(&self, value: f64) -> String {
+        self.language.short(value, 2)
+    }
+
     pub fn localize(&self, strings: crate::language::Message) -> String {
         strings.text(self.language).to_owned()
     }
@@ -59,19 +62,14 @@ impl Describer<'_> {
         match ray.met {
             None => [String::new(), String::new()],
             Some(Intersection::Nothing) => [self.localize(LEAVES), self.localize(LEAVES_SHORT)],
-            Some(met) => [(); 2].map(|()| format!("t {}", number(met.t()))),
+            Some(met) => [(); 2].map(|()| format!("t {}", self.number(met.t()))),
         }
     }
 }
 
-/// A number with two decimals.
-pub(super) fn number(value: f64) -> String {
-    short(Value::Number(value), 2)
-}
-
 /// A colour with two decimals; one number where its channels read alike.
-pub(super) fn color(value: Rgb) -> String {
-    let channels = value.channels().map(number);
+pub(super) fn color(value: Rgb, language: Language) -> String {
+    let channels = value.channels().map(|channel| language.short(channel, 2));
     if channels.iter().all(|channel| *channel == channels[0]) {
         channels[0].clone()
     } else {
@@ -80,8 +78,8 @@ pub(super) fn color(value: Rgb) -> String {
 }
 
 /// A colour as a factor or term: three numbers in brackets, one without.
-pub(super) fn bracketed(value: Rgb) -> String {
-    let text = color(value);
+pub(super) fn bracketed(value: Rgb, language: Language) -> String {
+    let text = color(value, language);
     if text.contains(' ') {
         format!("({text})")
     } else {
@@ -244,22 +242,27 @@ pub(super) fn write(
         Detail::Brief => {
             writer.marks(&marks);
             writer.line(&place, body);
-            writer.light(ray);
+            writer.light(ray, describer.language);
             writer.remarks(describer, ray);
         }
         Detail::Full => {
             let facing = ray.surface.and_then(|surface| surface.facing);
-            let cosine = facing.map(|(_, cosine, _)| format!("   cos θ_i {}", number(cosine)));
+            let cosine =
+                facing.map(|(_, cosine, _)| format!("   cos θ_i {}", describer.number(cosine)));
             let place = place[0].clone() + &cosine.unwrap_or_default();
             writer.line(&[place], Style::Label.size(11.0 * scale));
             if let Some((normal, ..)) = facing {
-                let normal = short(Value::Vector(normal), 2);
-                writer.line(&[format!("N ({})", normal.replace(' ', ", "))], muted);
+                let normal = normal.to_array().map(|v| describer.number(v));
+                writer.line(&[format!("N ({})", describer.language.list(normal))], muted);
             }
             for verdict in &ray.shadows {
                 let light = describer.light(verdict.light);
                 let by = verdict.by.map_or_else(String::new, |hit| {
-                    format!("{}, t {}", describer.object(hit.object), number(hit.t))
+                    format!(
+                        "{}, t {}",
+                        describer.object(hit.object),
+                        describer.number(hit.t)
+                    )
                 });
                 let mark = mark(!verdict.blocked);
                 writer.line(
@@ -269,11 +272,15 @@ pub(super) fn write(
             }
             if let Some(local) = ray.local {
                 writer.line(
-                    &[format!("{} {}", symbol("I_local"), color(local))],
+                    &[format!(
+                        "{} {}",
+                        symbol("I_local"),
+                        color(local, describer.language)
+                    )],
                     Style::Label.size(11.0 * scale),
                 );
             }
-            writer.light(ray);
+            writer.light(ray, describer.language);
             writer.remarks(describer, ray);
         }
     }
@@ -349,14 +356,23 @@ impl Writer<'_> {
     }
 
     /// What came back, or what was gathered so far.
-    fn light(&mut self, ray: &RayState) {
+    fn light(&mut self, ray: &RayState, language: Language) {
         let set = Style::Label.size(11.0 * self.scale);
         match (ray.returned, ray.sum) {
             (Some((returned, _)), _) => {
-                self.line(&[format!("I  {}", color(returned)), color(returned)], set);
+                self.line(
+                    &[
+                        format!("I  {}", color(returned, language)),
+                        color(returned, language),
+                    ],
+                    set,
+                );
             }
             (None, Some(sum)) => self.line(
-                &[format!("{}  {}", symbol("I_sum"), color(sum)), color(sum)],
+                &[
+                    format!("{}  {}", symbol("I_sum"), color(sum, language)),
+                    color(sum, language),
+                ],
                 set,
             ),
             (None, None) => {}

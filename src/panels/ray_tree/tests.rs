@@ -100,7 +100,7 @@ fn sums_and_light_are_those_that_were_told() {
             };
             let said = all_words(&draw(&fixture.input(), size));
             assert!(
-                said.contains(&node::color(recorded)),
+                said.contains(&node::color(recorded, Language::English)),
                 "{kind} {n}: {recorded:?} in {said}"
             );
         }
@@ -125,8 +125,8 @@ fn the_way_of_the_light_is_an_equation_of_told_values() {
         language: Language::English,
     };
     let [floor, ball] = [0, 1].map(|index| state.rays.get(index).unwrap());
-    let light = node::bracketed(ball.returned.unwrap().0);
-    let expected = format!("+ 0.2·{light}/{}", number(divisor));
+    let light = node::bracketed(ball.returned.unwrap().0, Language::English);
+    let expected = format!("+ 0.2·{light}/{}", Language::English.short(divisor, 2));
     assert!(said.contains(&expected), "{expected} in {said}");
     assert!(card::sum(&describer, floor)[0].starts_with("floor → "));
     assert!(
@@ -155,7 +155,7 @@ fn a_blocked_light_names_what_blocks_it() {
         let said = all_words(&picture);
         let name = rays_of(&fixture).prepared.scene.objects[3].name.clone();
         assert!(
-            said.contains(&format!("{strings} {name}, t {}", number(t))),
+            said.contains(&format!("{strings} {name}, t {}", language.short(t, 2))),
             "{said}"
         );
         assert!(picture.alt.contains(&name), "{}", picture.alt);

@@ -104,7 +104,7 @@ impl Interpolation {
                 picture.text_in(place, strings, title);
             }
         }
-        self.draw_weights(picture, bars[0]);
+        self.draw_weights(picture, bars[0], language);
         if rows == 2 {
             self.draw_ramp(picture, bars[1]);
         }
@@ -116,7 +116,7 @@ impl Interpolation {
     }
 
     /// A bar in two parts, as long as the weights of the ends.
-    fn draw_weights(&self, picture: &mut Picture, bar: Rect) {
+    fn draw_weights(&self, picture: &mut Picture, bar: Rect, language: Language) {
         let cut = bar.x + self.weights[0].clamp(0.0, 1.0) as f32 * bar.width;
         let parts = [
             Rect::between(bar.min(), (cut, bar.bottom())),
@@ -129,7 +129,7 @@ impl Interpolation {
             .enumerate()
         {
             let (name, _) = self.ends[i];
-            let weight = short(self.weights[i].into(), 3);
+            let weight = language.short(self.weights[i], 3);
             picture.tagged(Tag::Field(name), |picture| {
                 picture.rect(part, fill);
                 let texts = [format!("{weight} → {name}"), name.to_string()];
@@ -190,13 +190,17 @@ impl Interpolation {
             _ => 6,
         };
         let columns = [
-            (DIRECT, self.names[0], exact(direct, digits(direct))),
+            (
+                DIRECT,
+                self.names[0],
+                exact(direct, digits(direct), language),
+            ),
             (
                 INCREMENTAL,
                 self.names[1],
-                exact(incremental, digits(incremental)),
+                exact(incremental, digits(incremental), language),
             ),
-            (DIFFERENCE, "difference", difference(rounding)),
+            (DIFFERENCE, "difference", difference(rounding, language)),
         ];
         let title = Style::Body.size(12.0).ink(Ink::Muted);
         let side_by_side = area.width + 12.0 >= WIDE;
@@ -225,13 +229,13 @@ impl Interpolation {
 }
 
 /// With all its decimals, so that values stand under each other.
-fn exact(value: Value, digits: usize) -> String {
-    let one = |v: f64| crate::picture::fixed(v, digits);
+fn exact(value: Value, digits: usize, language: Language) -> String {
+    let one = |v: f64| language.fixed(v, digits);
     match value {
         Value::Rgb(color) if color.is_grey() => one(color.r),
         Value::Rgb(color) => color.channels().map(one).join(" "),
         Value::Vector(vector) => vector.to_array().map(one).join(" "),
-        value => short(value, digits),
+        value => short(value, digits, language),
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::super::fit::Fit;
 use super::super::labels::Labels;
-use super::super::values::short;
 use crate::algorithms::wireframe::Event;
+use crate::language::Language;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::{Replay, wireframe};
 use glam::{DVec2, Vec2};
@@ -15,6 +15,7 @@ pub(super) fn draw(
     picture: &mut Picture,
     replay: &Replay<Event, wireframe::State>,
     ends: [DVec2; 2],
+    language: Language,
 ) {
     let state = replay.state();
     let area = picture.bounds().grown(-2.0);
@@ -44,11 +45,8 @@ pub(super) fn draw(
             picture.rect(square, Ink::This.stroke(2.5));
             picture.circle(fit.place(exact), 3.5, Ink::This);
             labels.reserve(square);
-            let text = format!(
-                "({}, {})",
-                short(exact.x.into(), 2),
-                short(exact.y.into(), 2)
-            );
+            let place = [exact.x, exact.y].map(|v| language.short(v, 2));
+            let text = format!("({})", language.list(place));
             let set = Style::LabelBold.size(13.0).ink(Ink::This);
             let disc = (square.center(), 0.5 * square.width);
             labels.put(picture, disc, Vec2::new(0.0, -1.0), &text, set);
@@ -64,7 +62,7 @@ pub(super) fn draw(
                 Ink::Surface.fill().outlined(Ink::Linked.stroke(2.0)),
             );
             labels.reserve(Rect::between(place, place).grown(4.0));
-            let [x, y] = [point.x, point.y].map(|v| short(v.into(), 2));
+            let [x, y] = [point.x, point.y].map(|v| language.short(v, 2));
             let text = format!("{} = {x}, {} = {y}", names[0], names[1]);
             let set = Style::Label.size(12.0).ink(Ink::Muted);
             let away = (point - 0.5 * (start + end)).as_vec2();

@@ -4,6 +4,7 @@ use super::super::fit::Fit;
 use super::super::labels::Labels;
 use super::super::values::{on_swatch, short, swatch};
 use super::corners::{Corner, corners, draw_normal};
+use crate::language::Language;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
 use crate::record::Value;
 use crate::replay::shading::{ActiveEdge, CurrentRow, State, Varying};
@@ -21,9 +22,10 @@ struct Drawing<'a> {
     fit: Fit,
     area: Rect,
     labels: Labels,
+    language: Language,
 }
 
-pub(super) fn draw(picture: &mut Picture, state: &State, area: Rect) {
+pub(super) fn draw(picture: &mut Picture, state: &State, language: Language, area: Rect) {
     let corners = corners(state);
     let places = || corners.iter().map(|corner| corner.place);
     let (Some(low), Some(high)) = (places().reduce(DVec2::min), places().reduce(DVec2::max)) else {
@@ -44,6 +46,7 @@ pub(super) fn draw(picture: &mut Picture, state: &State, area: Rect) {
         corners,
         area,
         labels: Labels::new(area.grown(-2.0)),
+        language,
     };
     picture.clipped(area, |picture| drawing.draw(picture));
 }
@@ -360,9 +363,12 @@ impl Drawing<'_> {
         set: Text,
     ) {
         let text = match value {
-            Some(Value::Number(_)) => format!("{name} = {}", short(value.unwrap_or(0.0.into()), 2)),
+            Some(Value::Number(_)) => format!(
+                "{name} = {}",
+                short(value.unwrap_or(0.0.into()), 2, self.language)
+            ),
             Some(Value::Vector(_)) => name.to_string(),
-            Some(value) => format!("{name} = {}", short(value, 3)),
+            Some(value) => format!("{name} = {}", short(value, 3, self.language)),
             None => name.to_string(),
         };
         picture.tagged(Tag::Field(name), |picture| {

@@ -1,12 +1,10 @@
 //! The angles with the normal, and what each light's shadow ray found, as a list.
 
 use super::super::names;
-use super::super::values::short;
 use super::met::SurfaceInSight;
 use crate::color::Rgb;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide};
-use crate::record::Value;
 use crate::replay::rays::Verdict;
 use crate::scene::{Material, Scene};
 use glam::DVec3;
@@ -43,14 +41,20 @@ pub(super) struct Angles {
     lights: usize,
 }
 
-fn degrees(radians: f64) -> String {
-    format!("{}°", short(Value::Number(radians.to_degrees()), 1))
+fn degrees(radians: f64, language: Language) -> String {
+    format!("{}°", language.short(radians.to_degrees(), 1))
 }
 
-fn row(symbol: &str, radians: f64, tag: &'static str, told_by: &'static str) -> Row {
+fn row(
+    symbol: &str,
+    radians: f64,
+    tag: &'static str,
+    told_by: &'static str,
+    language: Language,
+) -> Row {
     Row {
         symbol: symbol.to_string(),
-        value: degrees(radians),
+        value: degrees(radians, language),
         notes: Vec::new(),
         ink: Ink::Muted,
         tag: Tag::Field(tag),
@@ -86,11 +90,12 @@ impl Angles {
                 cosine.min(1.0).acos(),
                 "theta_i_degrees",
                 "Faced",
+                language,
             ));
         }
         if let Some(refraction) = surface.ray.refraction {
             if let Some(angle) = refraction.theta_r() {
-                rows.push(row("θ_r", angle, "theta_r_degrees", "Refraction"));
+                rows.push(row("θ_r", angle, "theta_r_degrees", "Refraction", language));
             }
             if let Some(angle) = refraction.critical_angle() {
                 let note = if refraction.radicand < 0.0 {
@@ -100,7 +105,7 @@ impl Angles {
                 };
                 rows.push(Row {
                     notes: vec![note.to_string()],
-                    ..row("θ_c", angle, "theta_c_degrees", "Refraction")
+                    ..row("θ_c", angle, "theta_c_degrees", "Refraction", language)
                 });
             }
         }
@@ -197,7 +202,7 @@ fn blocked(surface: &SurfaceInSight, verdict: &Verdict, language: Language) -> V
         return vec![strings.to_string()];
     };
     let name = names::object(&surface.state.prepared, hit.object);
-    let t = short(Value::Number(hit.t), 2);
+    let t = language.short(hit.t, 2);
     vec![
         format!("{strings} {name}, t {t}"),
         format!("{name}, t {t}"),
@@ -210,7 +215,7 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
     let strings = |strings: Message| strings.text(language);
     let lean = |vector: DVec3| match surface.lean(vector) {
         lean if lean < 0.05 => String::new(),
-        lean => format!(", {}° {}", short(Value::Number(lean), 1), strings(LEANS)),
+        lean => format!(", {}° {}", language.short(lean, 1), strings(LEANS)),
     };
     let Some(lit) = surface.lit() else {
         return Vec::new();
@@ -232,7 +237,7 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
         let newest = surface
             .current_light()
             .is_some_and(|last| last.light == light.light);
-        let n_dot_l = short(Value::Number(cosine), 3);
+        let n_dot_l = language.short(cosine, 3);
         let first = found.first().map_or("", String::as_str);
         let whole = format!("N·L {n_dot_l} {mark} {first}{}", lean(to_light));
         let without_lean = found
@@ -255,26 +260,33 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
                 cosine.clamp(-1.0, 1.0).acos(),
                 "N_dot_L",
                 if newest { "ToLight" } else { "" },
+                language,
             )
         });
     }
     if let Some(light) = surface.current_light() {
         if let Some((halfway, cosine)) = light.halfway {
-            let n_dot_h = short(Value::Number(cosine), 3);
+            let n_dot_h = language.short(cosine, 3);
             rows.push(Row {
                 notes: vec![
                     format!("N·H {n_dot_h}{}", lean(halfway)),
                     format!("N·H {n_dot_h}"),
                 ],
-                ..row("H", cosine.clamp(-1.0, 1.0).acos(), "N_dot_H", "Halfway")
+                ..row(
+                    "H",
+                    cosine.clamp(-1.0, 1.0).acos(),
+                    "N_dot_H",
+                    "Halfway",
+                    language,
+                )
             });
         }
         if let Some((_, cosine)) = light.mirrored {
             rows.push(Row {
                 symbol: "R_L".to_string(),
                 value: String::new(),
-                notes: vec![format!("R·V {}", short(Value::Number(cosine), 3))],
-                ..row("R_L", 0.0, "R_dot_V", "Mirrored")
+                notes: vec![format!("R·V {}", language.short(cosine, 3))],
+                ..row("R_L", 0.0, "R_dot_V", "Mirrored", language)
             });
         }
     }

@@ -1,10 +1,9 @@
 //! The vectors of the illumination model at a point of a polygon, in the plane of N and V: N is up, V leans to the right.
 
 use super::super::labels::Labels;
-use super::super::values::short;
 use super::plane::{Held, Plane, Tip};
+use crate::language::Language;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
-use crate::record::Value;
 use crate::replay::shading::CurrentPoint;
 use glam::{DVec3, Vec2};
 
@@ -112,6 +111,7 @@ pub(super) fn draw(
     point: &CurrentPoint,
     eye: DVec3,
     kind: &str,
+    language: Language,
     size: Vec2,
 ) -> String {
     let text = text(size);
@@ -153,7 +153,7 @@ pub(super) fn draw(
     let fitting = (list.height / (LINE * text)) as usize;
     for (i, named) in vectors.iter().skip(1).enumerate() {
         let cosine = point.normal.dot(named.vector).clamp(-1.0, 1.0);
-        let angle = format!("{}°", short(Value::Number(cosine.acos().to_degrees()), 1));
+        let angle = format!("{}°", language.short(cosine.acos().to_degrees(), 1));
         strings.push(format!("{} {angle}", named.name));
         if i >= fitting {
             continue;

@@ -2,7 +2,6 @@ use super::super::fixture::{self, Fixture};
 use super::super::fixtures::{self, SIZES, assert_legible, texts};
 use super::super::names;
 use super::super::strings::Language;
-use super::super::values::short;
 use super::*;
 use crate::picture::Tag;
 use crate::record::Value;
@@ -52,7 +51,7 @@ fn angles_are_those_that_the_steps_tell() {
         let Some(Value::Number(angle)) = recorded else {
             panic!("{kind} {n} tells {name}")
         };
-        let shown = format!("{}°", short(Value::Number(angle), 1));
+        let shown = format!("{}°", Language::English.short(angle, 1));
         let picture = draw(&fixture.input(), LARGE);
         assert!(
             printed(&picture).contains(&shown.as_str()),

@@ -68,7 +68,7 @@ pub(super) fn draw(picture: &mut Picture, state: &State, language: Language, are
     let top = area.y + 0.5 * (room - rows.len() as f32 * ROW).max(0.0);
     for (i, row) in rows.iter().enumerate() {
         let place = Rect::new(area.x + 4.0, top + i as f32 * ROW, area.width - 8.0, ROW);
-        draw_row(picture, row, place);
+        draw_row(picture, row, language, place);
     }
     let top = top + rows.len() as f32 * ROW + 6.0;
     let whole = parts
@@ -84,7 +84,7 @@ pub(super) fn draw(picture: &mut Picture, state: &State, language: Language, are
     }
 }
 
-fn draw_row(picture: &mut Picture, row: &Row, place: Rect) {
+fn draw_row(picture: &mut Picture, row: &Row, language: Language, place: Rect) {
     let name = Style::Label.size(SIZE).ink(Ink::Muted);
     picture.tagged(Tag::Field(row.name), |picture| {
         if let Some(ink) = row.ink {
@@ -102,7 +102,7 @@ fn draw_row(picture: &mut Picture, row: &Row, place: Rect) {
         let fitting = (FEWEST..=3)
             .rev()
             .flat_map(|digits| {
-                faces.map(|(style, size)| (short(row.value, digits), style.size(size)))
+                faces.map(|(style, size)| (short(row.value, digits, language), style.size(size)))
             })
             .find(|(text, set)| measure(text, set.style, set.size) <= room);
         if let Some((text, set)) = fitting {

@@ -1,7 +1,8 @@
 //! A logarithmic axis.
 
 use super::{SMALL, TEXT};
-use crate::picture::{Ink, Picture, Rect, Style, number, power_of_ten};
+use crate::language::{Language, power_of_ten};
+use crate::picture::{Ink, Picture, Rect, Style};
 use glam::Vec2;
 
 /// What an axis must show: positive values, and zero where it occurs.
@@ -112,7 +113,7 @@ impl Axis {
                 }
                 let name = match self.named {
                     Named::Seconds => whole_seconds(times, power),
-                    Named::Number if (-3..4).contains(&power) => number(value),
+                    Named::Number if (-3..4).contains(&power) => Language::English.number(value),
                     Named::Number if times > 1.0 => format!("{times}·{}", power_of_ten(power)),
                     Named::Number => power_of_ten(power),
                 };
@@ -157,7 +158,10 @@ pub fn whole_seconds(times: f64, power: i32) -> String {
         -6..-3 => (-6, "µs"),
         _ => (-9, "ns"),
     };
-    format!("{} {name}", number(times * 10_f64.powi(power - unit)))
+    format!(
+        "{} {name}",
+        Language::English.number(times * 10_f64.powi(power - unit))
+    )
 }
 
 #[cfg(test)]

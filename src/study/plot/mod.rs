@@ -7,6 +7,7 @@ pub mod curve;
 use super::form::Axes;
 use super::harness::{Findings, Part, Point};
 use super::report::strings;
+use crate::language::Language;
 use crate::panels::labels::Labels;
 use crate::picture::{Ink, Picture, Rect, Style};
 use axis::{Axis, Named, Span};
@@ -185,7 +186,7 @@ fn in_words(title: &str, part: &Part) -> String {
     let lines = part.lines.iter().filter_map(|line| {
         let (first, last) = (line.points.first()?, line.points.last()?);
         let recorded = |point: &Point| {
-            let time = strings::seconds(point.seconds.median);
+            let time = strings::seconds(point.seconds.median, Language::English);
             let error = point.errors.map(|errors| strings::error(errors.rms));
             error.map_or(time.clone(), |error| format!("error {error} in {time}"))
         };

@@ -1,6 +1,7 @@
 //! All studies of a run in words: which method to pick for which error, or how work grows.
 
 use super::strings::{bytes, error, seconds};
+use crate::language::Language;
 use crate::study::fit::{Fit, Law};
 use crate::study::form::Axes;
 use crate::study::harness::{Choice, Findings, Line, Part, Point};
@@ -101,7 +102,7 @@ fn picks(text: &mut String, part: &Part) {
                 .errors
                 .map_or(String::new(), |errors| error(errors.rms)),
             time(point),
-            bytes(point.bytes),
+            bytes(point.bytes, Language::English),
             tied(&ties)
         );
     }
@@ -112,7 +113,7 @@ fn picks(text: &mut String, part: &Part) {
             " No setting here is more exact than {} ({} in {}).\n\n",
             named(line, best),
             error(reached),
-            seconds(best.seconds.median)
+            seconds(best.seconds.median, Language::English)
         );
     }
 }
@@ -195,7 +196,7 @@ fn growth(text: &mut String, part: &Part) {
                 "{size} {}: {}, {}",
                 part.size,
                 time(point),
-                bytes(point.bytes)
+                bytes(point.bytes, Language::English)
             )
         };
         let _ = writeln!(
@@ -265,9 +266,9 @@ fn time(point: &Point) -> String {
     let timing = &point.seconds;
     format!(
         "{} ({} to {})",
-        seconds(timing.median),
-        seconds(timing.lower),
-        seconds(timing.upper)
+        seconds(timing.median, Language::English),
+        seconds(timing.lower, Language::English),
+        seconds(timing.upper, Language::English)
     )
 }
 

@@ -1,7 +1,7 @@
 //! Reports as a reader wants them, and as a program does.
 
 use super::case::{Known, Measured, Report, Unit, Verdict};
-use crate::picture::number;
+use crate::language::Language;
 use serde_json::{Value as Json, json};
 use std::fmt::Write;
 
@@ -27,10 +27,12 @@ pub fn table(reports: &[Report]) -> String {
                 let single = ran.in_f32.as_ref();
                 let columns = [
                     case,
-                    number(ran.in_f64.expected),
-                    number(ran.in_f64.found),
+                    Language::English.number(ran.in_f64.expected),
+                    Language::English.number(ran.in_f64.found),
                     off(&ran.in_f64),
-                    single.map_or("–".into(), |measured| number(measured.found)),
+                    single.map_or("–".into(), |measured| {
+                        Language::English.number(measured.found)
+                    }),
                     single.map_or("–".into(), off),
                     ran.condition.map_or("–".into(), |c| format!("{c:.0e}")),
                     verdict(report),
