@@ -1,21 +1,16 @@
-//! The stress cases from the command line.
+//! `lightwalk stress`.
 
-#[path = "common/program.rs"]
-mod program;
-
-use program::{lightwalk, refused, text};
+use crate::{lightwalk, refused, succeeded, text};
 use serde_json::Value;
 use std::path::Path;
 
-fn stress(arguments: &[&str]) -> std::process::Output {
-    let arguments = [&["stress"], arguments].concat();
-    lightwalk(Path::new(env!("CARGO_TARGET_TMPDIR")), &arguments)
+fn folder() -> &'static Path {
+    Path::new(env!("CARGO_TARGET_TMPDIR"))
 }
 
 #[test]
-fn a_family_is_told_and_then_stands_in_a_table() {
-    let output = stress(&["ramps", "rays/eta-1"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+fn a_family_is_explained_and_then_summed_up_in_a_table() {
+    let output = succeeded(folder(), "stress ramps rays/eta-1");
     let recorded = text(&output.stdout);
     let lines: Vec<&str> = recorded.lines().collect();
     assert!(lines.iter().all(|line| line.chars().count() <= 120));
@@ -34,8 +29,8 @@ fn a_family_is_told_and_then_stands_in_a_table() {
 
 #[test]
 fn as_json_every_field_is_there() {
-    let output = stress(&["--json", "rays/critical-angle", "refusals/patches-1e18"]);
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let stress = "stress --json rays/critical-angle refusals/patches-1e18";
+    let output = succeeded(folder(), stress);
     let cases: Vec<Value> = serde_json::from_slice(&output.stdout).expect("an array");
     let [below, above, patches] = &cases[..] else {
         panic!("{} cases", cases.len());
@@ -74,8 +69,8 @@ fn as_json_every_field_is_there() {
 }
 
 #[test]
-fn an_unknown_name_is_wrong_and_told_what_is_near() {
-    let output = stress(&["rays", "radiositty"]);
+fn an_unknown_name_is_refused_with_the_names_near_it() {
+    let output = lightwalk(folder(), "stress rays radiositty");
     let message = refused(&output, "radiositty");
     assert!(
         message.contains("\"radiositty\" is no stress case"),

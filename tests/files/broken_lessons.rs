@@ -4,7 +4,7 @@ use lightwalk::lesson::Lesson;
 use lightwalk::scene::Limits;
 use proptest::prelude::*;
 
-const LESSON: &str = include_str!("../lessons/04-gouraud-triangle.json");
+const LESSON: &str = include_str!("../../lessons/04-gouraud-triangle.json");
 
 /// Reads a lesson and, where it is taken and small, runs it.
 fn try_lesson(bytes: &[u8]) {

@@ -1,8 +1,6 @@
 //! What scenes do not need is left out, and nothing changes by it but the time.
 
-mod common;
-
-use common::{TEAPOT, prepared};
+use crate::common::{TEAPOT, prepared};
 use lightwalk::algorithms::enclosure::Settings;
 use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::algorithms::radiosity::Solver;

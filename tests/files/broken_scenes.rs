@@ -1,9 +1,6 @@
 //! Broken scene files: each is refused with a message that says where and why, and none makes the reader panic or hang.
 
-#[path = "common/broken.rs"]
-mod broken;
-
-use broken::{BROKEN, GOOD, POT};
+use crate::broken::{BROKEN, GOOD, POT};
 use lightwalk::scene::{self, Limits, Scene, SceneError};
 use proptest::prelude::*;
 

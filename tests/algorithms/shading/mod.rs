@@ -1,10 +1,8 @@
 //! Flat, Gouraud and Phong shading and the exact picture, against each other and against rays.
 
-#[path = "../common/mod.rs"]
-mod common;
 mod extremes;
 
-use common::{TEAPOT, prepared};
+use crate::common::{TEAPOT, prepared};
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::prepared_scene::PreparedScene;

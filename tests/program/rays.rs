@@ -1,9 +1,6 @@
-//! The commands that follow rays, as a user runs them.
+//! The commands that follow rays.
 
-#[path = "common/program.rs"]
-mod program;
-
-use program::{lightwalk, refused, text};
+use crate::{lightwalk, refused, succeeded, text};
 use serde_json::Value;
 use std::fs;
 
@@ -30,15 +27,12 @@ fn folder() -> tempfile::TempDir {
 
 /// Standard output of a command that must succeed.
 fn output(folder: &tempfile::TempDir, arguments: &str) -> String {
-    let arguments: Vec<&str> = arguments.split(' ').collect();
-    let output = lightwalk(folder.path(), &arguments);
-    let complaints = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {complaints}");
-    // Work that takes longer than a second tells how far it is.
-    let mut lines = complaints.lines();
+    let output = succeeded(folder.path(), arguments);
+    let messages = text(&output.stderr);
+    // Work that takes longer than a second reports its progress.
     assert!(
-        lines.all(|line| line.contains(" %")),
-        "{arguments:?}: {complaints}"
+        messages.lines().all(|line| line.contains(" %")),
+        "{arguments}: {messages}"
     );
     text(&output.stdout)
 }
@@ -67,9 +61,8 @@ fn statistics_count_rays_and_say_what_was_left_out() {
     assert_eq!(cast["rays"]["shadow"], 0);
 
     // A scan-line method follows no ray, and says that the infinite floor is not drawn.
-    let arguments = "render scene.json --out a.pfm --size 48x36 --stats --method gouraud";
-    let shaded = lightwalk(folder.path(), &arguments.split(' ').collect::<Vec<_>>());
-    assert_eq!(shaded.status.code(), Some(0));
+    let render = "render scene.json --out a.pfm --size 48x36 --stats --method gouraud";
+    let shaded = succeeded(folder.path(), render);
     assert!(text(&shaded.stderr).contains("leaves out the infinite plane \"floor\""));
     let shaded: Value = serde_json::from_str(&text(&shaded.stdout)).unwrap();
     assert_eq!(shaded["rays"]["primary"], 0);
@@ -90,7 +83,7 @@ fn counting_does_not_change_the_picture() {
 }
 
 #[test]
-fn the_steps_of_a_pixel_tell_its_tree() {
+fn the_steps_of_a_pixel_are_its_tree() {
     let folder = folder();
     let steps = output(
         &folder,
@@ -162,7 +155,7 @@ fn needs_says_what_is_left_out_and_why() {
         !cast.contains("reflected_rays") && cast.contains("highlights"),
         "{cast}"
     );
-    let flat = lightwalk(folder.path(), &["needs", "scene.json", "--method", "flat"]);
+    let flat = lightwalk(folder.path(), "needs scene.json --method flat");
     let flat = text(&flat.stdout);
     assert!(
         flat.contains("object \"floor\": an infinite plane has no polygons"),
@@ -173,51 +166,30 @@ fn needs_says_what_is_left_out_and_why() {
 #[test]
 fn rays_take_what_they_understand_and_refuse_the_rest() {
     let folder = folder();
-    let render = [
-        "render",
-        "scene.json",
-        "--method",
-        "ray-tracing",
-        "--out",
-        "a.png",
-    ];
-    for (option, value) in [
-        ("--depth", "0"),
-        ("--depth", "65"),
-        ("--depth", "-1"),
-        ("--depth", "many"),
-        ("--samples", "0"),
-        ("--samples", "65"),
+    for (option, wrong) in [
+        ("--depth", ["0", "65", "-1", "many"].as_slice()),
+        ("--samples", &["0", "65"]),
     ] {
-        let arguments: Vec<&str> = render.into_iter().chain([option, value]).collect();
-        let message = refused(&lightwalk(folder.path(), &arguments), option);
-        assert!(message.contains(option), "{message}");
-        assert!(!folder.path().join("a.png").exists());
+        for value in wrong {
+            let render = "render scene.json --method ray-tracing --out a.png";
+            let output = lightwalk(folder.path(), &format!("{render} {option} {value}"));
+            let message = refused(&output, option);
+            assert!(message.contains(option), "{message}");
+            assert!(!folder.path().join("a.png").exists());
+        }
     }
-    let steps = [
-        "steps",
-        "scene.json",
-        "--method",
-        "ray-tracing",
-        "--polygon",
-        "0",
-    ];
-    let message = refused(&lightwalk(folder.path(), &steps), "--polygon");
-    assert!(
-        message.contains("pixel by pixel; choose --pixel or --scan-line"),
-        "{message}"
-    );
-    let steps = [
-        "steps",
-        "scene.json",
-        "--method",
-        "ray-casting",
-        "--pixel",
-        "640,0",
-    ];
-    let message = refused(&lightwalk(folder.path(), &steps), "--pixel");
-    assert!(
-        message.contains("--pixel 640: there are 640 columns"),
-        "{message}"
-    );
+    for (focus, said) in [
+        (
+            "ray-tracing --polygon 0",
+            "pixel by pixel; choose --pixel or --scan-line",
+        ),
+        (
+            "ray-casting --pixel 640,0",
+            "--pixel 640: there are 640 columns",
+        ),
+    ] {
+        let steps = format!("steps scene.json --method {focus}");
+        let message = refused(&lightwalk(folder.path(), &steps), focus);
+        assert!(message.contains(said), "{message}");
+    }
 }

@@ -1,7 +1,7 @@
 //! The words of the contract where rounding could speak against them.
 
+use super::{blank, settings};
 use crate::common::prepared;
-use crate::{blank, settings};
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::ray_tracing::{RayTracer, ray_tracing};

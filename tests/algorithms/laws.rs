@@ -1,8 +1,6 @@
 //! Laws that hold for every scan-line method, on a scene with everything in it.
 
-mod common;
-
-use common::{TEAPOT, prepared};
+use crate::common::{TEAPOT, prepared};
 use lightwalk::algorithms::exact::exact;
 use lightwalk::algorithms::fast_phong::fast_phong;
 use lightwalk::algorithms::flat::flat;

@@ -1,11 +1,11 @@
 //! Where things get extreme: slivers, edges that hit centres of pixels, polygons edge-on or far larger than the screen, normals
 //! that cancel out, lights in the surface, and a million triangles.
 
-use super::common::prepared;
 use super::{
     CHALK, CLAY, FAMILY, LAMP, SIZE, SUN, apart, assert_as_rays, difference, picture, polygon,
     scene,
 };
+use crate::common::prepared;
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::color::Rgb;

@@ -1,9 +1,6 @@
-//! The commands that exchange light between patches, run as a user runs them.
+//! The commands that exchange light between patches.
 
-#[path = "common/program.rs"]
-mod program;
-
-use program::{lightwalk, refused, text};
+use crate::{lightwalk, refused, succeeded, text};
 use serde_json::Value;
 use std::fs;
 
@@ -38,14 +35,9 @@ fn furnace() -> tempfile::TempDir {
     folder
 }
 
-fn run(folder: &tempfile::TempDir, arguments: &str) -> std::process::Output {
-    lightwalk(folder.path(), &arguments.split(' ').collect::<Vec<_>>())
-}
-
 /// What a command wrote to `out.json`.
 fn written(folder: &tempfile::TempDir, arguments: &str) -> Value {
-    let output = run(folder, &format!("{arguments} --out out.json"));
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    succeeded(folder.path(), &format!("{arguments} --out out.json"));
     serde_json::from_slice(&fs::read(folder.path().join("out.json")).unwrap()).unwrap()
 }
 
@@ -130,8 +122,7 @@ fn a_picture_shows_b_itself_constant_or_smooth() {
     let folder = furnace();
     for smooth in ["", " --smooth"] {
         let render = "render furnace.json --method radiosity --size 8x6 --out a.pfm --stats";
-        let output = run(&folder, &format!("{render}{smooth}"));
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        let output = succeeded(folder.path(), &format!("{render}{smooth}"));
         let stats: Value = serde_json::from_slice(&output.stdout).unwrap();
         assert!(stats["seconds"]["solve"].as_f64().unwrap() > 0.0);
         let pfm = fs::read(folder.path().join("a.pfm")).unwrap();
@@ -144,13 +135,11 @@ fn a_picture_shows_b_itself_constant_or_smooth() {
 }
 
 #[test]
-fn steps_tell_iterations_a_patch_or_one_form_factor() {
+fn steps_are_of_iterations_a_patch_or_one_form_factor() {
     let folder = furnace();
     let kinds = |focus: &str| -> Vec<String> {
         let steps = format!("steps furnace.json --method radiosity --solver jacobi {focus}");
-        let output = run(&folder, &steps);
-        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-        let recorded = text(&output.stdout);
+        let recorded = text(&succeeded(folder.path(), &steps).stdout);
         let kind = |line: &str| -> String {
             let step: Value = serde_json::from_str(line).unwrap();
             step["kind"].as_str().unwrap().to_owned()
@@ -210,7 +199,7 @@ fn what_cannot_be_solved_is_said_and_leaves_no_file() {
         ),
         ("form-factors furnace.json --visibility maybe", 2, "none"),
     ] {
-        let output = run(&folder, &format!("{arguments} --out out.json"));
+        let output = lightwalk(folder.path(), &format!("{arguments} --out out.json"));
         let message = text(&output.stderr);
         assert_eq!(output.status.code(), Some(status), "{arguments}: {message}");
         assert!(message.contains(part), "{arguments}: {message}");
@@ -222,7 +211,7 @@ fn what_cannot_be_solved_is_said_and_leaves_no_file() {
         ("--form-factor 0,99", "24 patches"),
     ] {
         let steps = format!("steps furnace.json --method radiosity {focus}");
-        let message = refused(&run(&folder, &steps), focus);
+        let message = refused(&lightwalk(folder.path(), &steps), focus);
         assert!(message.contains(part), "{message}");
     }
 }

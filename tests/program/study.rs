@@ -1,33 +1,13 @@
-//! `lightwalk study`, run as a user runs it. Only studies of a second, since most are meant for a release build.
+//! `lightwalk study`. Only studies of a second, since most are meant for a release build.
 
-#[path = "common/program.rs"]
-mod program;
-
-use program::{lightwalk, refused, text};
+use crate::{files, lightwalk, refused, succeeded, text};
 use serde_json::Value;
 use std::fs;
-use std::path::Path;
-
-fn study(folder: &Path, arguments: &str) -> std::process::Output {
-    let arguments: Vec<&str> = arguments.split(' ').collect();
-    lightwalk(folder, &[&["study"], &arguments[..]].concat())
-}
-
-/// The names of the files in a folder, sorted.
-fn files(folder: &Path) -> Vec<String> {
-    let entries = fs::read_dir(folder).unwrap();
-    let mut names: Vec<String> = entries
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect();
-    names.sort();
-    names
-}
 
 #[test]
 fn a_study_leaves_its_four_files_and_a_summary_and_nothing_else() {
     let folder = tempfile::tempdir().unwrap();
-    let output = study(folder.path(), "precision --quick --out new/found");
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    succeeded(folder.path(), "study precision --quick --out new/found");
     let found = folder.path().join("new/found");
     let names = [
         "precision.csv",
@@ -61,8 +41,7 @@ fn a_study_leaves_its_four_files_and_a_summary_and_nothing_else() {
 #[test]
 fn far_away_the_stable_roots_in_f32_are_more_exact_than_the_plain_ones() {
     let folder = tempfile::tempdir().unwrap();
-    let output = study(folder.path(), "precision --quick --out found");
-    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    succeeded(folder.path(), "study precision --quick --out found");
     let json: Value =
         serde_json::from_slice(&fs::read(folder.path().join("found/precision.json")).unwrap())
             .unwrap();
@@ -77,17 +56,15 @@ fn far_away_the_stable_roots_in_f32_are_more_exact_than_the_plain_ones() {
 #[test]
 fn what_is_no_study_is_refused_with_the_names_of_those_there_are() {
     let folder = tempfile::tempdir().unwrap();
-    let output = study(folder.path(), "shadeing --out found");
+    let output = lightwalk(folder.path(), "study shadeing --out found");
     let message = refused(&output, "an unknown name");
     for name in ["shading", "ray-depth", "growth"] {
         assert!(message.contains(name), "{message}");
     }
     fs::write(folder.path().join("file"), "").unwrap();
     for out in ["file", "file/below"] {
-        refused(
-            &study(folder.path(), &format!("precision --out {out}")),
-            out,
-        );
+        let study = format!("study precision --out {out}");
+        refused(&lightwalk(folder.path(), &study), out);
     }
     assert_eq!(files(folder.path()), ["file"]);
 }
@@ -99,10 +76,8 @@ fn a_study_that_says_nothing_about_the_scene_says_so() {
         "camera": { "eye": [0, 0, -5], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 40 },
         "objects": [{ "name": "wall", "material": "m", "polygon": { "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0]] } }] }"#;
     fs::write(folder.path().join("wall.json"), scene).unwrap();
-    let arguments = "shading ray-depth solvers precision --quick --scene wall.json --out found";
-    let output = study(folder.path(), arguments);
-    let recorded = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{recorded}");
+    let study = "study shading ray-depth solvers precision --quick --scene wall.json --out found";
+    let message = text(&succeeded(folder.path(), study).stderr);
     assert_eq!(files(&folder.path().join("found")), ["summary.md"]);
     let summary = fs::read_to_string(folder.path().join("found/summary.md")).unwrap();
     for why in [
@@ -112,34 +87,8 @@ fn a_study_that_says_nothing_about_the_scene_says_so() {
         "whatever the scene",
     ] {
         assert!(
-            recorded.contains(why) && summary.contains(why),
-            "{why}: {recorded}"
+            message.contains(why) && summary.contains(why),
+            "{why}: {message}"
         );
     }
-}
-
-/// Interrupted in the middle of the work: whole files or none.
-#[cfg(unix)]
-#[test]
-fn an_interrupted_study_leaves_nothing_behind() {
-    use std::process::{Command, Stdio};
-    let folder = tempfile::tempdir().unwrap();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_lightwalk"))
-        .current_dir(folder.path())
-        .args(["study", "patches", "--out", "found"])
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
-    // The work takes much longer.
-    std::thread::sleep(std::time::Duration::from_secs(2));
-    let interrupted = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(interrupted.unwrap().success());
-    assert_eq!(child.wait().unwrap().code(), Some(130));
-    assert!(
-        files(folder.path()).is_empty(),
-        "{:?}",
-        files(folder.path())
-    );
 }

@@ -1,0 +1,8 @@
+//! The algorithms by laws, closed forms and second opinions.
+
+#[path = "../common/mod.rs"]
+mod common;
+mod laws;
+mod needs;
+mod rays;
+mod shading;

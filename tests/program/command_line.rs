@@ -1,0 +1,189 @@
+//! Results, messages, exit status, and where results go.
+
+use crate::{files, folder, lightwalk, refused, succeeded, text};
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+
+#[test]
+fn wrong_arguments_say_what_is_allowed() {
+    let folder = folder();
+    fs::create_dir(folder.path().join("folder.png")).unwrap();
+    for (arguments, said) in [
+        (
+            "render scene.json --method raytracing --out x.png",
+            "wireframe, flat, gouraud",
+        ),
+        ("render scene.json --method flat", "--out"),
+        (
+            "render scene.json --method flat --out x.jpg",
+            ".png or .pfm",
+        ),
+        (
+            "render scene.json --method flat --out none/x.png",
+            "does not exist",
+        ),
+        (
+            "render scene.json --method flat --out folder.png",
+            "is a folder",
+        ),
+        (
+            "render scene.json --method flat --out x.png --size 0x0",
+            "sides from 1",
+        ),
+        (
+            "render scene.json --method flat --out x.png --size 99999x99999",
+            "pixels",
+        ),
+        (
+            "render scene.json --method flat --out x.png --threads 0",
+            "threads",
+        ),
+        (
+            "render scene.json --method flat --out x.png --exposure nan",
+            "from -64 to 64",
+        ),
+        (
+            "render scene.json --method flat --out x.png --max-patches 3",
+            "patches",
+        ),
+        ("steps scene.json", "--method"),
+        (
+            "steps scene.json --method flat --pixel 640,0",
+            "640 columns",
+        ),
+        ("steps no-such-lesson", "no-such-lesson"),
+        ("frames scene.json --out x", "is a scene"),
+    ] {
+        let message = refused(&lightwalk(folder.path(), arguments), arguments);
+        assert!(message.contains(said), "{message} lacks {said}");
+    }
+    assert_eq!(files(folder.path()), ["folder.png", "meshes", "scene.json"]);
+}
+
+#[test]
+fn pictures_come_in_both_formats() {
+    let folder = folder();
+    for method in [
+        "wireframe",
+        "flat",
+        "gouraud",
+        "phong",
+        "fast-phong",
+        "exact",
+    ] {
+        for name in ["x.png", "x.pfm"] {
+            let render =
+                format!("render scene.json --method {method} --size 40x30 --out {name} --stats");
+            let output = succeeded(folder.path(), &render);
+            let stats: Value = serde_json::from_slice(&output.stdout).unwrap();
+            assert!(stats["seconds"]["render"].as_f64().unwrap() > 0.0);
+            assert_eq!(stats["left_out"][0]["object"], "floor");
+            assert!(text(&output.stderr).contains("infinite plane \"floor\""));
+        }
+    }
+    let pfm = fs::read(folder.path().join("x.pfm")).unwrap();
+    assert!(pfm.starts_with(b"PF\n40 30\n-1.0\n"));
+    assert_eq!(pfm.len(), 14 + 40 * 30 * 12);
+    let png = fs::read(folder.path().join("x.png")).unwrap();
+    assert!(png.starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn steps_are_json_lines_in_order() {
+    let folder = folder();
+    let steps = "steps gouraud-triangle --scan-line 15";
+    let output = succeeded(folder.path(), steps);
+    let lines: Vec<Value> = text(&output.stdout)
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect();
+    let mut numbered = lines.iter().enumerate();
+    assert!(numbered.all(|(step, line)| line["step"] == step));
+    assert_eq!(lines[0]["kind"], "Frame");
+    assert_eq!(lines[0]["depth"], 0);
+    let mut edges = lines
+        .iter()
+        .filter(|line| line["kind"] == "EdgeInterpolated");
+    let edge = edges.next().unwrap();
+    let number = |name: &str| {
+        let value = &edge[name];
+        value.as_f64().or_else(|| value[0].as_f64()).unwrap()
+    };
+    // The slide's formula, from the line's own values
+    let weight = (number("y_4") - number("y_2")) / (number("y_1") - number("y_2"));
+    let expected = weight * number("I_1") + (1.0 - weight) * number("I_2");
+    assert!((number("I_4") - expected).abs() < 1e-14);
+
+    succeeded(folder.path(), &format!("{steps} --out steps.jsonl"));
+    let file = fs::read(folder.path().join("steps.jsonl")).unwrap();
+    assert_eq!(file, output.stdout);
+}
+
+#[test]
+fn lessons_are_listed_in_the_order_of_their_files() {
+    let output = succeeded(folder().path(), "list --json");
+    let listed: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let ids = listed
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|lesson| &lesson["id"]);
+    // 04-gouraud-triangle.json
+    let names = files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons"));
+    let names = names.iter().filter_map(|name| name.strip_suffix(".json"));
+    assert!(ids.eq(names.map(|name| &name[3..])), "{listed}");
+    assert!(listed[3]["steps"].as_u64().unwrap() > 1000);
+}
+
+#[test]
+fn the_frames_of_some_steps_of_one_panel_are_drawn() {
+    let folder = folder();
+    let frames = "frames gouraud-triangle --steps 5..7 --panel image --size 300x200 --out frames";
+    succeeded(folder.path(), frames);
+    assert_eq!(
+        files(&folder.path().join("frames")),
+        ["step-000005-image.png", "step-000006-image.png"]
+    );
+}
+
+#[test]
+fn without_a_display_the_window_says_so_in_one_line() {
+    let output = lightwalk(folder().path(), "open");
+    let message = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{message}");
+    assert_eq!(message.trim_end().lines().count(), 1, "{message}");
+    assert!(message.contains("lightwalk frames"), "{message}");
+}
+
+/// Renamed onto its name, the file would take the place of the pipe, or of a device.
+#[cfg(unix)]
+#[test]
+fn a_pipe_takes_the_output_and_stays_a_pipe() {
+    let folder = folder();
+    let pipe = folder.path().join("pipe.pfm");
+    let created = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(created.unwrap().success());
+    let reader = std::thread::spawn({
+        let pipe = pipe.clone();
+        move || fs::read(pipe).unwrap()
+    });
+    let render = "render scene.json --method flat --size 40x30 --out pipe.pfm";
+    succeeded(folder.path(), render);
+    assert!(!fs::metadata(&pipe).unwrap().is_file());
+    assert!(reader.join().unwrap().starts_with(b"PF\n40 30\n"));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn messages_that_nobody_can_read_do_not_stop_the_work() {
+    let folder = folder();
+    let full = fs::OpenOptions::new()
+        .write(true)
+        .open("/dev/full")
+        .unwrap();
+    let render = "render scene.json --method flat --size 20x20 --out x.png";
+    let status = crate::command(folder.path(), render).stderr(full).status();
+    assert_eq!(status.unwrap().code(), Some(0));
+    assert!(folder.path().join("x.png").exists());
+}
