@@ -1,16 +1,14 @@
-//! Wavefront OBJ files: positions, texture coordinates (`vt`) and faces of any size.
-//!
-//! `tobj` reads them. It takes polylines for faces, some indices beyond the end for memory addresses, and names no line: so the
-//! text is judged line by line first, and only what was found right is handed on. Normals, groups, materials, lines
-//! and points are passed over: a mesh has one material, that of its object.
+//! Wavefront OBJ files: positions, texture coordinates (`vt`) and faces of any size. Normals, groups, materials, lines and points
+//! are passed over: a mesh has one material, that of its object.
 
 use super::Mesh;
-use super::obj_lines::Plain;
+use super::obj_lines::Lines;
 use glam::{DAffine3, DVec2, DVec3};
 
 /// A mesh file that was found right.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Obj {
+    /// Those that faces refer to, in the order in which they first do.
     positions: Vec<DVec3>,
     /// Face `f` has the corners `starts[f]..starts[f + 1]`.
     starts: Vec<u32>,
@@ -26,45 +24,29 @@ impl Obj {
     ///
     /// Errors: the first line that is wrong, no faces at all, or more than `max_triangles`, as a sentence.
     pub fn read(bytes: &[u8], max_triangles: u64) -> Result<Obj, String> {
-        let plain = Plain::of(bytes, max_triangles)?;
-        let options = tobj::LoadOptions::default();
-        let no_materials = |_: &std::path::Path| Err(tobj::LoadError::OpenFileFailed);
-        let (models, _) = tobj::load_obj_buf(&mut plain.text.as_bytes(), &options, no_materials)
-            .map_err(|error| error.to_string())?;
-        let mesh = models
-            .into_iter()
-            .next()
-            .ok_or("found no faces (lines that start with `f`); a mesh needs one or more")?
-            .mesh;
-        let mut starts = vec![0];
-        if mesh.face_arities.is_empty() {
-            starts.extend((3..=mesh.indices.len() as u32).step_by(3));
-        } else {
-            let mut end = 0;
-            starts.extend(mesh.face_arities.iter().map(|&arity| {
-                end += arity;
-                end
-            }));
+        let lines = Lines::read(bytes, max_triangles)?;
+        const UNUSED: u32 = u32::MAX;
+        let mut numbers = vec![UNUSED; lines.positions.len()];
+        let mut positions = Vec::new();
+        let corners = lines.corners.iter().map(|&[position, _]| {
+            let number = &mut numbers[position as usize];
+            if *number == UNUSED {
+                *number = positions.len() as u32;
+                positions.push(lines.positions[position as usize]);
+            }
+            *number
+        });
+        let corners = corners.collect();
+        let mut uvs = Vec::new();
+        if lines.corners.iter().any(|&[_, uv]| uv > 0) {
+            uvs.extend((lines.corners.iter()).map(|&[_, uv]| lines.uvs[uv as usize]));
         }
         Ok(Obj {
-            positions: mesh
-                .positions
-                .as_chunks()
-                .0
-                .iter()
-                .map(|&position| DVec3::from_array(position))
-                .collect(),
-            starts,
-            corners: mesh.indices,
-            uvs: if plain.has_uvs {
-                mesh.texcoord_indices
-                    .iter()
-                    .map(|&i| DVec2::from_slice(&mesh.texcoords[2 * i as usize..]))
-                    .collect()
-            } else {
-                Vec::new()
-            },
-            triangles: plain.triangles,
+            positions,
+            starts: lines.starts,
+            corners,
+            uvs,
+            triangles: lines.triangles,
         })
     }
 

@@ -1,14 +1,18 @@
-//! The lines of an OBJ file, judged one by one before they are handed on.
+//! The lines of an OBJ file, read and judged one by one.
 
 use super::validate::LARGEST;
-use std::fmt::Write;
+use glam::{DVec2, DVec3};
 use std::str::SplitAsciiWhitespace;
 
-/// The lines of an OBJ file that matter, each known to be right, its indices counted from the start.
-pub(super) struct Plain {
-    /// `v x y z`, `v x y z w`, `vt u v`, and `f v …` or `f v/vt …`; the first `vt` is (0, 0), for corners without one.
-    pub text: String,
-    pub has_uvs: bool,
+/// What the lines of an OBJ file say, each known to be right.
+pub(super) struct Lines {
+    pub positions: Vec<DVec3>,
+    /// The first is (0, 0), for corners without one.
+    pub uvs: Vec<DVec2>,
+    /// Face `f` has the corners `starts[f]..starts[f + 1]`.
+    pub starts: Vec<u32>,
+    /// Indices into `positions` and `uvs`.
+    pub corners: Vec<[u32; 2]>,
     pub triangles: u64,
     /// Of `v`, `vt` and `vn`, in the order in which a corner names them.
     referred: [Referred; 3],
@@ -22,11 +26,14 @@ struct Referred {
     line: usize,
 }
 
-impl Plain {
-    pub fn of(bytes: &[u8], max_triangles: u64) -> Result<Plain, String> {
-        let mut plain = Plain {
-            text: String::from("vt 0 0\n"),
-            has_uvs: false,
+impl Lines {
+    /// Errors: the first line that is wrong, no faces at all, or more than `max_triangles`, as a sentence.
+    pub fn read(bytes: &[u8], max_triangles: u64) -> Result<Lines, String> {
+        let mut lines = Lines {
+            positions: Vec::new(),
+            uvs: vec![DVec2::ZERO],
+            starts: vec![0],
+            corners: Vec::new(),
             triangles: 0,
             referred: ["v", "vt", "vn"].map(|word| Referred {
                 word,
@@ -36,11 +43,11 @@ impl Plain {
             }),
         };
         for (index, line) in bytes.split(|&byte| byte == b'\n').enumerate() {
-            plain
+            lines
                 .take_line(line, index + 1, max_triangles)
                 .map_err(|problem| format!("line {}: {problem}", index + 1))?;
         }
-        for referred in &plain.referred {
+        for referred in &lines.referred {
             if referred.furthest > referred.count {
                 return Err(format!(
                     "line {}: a face refers to `{word}` number {}; the file has {} lines `{word}`",
@@ -51,14 +58,14 @@ impl Plain {
                 ));
             }
         }
-        match plain.triangles {
+        match lines.triangles {
             0 => {
                 Err("found no faces (lines that start with `f`); a mesh needs at least one".into())
             }
             n if n > max_triangles => Err(format!(
                 "found {n} triangles; at most {max_triangles} are allowed (--max-triangles)"
             )),
-            _ => Ok(plain),
+            _ => Ok(lines),
         }
     }
 
@@ -80,10 +87,9 @@ impl Plain {
             Some("v") => self.take_position(words),
             Some("vt") => {
                 // A third coordinate, for solid textures, has no use here.
-                let as_written = words.clone();
-                numbers::<2>(&mut words, "`vt` takes two numbers")?;
+                let uv = numbers(&mut words, "`vt` takes two numbers")?;
                 self.referred[1].count += 1;
-                self.line("vt", as_written.take(2));
+                self.uvs.push(DVec2::from_array(uv));
                 Ok(())
             }
             Some("vn") => {
@@ -97,18 +103,17 @@ impl Plain {
 
     fn take_position(&mut self, mut words: SplitAsciiWhitespace) -> Result<(), String> {
         let allowed = "`v` takes x y z, then nothing, a weight, or a colour r g b";
-        let as_written = words.clone();
-        let position = numbers::<3>(&mut words, allowed)?;
-        let kept = match words.clone().take(4).count() {
-            0 | 3 => 3,
+        let mut position = DVec3::from_array(numbers(&mut words, allowed)?);
+        match words.clone().take(4).count() {
+            0 | 3 => {}
             1 => {
                 let [weight] = numbers(&mut words, allowed)?;
-                if !position.iter().all(|x| (x / weight).abs() <= LARGEST) {
+                position /= weight;
+                if !position.to_array().iter().all(|x| x.abs() <= LARGEST) {
                     return Err(format!(
                         "found the weight {weight:?}, which takes the point too far away"
                     ));
                 }
-                4
             }
             n => {
                 return Err(format!(
@@ -117,9 +122,9 @@ impl Plain {
                     if n == 4 { " or more" } else { "" }
                 ));
             }
-        };
+        }
         self.referred[0].count += 1;
-        self.line("v", as_written.take(kept));
+        self.positions.push(position);
         Ok(())
     }
 
@@ -132,9 +137,6 @@ impl Plain {
         let mut corners = 0;
         // Once there are too many triangles they are only counted.
         let kept = self.triangles <= max_triangles;
-        if kept {
-            self.text.push('f');
-        }
         for word in words {
             corners += 1;
             let mut indices = [None; 3];
@@ -153,18 +155,12 @@ impl Plain {
                     "found the corner {word:?} without a vertex; a corner is v, v/vt, v//vn or v/vt/vn"
                 ));
             };
-            self.has_uvs |= uv.is_some();
             if kept {
-                write!(self.text, " {position}").expect("a string takes any text");
-                // The first `vt` is the one of corners that have none; `tobj` begins with it, and need not be told before others come.
-                if self.has_uvs || self.referred[1].count > 0 {
-                    let uv = uv.map_or(1, |uv| uv + 1);
-                    write!(self.text, "/{uv}").expect("a string takes any text");
-                }
+                self.corners.push([position - 1, uv.unwrap_or(0)]);
             }
         }
         if kept {
-            self.text.push('\n');
+            self.starts.push(self.corners.len() as u32);
         }
         if corners < 3 {
             return Err(format!(
@@ -174,20 +170,12 @@ impl Plain {
         self.triangles += corners - 2;
         Ok(())
     }
-
-    fn line<'a>(&mut self, kind: &str, words: impl Iterator<Item = &'a str>) {
-        self.text.push_str(kind);
-        for word in words {
-            self.text.push(' ');
-            self.text.push_str(word);
-        }
-        self.text.push('\n');
-    }
 }
 
 impl Referred {
     /// The index, counted from 1, that a word in line `line` means: from the start, or where negative, back from here.
-    fn resolve(&mut self, part: &str, line: usize) -> Result<u64, String> {
+    /// One that is too large is kept as the furthest, and refused in the end.
+    fn resolve(&mut self, part: &str, line: usize) -> Result<u32, String> {
         let wrong = |allowed: &str| {
             format!(
                 "found {part:?} as an index of `{}`; allowed is {allowed}",
@@ -204,10 +192,10 @@ impl Referred {
                 if index > self.furthest {
                     (self.furthest, self.line) = (index, line);
                 }
-                Ok(index)
+                Ok(u32::try_from(index).unwrap_or(u32::MAX))
             }
             _ => match self.count.checked_sub(index.unsigned_abs()) {
-                Some(before) => Ok(before + 1),
+                Some(before) => Ok(before as u32 + 1),
                 None => Err(wrong(&format!(
                     "at least -{}: so many stand before this line",
                     self.count
