@@ -90,7 +90,7 @@ pub enum FocusFile {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StepFile {
-    /// The first such event behind the narrated step before.
+    /// The first such event after the narrated step before.
     pub at: Query,
     #[serde(rename = "say")]
     pub localize: Text,
