@@ -59,3 +59,46 @@ fn every_lesson_opens_and_teaches() {
         "lessons are listed in the order of their numbers"
     );
 }
+
+/// The largest error of `next`, called once for each of the fractions 1/n, 2/n, … 1.
+fn largest_error(n: u32, mut next: impl FnMut() -> f32) -> f64 {
+    let exact = (1..=n).map(|i| f64::from(i) / f64::from(n));
+    let errors = exact.map(|exact| (f64::from(next()) - exact).abs());
+    errors.fold(0.0, f64::max)
+}
+
+#[test]
+fn a_ramp_in_32_bits_drifts_as_lesson_7_says() {
+    let added = |n: u32| {
+        let mut sum = 0.0_f32;
+        largest_error(n, || {
+            sum += 1.0 / n as f32;
+            sum
+        })
+    };
+    let compensated = |n: u32| {
+        let (mut sum, mut excess) = (0.0_f32, 0.0);
+        largest_error(n, || {
+            let corrected = 1.0 / n as f32 - excess;
+            let next = sum + corrected;
+            excess = (next - sum) - corrected;
+            sum = next;
+            sum
+        })
+    };
+    let direct = |n: u32| {
+        let mut i = 0.0_f32;
+        largest_error(n, || {
+            i += 1.0;
+            i / n as f32
+        })
+    };
+    for (found, said) in [
+        (added(10_000), 5.4e-5),
+        (added(1_000_000), 9.5e-3),
+        (compensated(1_000_000), 3.2e-8),
+        (direct(1_000_000), 3.0e-8),
+    ] {
+        assert!((found / said - 1.0).abs() < 0.1, "{found:e} for {said:e}");
+    }
+}
