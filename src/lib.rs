@@ -24,7 +24,7 @@
 //! | [`figure`] | plot areas and colour scales, for panels and studies; uses [`picture`], [`color`] and [`numeric`] alone |
 //! | [`panels`] | one file a panel: what it draws of a run at its step |
 //! | [`lesson`] | lesson files, tied to the steps of their run |
-//! | [`study`] | error against run time, how work grows, and what the algorithms make of what is stiff, extreme or wrong |
+//! | [`study`] | error against run time, how work grows, and how the algorithms cope with stiff, extreme and wrong input |
 //! | `app` | the window (feature `gui`) |
 //! | [`commands`] | the command line, one file a command |
 //!
@@ -33,7 +33,7 @@
 //! # The cost of recording
 //!
 //! Measured on a virtual machine with 2 cores of an x86-64 server (AMD EPYC), rustc 1.95, November 2026. Absolute
-//! times on such a machine vary by a factor of two from run to run; ratios are of runs taken in turn.
+//! times on such a machine vary by a factor of two from run to run; ratios are of alternating runs.
 //!
 //! | what | goal | measured |
 //! | --- | --- | --- |

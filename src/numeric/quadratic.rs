@@ -49,7 +49,7 @@ mod tests {
     type Roots<F> = fn([F; 3], [F; 3], F) -> Option<[F; 2]>;
 
     /// The share of nearest hits in f32 that are lost, or whose t is off by more than a tenth of the radius: rays from `distance` away
-    /// through the inner nine tenths of the unit sphere. What is right is found in f64 for the same ray, as f32 tells it.
+    /// through the inner nine tenths of the unit sphere. The right answer is computed in f64 for the same f32 ray.
     fn share_of_wrong_hits(distance: f32, roots: Roots<f32>) -> f64 {
         const COUNT: u32 = 10_000;
         let wrong = (0..COUNT).filter(|&i| {

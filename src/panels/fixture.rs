@@ -177,8 +177,6 @@ fn prepared(scene: Scene, (width, height): (u32, u32)) -> PreparedScene {
 fn scene(shape: Shape, diffuse: Rgb, highlight: Highlight) -> Scene {
     Scene {
         background: Rgb::splat(0.02),
-        ambient: Rgb::WHITE,
-        path_attenuation: [1.0, 0.0, 0.0],
         camera: Some(Camera {
             eye: DVec3::new(0.0, 0.0, 5.0),
             target: DVec3::ZERO,
@@ -192,27 +190,17 @@ fn scene(shape: Shape, diffuse: Rgb, highlight: Highlight) -> Scene {
             specular: Rgb::splat(0.3),
             shininess: 12.0,
             highlight,
-            reflection: Rgb::BLACK,
-            transmission: Rgb::BLACK,
-            ior: 1.0,
-            emission: Rgb::BLACK,
             reflectance: diffuse,
-            texture: None,
+            ..Material::default()
         }],
-        objects: vec![Object {
-            name: "thing".to_string(),
-            material: 0,
-            shape,
-            patches: [1, 1],
-            divisions: Object::DIVISIONS,
-            casts_shadow: true,
-        }],
+        objects: vec![Object::new("thing", 0, shape)],
         lights: vec![Light::Point {
             position: DVec3::new(-1.2, 1.6, 1.4),
             color: Rgb::WHITE,
             attenuation: [1.0, 0.0, 0.0],
             radius: 0.0,
         }],
+        ..Scene::default()
     }
 }
 

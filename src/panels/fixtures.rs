@@ -77,24 +77,12 @@ fn material(name: &str, color: Rgb, highlight: Highlight) -> Material {
         specular: Rgb::splat(0.4),
         shininess: 20.0,
         highlight,
-        reflection: Rgb::BLACK,
-        transmission: Rgb::BLACK,
-        ior: 1.0,
-        emission: Rgb::BLACK,
-        reflectance: Rgb::BLACK,
-        texture: None,
+        ..Material::default()
     }
 }
 
 fn object(name: &str, material: usize, shape: Shape) -> Object {
-    Object {
-        name: name.to_string(),
-        material,
-        shape,
-        patches: [1, 1],
-        divisions: Object::DIVISIONS,
-        casts_shadow: true,
-    }
+    Object::new(name, material, shape)
 }
 
 fn mesh(positions: &[[f64; 3]], faces: &[[u32; 3]]) -> Shape {
@@ -105,8 +93,6 @@ fn mesh(positions: &[[f64; 3]], faces: &[[u32; 3]]) -> Shape {
 fn scene(materials: Vec<Material>, objects: Vec<Object>, lights: Vec<Light>) -> Scene {
     Scene {
         background: Rgb::splat(0.05),
-        ambient: Rgb::WHITE,
-        path_attenuation: [1.0, 0.0, 0.0],
         camera: Some(Camera {
             eye: DVec3::new(0.0, 0.0, 6.0),
             target: DVec3::ZERO,
@@ -116,6 +102,7 @@ fn scene(materials: Vec<Material>, objects: Vec<Object>, lights: Vec<Light>) -> 
         materials,
         objects,
         lights,
+        ..Scene::default()
     }
 }
 

@@ -33,7 +33,7 @@ static FACES: LazyLock<[ttf_parser::Face<'static>; 5]> = LazyLock::new(|| {
 const MASK_MEMORY: usize = 16 << 20;
 /// Glyphs start at quarters of a pixel, so that spacing stays even without hinting.
 pub(super) const OFFSETS: i32 = 4;
-/// Sizes are told apart to an eighth of a pixel.
+/// Sizes are distinguished to an eighth of a pixel.
 const SIZES_A_PIXEL: f32 = 8.0;
 /// Larger text than this is drawn at this size.
 const LARGEST_SIZE: f32 = 1024.0;
@@ -48,7 +48,7 @@ impl Face {
         &FACES[self as usize]
     }
 
-    /// Height above and depth below the baseline that a line of this face asks for, in ems; both positive.
+    /// Height above and depth below the baseline that a line of this face needs, in ems; both positive.
     pub(super) fn extent(self) -> (f32, f32) {
         let face = self.parsed();
         let em = f32::from(face.units_per_em());

@@ -33,7 +33,7 @@ pub enum Ink {
     Warn,
     /// A fill under a question or a warning.
     WarnTint,
-    /// The n-th of several alike (Okabe–Ito; it repeats). Never told apart by colour alone: add a dash or a letter.
+    /// The n-th of several alike (Okabe–Ito; it repeats). Never distinguished by colour alone: add a dash or a letter.
     Series(u8),
     /// A colour of the scene, linear; clamped and encoded as the image is.
     Rgb(Rgb),
@@ -73,7 +73,7 @@ pub enum Dash {
 }
 
 impl Dash {
-    /// Points drawn and points left out, in turn.
+    /// Lengths drawn and left out, alternating, in points.
     pub(super) fn lengths(self) -> Option<[f32; 2]> {
         match self {
             Dash::Solid => None,

@@ -112,19 +112,19 @@ impl Svg {
             let (face, size, y) = (placed.glyph.face, placed.size, at.y - placed.rise);
             let x = start + placed.x;
             match runs.last_mut() {
-                Some((same, of, level, xs, told)) if (*same, *of, *level) == (face, size, y) => {
+                Some((same, of, level, xs, text)) if (*same, *of, *level) == (face, size, y) => {
                     let _ = write!(xs, " {x:.2}");
-                    told.push(placed.character);
+                    text.push(placed.character);
                 }
                 _ => runs.push((face, size, y, format!("{x:.2}"), placed.character.into())),
             }
         });
         let fill = self.color(set.ink);
         self.put(format_args!(r#"<text fill="{fill}">"#));
-        for (face, size, y, xs, told) in runs {
-            let (family, told) = (family(face), escaped(&told));
+        for (face, size, y, xs, text) in runs {
+            let (family, text) = (family(face), escaped(&text));
             self.put(format_args!(
-                r#"<tspan x="{xs}" y="{y:.2}" font-size="{size:.2}" {family}>{told}</tspan>"#
+                r#"<tspan x="{xs}" y="{y:.2}" font-size="{size:.2}" {family}>{text}</tspan>"#
             ));
         }
         self.body += "</text>";
@@ -179,8 +179,8 @@ fn frame(rect: Rect) -> String {
 /// Points that are not finite are nowhere.
 fn list(points: &[Vec2]) -> String {
     let finite = points.iter().filter(|point| point.is_finite());
-    let told = finite.map(|point| format!("{:.2},{:.2}", point.x, point.y));
-    told.collect::<Vec<_>>().join(" ")
+    let points = finite.map(|point| format!("{:.2},{:.2}", point.x, point.y));
+    points.collect::<Vec<_>>().join(" ")
 }
 
 fn family(face: Face) -> &'static str {
@@ -267,14 +267,14 @@ mod tests {
         picture.image(Rect::new(0.0, 0.0, 4.0, 4.0), Image::new(1, 1, [1, 2, 3]));
         picture.text((50.0, 20.0), "I_4 < 1", Style::Label.size(12.0).end());
         let svg = to_svg(&picture, Theme::Light);
-        for told in [
+        for part in [
             "a &lt; b &amp; c",
             r#"<rect x="2" y="3" width="28" height="18""#,
             r#"stroke-dasharray="5 4""#,
             "data:image/png;base64,iVBOR",
             r#"clip-path="url(#c0)""#,
         ] {
-            assert!(svg.contains(told), "{told} is not in {svg}");
+            assert!(svg.contains(part), "{part} is not in {svg}");
         }
         assert_eq!(svg.matches("<clipPath").count(), 1);
         for element in ["g", "text", "tspan", "svg", "desc", "defs"] {

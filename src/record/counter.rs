@@ -1,4 +1,4 @@
-//! How often an algorithm did what: heard from its events, of which none is kept.
+//! How often an algorithm did what, by its events, of which none is kept.
 
 use super::{Event, Recorder};
 

@@ -9,7 +9,7 @@ pub trait Event: Copy + Send + Sync + 'static {
     fn kind(&self) -> &'static str;
     /// The line of pseudocode that this event carries out.
     fn line(&self) -> Line;
-    /// Whether what a plain step tells at the head of a scope goes for the rest of the scope too. A test of one candidate after
+    /// Whether the values of a plain step at the head of a scope hold for the rest of the scope too. A test of one candidate after
     /// another does not.
     fn holds_on(&self) -> bool {
         true
@@ -56,7 +56,7 @@ pub struct Line {
     pub number: usize,
 }
 
-/// A value that an event tells.
+/// A value of an event.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Value {
     Number(f64),
@@ -74,7 +74,7 @@ pub struct Field {
     pub value: Value,
 }
 
-/// Named values, in the order in which they were told.
+/// Named values, in the order in which they were pushed.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Fields(pub Vec<Field>);
 
@@ -87,7 +87,7 @@ impl Fields {
         self
     }
 
-    /// The value told last under `name`: an inner scope's word goes before an outer one's.
+    /// The value pushed last under `name`: that of an inner scope goes before that of an outer one.
     pub fn get(&self, name: &str) -> Option<Value> {
         self.0
             .iter()

@@ -1,4 +1,4 @@
-//! How an algorithm tells what it does: once written, generic over [`Recorder`], run at two speeds.
+//! How the steps of an algorithm are recorded: it is written once, generic over [`Recorder`], and run at two speeds.
 //!
 //! With [`Unrecorded`] the calls compile away; with [`Recording`] the same body keeps every step.
 //! This floor knows no algorithm: an algorithm brings its own event type, which names itself by [`Event`].

@@ -201,7 +201,7 @@ fn described(place: String, error: &serde_json::Error) -> Problem {
         ),
         (
             "recursion limit exceeded",
-            "lists or objects lie too deep in one another; at most 127 levels are allowed",
+            "lists or objects are nested too deeply; at most 127 levels are allowed",
         ),
     ];
     let text = error.to_string();

@@ -96,7 +96,54 @@ pub struct Object {
     pub casts_shadow: bool,
 }
 
+impl Default for Scene {
+    /// Nothing, and no camera.
+    fn default() -> Self {
+        Scene {
+            background: Rgb::BLACK,
+            ambient: Rgb::WHITE,
+            path_attenuation: [1.0, 0.0, 0.0],
+            camera: None,
+            materials: Vec::new(),
+            objects: Vec::new(),
+            lights: Vec::new(),
+        }
+    }
+}
+
+impl Default for Material {
+    /// Black.
+    fn default() -> Self {
+        Material {
+            name: String::new(),
+            ambient: Rgb::BLACK,
+            diffuse: Rgb::BLACK,
+            specular: Rgb::BLACK,
+            shininess: 1.0,
+            highlight: Highlight::Blinn,
+            reflection: Rgb::BLACK,
+            transmission: Rgb::BLACK,
+            ior: 1.0,
+            emission: Rgb::BLACK,
+            reflectance: Rgb::BLACK,
+            texture: None,
+        }
+    }
+}
+
 impl Object {
+    /// An undivided object that casts shadows.
+    pub fn new(name: impl Into<String>, material: usize, shape: Shape) -> Self {
+        Object {
+            name: name.into(),
+            material,
+            shape,
+            patches: [1, 1],
+            divisions: Object::DIVISIONS,
+            casts_shadow: true,
+        }
+    }
+
     /// Of a sphere whose file does not say.
     pub const DIVISIONS: u32 = 16;
     /// The most that a file may ask for.

@@ -215,7 +215,7 @@ fn combine(weights: &[f64; 4], points: [DVec3; 4]) -> DVec3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::Rgb;
+    use crate::scene::Object;
     use std::collections::HashSet;
 
     /// V − E + F: 2 for a closed surface without handles (Euler).
@@ -241,49 +241,6 @@ mod tests {
                 mesh.normal(face).dot(outward)
             })
             .fold(1.0, f64::min)
-    }
-
-    #[test]
-    fn polygons_are_counted_before_they_are_made() {
-        let shapes = [
-            Shape::Sphere {
-                center: DVec3::ZERO,
-                radius: 1.0,
-            },
-            Shape::Plane {
-                point: DVec3::ZERO,
-                normal: DVec3::Y,
-            },
-            Shape::Polygon {
-                vertices: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
-            },
-            Shape::Cylinder {
-                base: DVec3::ZERO,
-                axis: DVec3::Y,
-                radius: 1.0,
-                height: 1.0,
-                capped: true,
-            },
-        ];
-        let object = |shape| Object {
-            name: String::new(),
-            material: 0,
-            shape,
-            patches: [1, 1],
-            divisions: Object::DIVISIONS,
-            casts_shadow: true,
-        };
-        let scene = Scene {
-            background: Rgb::BLACK,
-            ambient: Rgb::WHITE,
-            path_attenuation: [1.0, 0.0, 0.0],
-            camera: None,
-            materials: Vec::new(),
-            objects: shapes.map(object).into(),
-            lights: Vec::new(),
-        };
-        assert_eq!(Tessellation::count(&scene), 512 + 1 + 34);
-        assert_eq!(Tessellation::of(&scene).polygon_count(), 512 + 1 + 34);
     }
 
     #[test]
@@ -381,45 +338,37 @@ mod tests {
     }
 
     #[test]
-    fn polygons_are_counted_over_all_objects() {
-        let triangle = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
+    fn polygons_are_counted_over_all_objects_and_before_they_are_made() {
+        let vertices = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
+        let (point, normal) = (DVec3::ZERO, DVec3::Y);
         let shapes = [
-            Shape::Polygon { vertices: triangle },
-            Shape::Plane {
-                point: DVec3::ZERO,
-                normal: DVec3::Y,
-            },
+            Shape::Polygon { vertices },
+            Shape::Plane { point, normal },
             Shape::Sphere {
-                center: DVec3::ZERO,
+                center: point,
                 radius: 1.0,
+            },
+            Shape::Cylinder {
+                base: point,
+                axis: normal,
+                radius: 1.0,
+                height: 1.0,
+                capped: true,
             },
         ];
         let scene = Scene {
-            background: Rgb::BLACK,
-            ambient: Rgb::WHITE,
-            path_attenuation: [1.0, 0.0, 0.0],
-            camera: None,
-            materials: Vec::new(),
-            objects: shapes
-                .into_iter()
-                .map(|shape| Object {
-                    name: String::new(),
-                    material: 0,
-                    shape,
-                    patches: [1, 1],
-                    divisions: Object::DIVISIONS,
-                    casts_shadow: true,
-                })
-                .collect(),
-            lights: Vec::new(),
+            objects: shapes.map(|shape| Object::new("", 0, shape)).into(),
+            ..Scene::default()
         };
+        assert_eq!(Tessellation::count(&scene), 1 + 512 + 34);
         let tessellation = Tessellation::of(&scene);
         assert_eq!(tessellation.skipped, [1]);
-        assert_eq!(tessellation.polygon_count(), 513);
+        assert_eq!(tessellation.polygon_count(), 1 + 512 + 34);
         assert_eq!(tessellation.first_polygon(2), 1);
         assert_eq!(tessellation.locate(0), Some((0, 0)));
         assert_eq!(tessellation.locate(1), Some((2, 0)));
         assert_eq!(tessellation.locate(512), Some((2, 511)));
-        assert_eq!(tessellation.locate(513), None);
+        assert_eq!(tessellation.locate(546), Some((3, 33)));
+        assert_eq!(tessellation.locate(547), None);
     }
 }

@@ -27,7 +27,7 @@ fn main() {
             let mut first = None;
             let mut show = |_: &_| first = first.or(Some(start.elapsed()));
             preview(&prepared, lesson.method, threads, |_, _| Ok(()), &mut show)
-                .expect("nobody calls it off");
+                .expect("it is never cancelled");
             let all = start.elapsed();
             // The first run makes the hierarchies.
             if round > 0 {

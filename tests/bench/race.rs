@@ -1,4 +1,4 @@
-//! Contenders timed in turn, in one run, so that a machine that slows down slows down all.
+//! Contenders timed alternately, in one run, so that a machine that slows down slows down all.
 
 use lightwalk::study::timing::Timing;
 use std::time::Instant;

@@ -1,13 +1,12 @@
 //! Million rays a second on meshes made by a formula, one thread: every triangle, `obvhs` by itself with f32 hits, and ours with exact
-//! f64 hits. All in one run, in alternating order; medians with quartiles, and the median ratio of runs taken in turn.
+//! f64 hits. All in one run, in alternating order; medians with quartiles, and the median ratio of alternating runs.
 
 mod race;
 
 use glam::{DVec3, Vec3A};
-use lightwalk::color::Rgb;
 use lightwalk::numeric::Random;
 use lightwalk::scene::primitives::{Primitives, Ray};
-use lightwalk::scene::{Highlight, Material, Mesh, Object, Scene, Shape, Tessellation};
+use lightwalk::scene::{Material, Mesh, Object, Scene, Shape, Tessellation};
 use lightwalk::study::timing::Timing;
 use obvhs::BvhBuildParams;
 use obvhs::bvh2::builder::build_bvh2_from_tris;
@@ -90,35 +89,10 @@ fn incoherent_rays() -> Vec<Ray> {
 }
 
 fn scene_of(mesh: Mesh) -> Scene {
-    let material = Material {
-        name: "grey".into(),
-        ambient: Rgb::BLACK,
-        diffuse: Rgb::WHITE,
-        specular: Rgb::BLACK,
-        shininess: 1.0,
-        highlight: Highlight::Blinn,
-        reflection: Rgb::BLACK,
-        transmission: Rgb::BLACK,
-        ior: 1.0,
-        emission: Rgb::BLACK,
-        reflectance: Rgb::WHITE,
-        texture: None,
-    };
     Scene {
-        background: Rgb::BLACK,
-        ambient: Rgb::WHITE,
-        path_attenuation: [1.0, 0.0, 0.0],
-        camera: None,
-        materials: vec![material],
-        objects: vec![Object {
-            name: "torus".into(),
-            material: 0,
-            shape: Shape::Mesh(mesh),
-            patches: [1, 1],
-            divisions: Object::DIVISIONS,
-            casts_shadow: true,
-        }],
-        lights: Vec::new(),
+        materials: vec![Material::default()],
+        objects: vec![Object::new("torus", 0, Shape::Mesh(mesh))],
+        ..Scene::default()
     }
 }
 

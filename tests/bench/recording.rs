@@ -257,9 +257,9 @@ fn seek() {
     }
 
     for text in ["Vertex", "Pixel y=-1", "t=-1"] {
-        let wanted: Query = text.parse().expect("a query");
+        let query: Query = text.parse().expect("a query");
         let start = Instant::now();
-        assert_eq!(query::matches(&replay, &wanted, 0..len).count(), 0);
+        assert_eq!(query::matches(&replay, &query, 0..len).count(), 0);
         let rate = len as f64 / start.elapsed().as_secs_f64() / 1e6;
         println!("search for `{text}`: {rate:.0} million events a second");
     }

@@ -108,7 +108,7 @@ fn the_steps_of_a_pixel_are_its_tree() {
         .rfind(|step| step["kind"] == "Returned")
         .unwrap();
     assert_eq!(pixel["color"], root["I"]);
-    // What was tested on the way is not told by what comes of it.
+    // What was tested on the way is no value of what comes of it.
     for step in steps.iter().filter(|step| step["kind"] == "Found") {
         assert_eq!(
             step["met"] == "object",

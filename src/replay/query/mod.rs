@@ -170,7 +170,7 @@ impl Condition {
     }
 }
 
-/// The numbers that a value, or a part of it, stands for; and whether they are whole numbers, to be compared exactly.
+/// The numbers in a value or a part of it, and whether they are whole numbers, to be compared exactly.
 fn numbers(value: Value, part: Option<&str>) -> (Vec<f64>, bool) {
     let numbers = match (value, part) {
         (Value::Number(number), None) => vec![number],

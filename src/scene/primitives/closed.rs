@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn what_contains_a_point_is_told_from_outside_in() {
+    fn what_contains_a_point_is_listed_from_outside_in() {
         let sphere = |x: f64, radius| Shape::Sphere {
             center: DVec3::new(x, 1.0, 0.0),
             radius,

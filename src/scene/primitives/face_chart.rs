@@ -133,8 +133,8 @@ mod tests {
                 assert!((met.t - 2.0).abs() < 1e-12);
                 let hit = own.meet(0, &ray).expect("the object");
                 let found = chart.uv(aim);
-                let asked = own.uv(&hit, aim);
-                assert!(found.distance(asked) < within, "{found} for {asked}");
+                let expected = own.uv(&hit, aim);
+                assert!(found.distance(expected) < within, "{found} for {expected}");
             }
         }
     }

@@ -16,7 +16,7 @@ use glam::{DVec2, DVec3, Vec3};
 pub(super) struct Faces {
     vertices: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
-    /// Texture coordinates at the corners of each triangle; none at all where they are not asked for.
+    /// Texture coordinates at the corners of each triangle; empty where they are not needed.
     uvs: Vec<[DVec2; 3]>,
     /// The planar faces of more than four corners, in ascending order.
     planes: Vec<FacePlane>,
@@ -167,7 +167,7 @@ impl Faces {
         best.map(|(t, triangle)| (near.moved + t, triangle))
     }
 
-    /// Whether some triangle is met within `reach` at a t that is `near_enough`; that is told the triangle too.
+    /// Whether some triangle is met within `reach` at a t that is `near_enough`; which gets the triangle too.
     pub fn blocks(
         &self,
         ray: &Ray,
@@ -187,7 +187,7 @@ impl Faces {
         is_blocked
     }
 
-    /// Shows `met` every meeting of the exact test in the leaves within reach; it may tell a new reach.
+    /// Shows `met` every meeting of the exact test in the leaves within reach; it may return a new reach.
     #[inline]
     fn walk(
         &self,
@@ -228,7 +228,7 @@ impl Faces {
     }
 
     /// The t of a hit along a ray that came `near` to be tested, where it was met at `t`. It is that of [`triangle::t_across`] unless the two
-    /// are so far apart that a hierarchy could tell them apart: where the ray is flat, or the object small for its coordinates.
+    /// are so far apart that a hierarchy could separate them: where the ray is flat, or the object small for its coordinates.
     pub fn t_along(&self, ray: &Ray, near: &Near, t: f64, triangle: u32) -> f64 {
         let moved_along = near.moved + t;
         triangle::t_across(self.corners(triangle), ray)

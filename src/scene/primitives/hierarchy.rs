@@ -124,7 +124,7 @@ impl Bvh {
         )
     }
 
-    /// Visits the leaves whose boxes the ray passes within `reach`, roughly from front to back. `visit` tells how far the ray
+    /// Visits the leaves whose boxes the ray passes within `reach`, roughly from front to back. `visit` returns how far the ray
     /// reaches from then on; below 0 ends the walk. `stack` is as before afterwards, unless the walk was ended; `visit` may use it
     /// for a walk of its own.
     #[inline]

@@ -256,7 +256,7 @@ impl Primitives {
                 is_blocked = casts_shadow(object)
                     && match &self.primitives[object as usize] {
                         Solid::Faces { faces, .. } => {
-                            // What lies at the distance itself, as far as can be told, is for the nearest meeting to say.
+                            // Whether something is at the distance itself, within rounding, is decided by the nearest hit.
                             let mut is_close = false;
                             let clearly = |t, triangle| {
                                 let t = faces.t_along(ray, &near, t, triangle);

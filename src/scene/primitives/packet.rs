@@ -46,7 +46,7 @@ impl UnitShear {
 }
 
 impl Packet {
-    /// Of one triangle or more, up to [`PACKET`]; `corners_of` tells a triangle's corners as indices and in the unit frame.
+    /// Of one triangle or more, up to [`PACKET`]; `corners_of` gives a triangle's corners as indices and in the unit frame.
     pub fn new(triangles: &[u32], corners_of: impl Fn(u32) -> ([u32; 3], [Vec3; 3])) -> Self {
         let mut packet = Packet {
             corners: [[Vec4::ZERO; 3]; 3],

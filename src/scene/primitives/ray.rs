@@ -48,7 +48,7 @@ pub fn leaving(surface: &Surface, direction: DVec3) -> Ray {
     }
 }
 
-/// How far a ray that left `surface` runs before it is at a point `distance` away, as far as rounding lets one tell: what it
+/// How far a ray that left `surface` runs before it is at a point `distance` away, within rounding: what it
 /// meets farther on does not lie between. Infinite where `distance` is.
 pub fn short_of(ray: &Ray, surface: &Surface, distance: f64) -> f64 {
     // What stands at the point is met off by as much as the origin was moved, times 1/cos of the angle from its normal: up to 89°.

@@ -1,41 +1,16 @@
 //! Laws of what rays meet: the same bits with the hierarchies and without, at every scale.
 
 use super::*;
-use crate::color::Rgb;
 use crate::numeric::Random;
 use crate::scene::{Material, Mesh, Object};
 use proptest::prelude::*;
 
 pub fn scene(shapes: impl IntoIterator<Item = Shape>) -> Scene {
-    let object = |shape| Object {
-        name: String::new(),
-        material: 0,
-        shape,
-        patches: [1, 1],
-        divisions: Object::DIVISIONS,
-        casts_shadow: true,
-    };
+    let object = |shape| Object::new("", 0, shape);
     Scene {
-        background: Rgb::BLACK,
-        ambient: Rgb::WHITE,
-        path_attenuation: [1.0, 0.0, 0.0],
-        camera: None,
-        materials: vec![Material {
-            name: String::new(),
-            ambient: Rgb::BLACK,
-            diffuse: Rgb::WHITE,
-            specular: Rgb::BLACK,
-            shininess: 1.0,
-            highlight: crate::scene::Highlight::Blinn,
-            reflection: Rgb::BLACK,
-            transmission: Rgb::BLACK,
-            ior: 1.0,
-            emission: Rgb::BLACK,
-            reflectance: Rgb::WHITE,
-            texture: None,
-        }],
+        materials: vec![Material::default()],
         objects: shapes.into_iter().map(object).collect(),
-        lights: Vec::new(),
+        ..Scene::default()
     }
 }
 

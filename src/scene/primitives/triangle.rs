@@ -36,7 +36,7 @@ fn turned(vector: DVec3, axis: usize) -> [f64; 3] {
 }
 
 /// a·b − c·d, of the right sign: rounding is monotonic, so it could only be lost to zero. There the errors of the two products decide, which
-/// a fused multiplication tells exactly.
+/// a fused multiplication finds exactly.
 #[inline]
 fn area(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let (ab, cd) = (a * b, c * d);

@@ -52,6 +52,7 @@ impl Check {
     }
 
     pub fn material(&mut self, place: &Place, name: String, file: MaterialFile) -> Material {
+        let default = Material::default();
         let mut color = |key, written: Option<Triple>| {
             written.map_or(Rgb::BLACK, |written| self.color(&place.key(key), written))
         };
@@ -66,11 +67,13 @@ impl Check {
         let specular = coefficient("specular", file.specular);
         let reflection = coefficient("reflection", file.reflection);
         let transmission = coefficient("transmission", file.transmission);
-        let mut number = |key, written: Option<Number>, rule| {
-            written.map_or(1.0, |written| self.number(&place.key(key), written, rule))
+        let mut number = |key, written: Option<Number>, default, rule| {
+            written.map_or(default, |written| {
+                self.number(&place.key(key), written, rule)
+            })
         };
-        let shininess = number("shininess", file.shininess, NOT_NEGATIVE);
-        let ior = number("ior", file.ior, POSITIVE);
+        let shininess = number("shininess", file.shininess, default.shininess, NOT_NEGATIVE);
+        let ior = number("ior", file.ior, default.ior, POSITIVE);
         let reflectance = match file.reflectance {
             Some(written) => self
                 .triple(&place.key("reflectance"), written, SHARE)
@@ -78,7 +81,8 @@ impl Check {
             None => diffuse.channels().map(|k_d| k_d.min(1.0)).into(),
         };
         let highlight = match file.highlight.as_deref() {
-            None | Some("blinn") => Highlight::Blinn,
+            None => default.highlight,
+            Some("blinn") => Highlight::Blinn,
             Some("phong") => Highlight::Phong,
             Some(other) => {
                 self.refuse(

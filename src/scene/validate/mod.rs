@@ -37,7 +37,7 @@ impl Default for Limits {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}", document::one_a_line(.problems))]
 pub struct SceneError {
-    /// One or more. Of more than a thousand the first, and a last one that says how many are not told.
+    /// One or more. Of more than a thousand, the first ones, and a last one that says how many more there are.
     pub problems: Vec<Problem>,
 }
 
@@ -96,7 +96,7 @@ impl SceneFile {
             check.attenuation(&root.key("path_attenuation"), self.path_attenuation);
         if check.count > 0 {
             return Err(SceneError {
-                problems: check.told(root),
+                problems: check.placed(root),
             });
         }
         Ok(Scene {

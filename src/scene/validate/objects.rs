@@ -159,7 +159,7 @@ impl<'a, 'f> Objects<'a, 'f> {
             .or_else(|| self.mesh(object, &file.mesh.as_ref()?.0, file.transform.as_ref()))
     }
 
-    /// Patches along u and v; 1 where the file asks for none, or for what is not allowed.
+    /// Patches along u and v; 1 where the file has none, or a wrong number.
     fn patches(
         &mut self,
         place: &Place,

@@ -56,14 +56,14 @@ impl Check {
     }
 
     /// The problems kept, and how many there are beside them.
-    pub fn told(mut self, root: &Place) -> Vec<Problem> {
-        let untold = self.count - self.problems.len();
-        if untold > 0 {
+    pub fn placed(mut self, root: &Place) -> Vec<Problem> {
+        let more = self.count - self.problems.len();
+        if more > 0 {
             self.problems.push(Problem {
                 place: root.to_string(),
                 line: None,
                 column: None,
-                message: format!("and {untold} more problems"),
+                message: format!("and {more} more problems"),
             });
         }
         self.problems

@@ -77,15 +77,9 @@ pub fn polygons(corners: &[[[f64; 3]; 4]]) -> Scene {
     scene.objects = corners
         .iter()
         .enumerate()
-        .map(|(number, corners)| Object {
-            name: format!("polygon {number}"),
-            material: 0,
-            shape: Shape::Polygon {
-                vertices: corners.map(DVec3::from).to_vec(),
-            },
-            patches: [1, 1],
-            divisions: Object::DIVISIONS,
-            casts_shadow: true,
+        .map(|(number, corners)| {
+            let vertices = corners.map(DVec3::from).to_vec();
+            Object::new(format!("polygon {number}"), 0, Shape::Polygon { vertices })
         })
         .collect();
     scene

@@ -98,17 +98,11 @@ fn spheres(count: u32) -> Scene {
             let around = (1.0 - z * z).sqrt();
             let out = 2.0 * (f64::from(i) * 0.754_877_666_246_692_7).fract().cbrt();
             let toward = DVec3::new(around * angle.cos(), around * angle.sin(), z);
-            Object {
-                name: format!("ball {i}"),
-                material,
-                shape: Shape::Sphere {
-                    center: out * toward,
-                    radius: 0.4 * radius,
-                },
-                patches: [1, 1],
-                divisions: Object::DIVISIONS,
-                casts_shadow: true,
-            }
+            let ball = Shape::Sphere {
+                center: out * toward,
+                radius: 0.4 * radius,
+            };
+            Object::new(format!("ball {i}"), material, ball)
         })
         .collect();
     scene

@@ -187,18 +187,12 @@ fn lit_toward(
 ) -> Rgb {
     let (specular, diffuse) = (Rgb::new(1.0, 0.0, 1.0), Rgb::new(0.0, 1.0, 1.0));
     let material = Material {
-        name: String::new(),
         ambient: Rgb::new(0.0, 0.0, AMBIENT),
         diffuse,
         specular,
         shininess,
         highlight,
-        reflection: Rgb::BLACK,
-        transmission: Rgb::BLACK,
-        ior: 1.0,
-        emission: Rgb::BLACK,
-        reflectance: Rgb::BLACK,
-        texture: None,
+        ..Material::default()
     };
     let point = SurfacePoint {
         position: DVec3::ZERO,

@@ -45,36 +45,10 @@ pub fn look(objects: &str, materials: &str, more: &str, depth: u32) -> Result<Rg
 
 /// One object alone, as rays meet it.
 pub fn alone(shape: Shape) -> Primitives {
-    let material = Material {
-        name: String::new(),
-        ambient: Rgb::BLACK,
-        diffuse: Rgb::BLACK,
-        specular: Rgb::BLACK,
-        shininess: 1.0,
-        highlight: crate::scene::Highlight::Blinn,
-        reflection: Rgb::BLACK,
-        transmission: Rgb::BLACK,
-        ior: 1.0,
-        emission: Rgb::BLACK,
-        reflectance: Rgb::BLACK,
-        texture: None,
-    };
-    let object = Object {
-        name: String::new(),
-        material: 0,
-        shape,
-        patches: [1, 1],
-        divisions: Object::DIVISIONS,
-        casts_shadow: true,
-    };
     let scene = Scene {
-        background: Rgb::BLACK,
-        ambient: Rgb::WHITE,
-        path_attenuation: [1.0, 0.0, 0.0],
-        camera: None,
-        materials: vec![material],
-        objects: vec![object],
-        lights: Vec::new(),
+        materials: vec![Material::default()],
+        objects: vec![Object::new("", 0, shape)],
+        ..Scene::default()
     };
     Primitives::of(&scene, &Tessellation::of(&scene))
 }

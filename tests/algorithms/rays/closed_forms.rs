@@ -93,7 +93,7 @@ fn glass_of_index_1_is_not_there() {
 #[test]
 fn a_slab_of_glass_shifts_a_ray_sideways() {
     // Through a slab of thickness 1 at 45°, η = 1.5, the ray goes on 0.3291423081773203 beside its line: it meets the wall where a
-    // parallel ray that starts so much aside would. The wall's checker tells the place to 1e-9.
+    // parallel ray that starts so much aside would. The edge of the wall finds the place to 1e-9.
     let shift = 0.329_142_308_177_320_3;
     let scene = |edge: f64| {
         // The boundary between black and white, across the direction of the shift
