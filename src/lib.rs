@@ -7,21 +7,21 @@
 //!
 //! # Map
 //!
-//! Each floor may use only what stands above it; `tests/floors.rs` fails on an import down the list.
+//! A floor may use only what stands above it; `tests/floors.rs` fails on an import down the list.
 //!
 //! | floor | what lives there |
 //! | --- | --- |
-//! | [`color`], [`numeric`] | linear RGB and the one place of clamping and sRGB; interpolation, direct and incremental; Taylor series of cosines; the kernels that several algorithms share |
+//! | [`color`], [`numeric`] | linear RGB and the one place of clamping and sRGB; kernels that several algorithms share: interpolation, forward differences, Taylor series, roots, elimination |
 //! | [`language`] | the languages, a catalogue of all text in each, and how numbers are written |
-//! | [`record`] | what keeps an algorithm's steps, and the tree of scopes over them |
-//! | [`scene`] | scene files and their checks, camera, lights, materials, meshes, division into polygons; where rays meet them ([`scene::primitives`]), what rays need of them, and the patches of radiosity ([`scene::patches`]) |
+//! | [`picture`] | display lists with tags, text, formulas, themes, and their rasteriser; uses [`color`] alone |
+//! | [`figure`] | what panels and studies are made of: plots, colour scales, labels; knows no algorithm |
+//! | [`record`] | recorders of an algorithm's events, and the tree of scopes over them; knows no algorithm |
+//! | [`scene`] | scene files and their checks, camera, lights, materials, meshes, division into polygons; where rays meet them ([`scene::primitives`]), what a scene needs, and the patches of radiosity ([`scene::patches`]) |
 //! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud, Phong, Fast Phong, textures, ray casting, ray tracing; [`algorithms::form_factor`] and [`algorithms::radiosity`] with a file a method or solver |
 //! | [`vocabulary`] | what each kind of event means, declared once: values with their symbols, pseudocode line, sentence, formulas |
 //! | [`methods`] | a method as one value: its name, what it needs, how it is drawn, recorded and counted |
 //! | [`render`] | a whole frame or a whole matrix of form factors, unrecorded, on all cores; frames all at once or coarse first |
 //! | [`replay`] | timelines with checkpoints, walking, searching; the state of each algorithm at a step |
-//! | [`picture`] | display lists with tags, text, themes, and their rasteriser; uses [`color`] alone |
-//! | [`figure`] | plot areas and colour scales, for panels and studies; uses [`picture`], [`color`] and [`numeric`] alone |
 //! | [`panels`] | one file a panel: what it draws of a run at its step |
 //! | [`lesson`] | lesson files, tied to the steps of their run |
 //! | [`study`] | error against run time, how work grows, and how the algorithms cope with stiff, extreme and wrong input |

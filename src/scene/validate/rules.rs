@@ -32,7 +32,7 @@ pub const RADIUS_OR_NONE: Rule = (
 );
 
 /// How many problems are kept; of the rest the number is enough.
-const TOLD: usize = 1000;
+const MAX_KEPT: usize = 1000;
 
 /// The problems found so far. Its methods hand on what is written also where it is wrong, so that checking goes on.
 #[derive(Default)]
@@ -45,7 +45,7 @@ pub struct Check {
 impl Check {
     pub fn refuse(&mut self, place: &Place, message: String) {
         self.count += 1;
-        if self.problems.len() < TOLD {
+        if self.problems.len() < MAX_KEPT {
             self.problems.push(Problem {
                 place: place.to_string(),
                 line: None,
