@@ -4,11 +4,11 @@ use super::document::{Keyed, Schema, present};
 use super::values::{ByName, Coefficient, Count, Number, PatchCounts, Triple};
 use serde::Deserialize;
 
-/// A scene as written, also where it stands inside another document. See [`SceneFile::check`].
+/// A scene as written, also as a part of another document. See [`SceneFile::check`].
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SceneFile {
-    /// Asked for in a scene file; may be left out where the scene stands inside another document.
+    /// Required in a scene file, optional where the scene is part of another document.
     #[serde(default, deserialize_with = "present")]
     pub schema: Option<Schema>,
     #[serde(default, deserialize_with = "present")]

@@ -1,4 +1,4 @@
-//! Stages that several tests look at.
+//! Scenes that several tests use.
 
 use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::scene::{self, Limits, View};
