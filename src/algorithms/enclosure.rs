@@ -55,7 +55,6 @@ pub struct Enclosure {
     pub emission: Vec<Rgb>,
     matrix: OnceLock<Vec<f64>>,
     light: OnceLock<Result<Light, ChannelUnsolved>>,
-    race: OnceLock<Result<Race, Unsolved>>,
     skipped: OnceLock<Vec<LeftOut>>,
     /// The patches as rays meet them.
     pub primitives: PatchPrimitives,
@@ -93,7 +92,6 @@ impl Enclosure {
             primitives,
             matrix: OnceLock::new(),
             light: OnceLock::new(),
-            race: OnceLock::new(),
             skipped: OnceLock::new(),
         })
     }
@@ -183,26 +181,18 @@ impl Enclosure {
         })
     }
 
-    /// All solvers on the first channel that has light, each on `clock`, which tells seconds; run when it is first asked for.
+    /// All solvers on the first channel that has light, each timed by `clock`, in seconds.
     /// Errors: why not even the exact solution was found.
-    pub fn race_or(&self, matrix: &[f64], clock: impl FnMut() -> f64) -> Result<&Race, &Unsolved> {
-        let race = self.race.get_or_init(|| {
-            let lists = [0, 1, 2].map(|c| self.channel(c));
-            let lit = |(_, emission): &(_, Vec<f64>)| emission.iter().any(|&e| e > 0.0);
-            let c = lists.iter().position(lit).unwrap_or(0);
-            let (rho, emission) = &lists[c];
-            let areas = self.patches.areas();
-            let patches = radiosity::Patches::new(&areas, rho, emission)?;
-            let matrix = Matrix::new(matrix, self.patches.len())?;
-            let system = System::new(&matrix, patches)?;
-            Race::run(&system, CHANNELS[c], self.settings.stop.tolerance, clock)
-        });
-        race.as_ref()
-    }
-
-    /// The race, where it was run.
-    pub fn race(&self) -> Option<Result<&Race, &Unsolved>> {
-        self.race.get().map(Result::as_ref)
+    pub fn race(&self, matrix: &[f64], clock: impl FnMut() -> f64) -> Result<Race, Unsolved> {
+        let lists = [0, 1, 2].map(|c| self.channel(c));
+        let lit = |(_, emission): &(_, Vec<f64>)| emission.iter().any(|&e| e > 0.0);
+        let c = lists.iter().position(lit).unwrap_or(0);
+        let (rho, emission) = &lists[c];
+        let areas = self.patches.areas();
+        let patches = radiosity::Patches::new(&areas, rho, emission)?;
+        let matrix = Matrix::new(matrix, self.patches.len())?;
+        let system = System::new(&matrix, patches)?;
+        Race::run(&system, CHANNELS[c], self.settings.stop.tolerance, clock)
     }
 
     /// ρ and E of every patch in channel `c`.

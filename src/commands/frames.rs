@@ -7,7 +7,7 @@ use crate::panels::strings::Language;
 use crate::panels::{Panel, PanelInput, TreeView, draw};
 use crate::picture::{Theme, rasterize, to_png};
 use crate::render::compare::compare;
-use crate::render::{race, render};
+use crate::render::{Finished, race, render, smooth_patches};
 use glam::Vec2;
 use std::num::NonZeroUsize;
 use std::ops::Range;
@@ -72,20 +72,20 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     };
     let threads = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
     let rendering = Progress::new("rendering");
-    let finished = render(&open.prepared, open.lesson.method, threads, &|done, all| {
+    let picture = render(&open.prepared, open.lesson.method, threads, &|done, all| {
         rendering.show(done, all)
     });
     drop(rendering);
+    let mut finished = Finished::new(picture, &open.prepared.scene.lights);
     if panels.contains(&Panel::Race) {
-        race(&open.prepared);
+        finished.race = race(&open.prepared);
     }
-
     let methods = open
         .lesson
         .compare
         .iter()
         .filter(|_| panels.iter().any(|panel| panel.compares()));
-    let compared: Vec<_> = methods
+    finished.compared = methods
         .map(|&method| compare(&open.prepared, method))
         .collect();
 
@@ -97,13 +97,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         let show = PanelInput {
             run: &open.run,
             finished: &finished,
-            compared: &compared,
             focus: open.lesson.focus,
             language: Language::English,
             narrated: &narrated,
             breakpoints: &[],
             tree: TreeView::whole(),
-            smooth: open.prepared.radiosity.smooth,
+            smooth: open.prepared.radiosity.smooth.then_some(smooth_patches),
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

@@ -25,13 +25,13 @@ const RAYS: Message = Message("common-rays");
 const A_PIXEL: Message = Message("comparison-a-pixel");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
-    let Some(first) = input.compared.first() else {
+    let Some(first) = input.finished.compared.pictures().first() else {
         return message(NOT_COMPARED, input.language, size);
     };
     let cursor = Cursor::of(input);
     let mut picture = Picture::new(size.x, size.y);
     let mut strings = told_in_words(input);
-    let all = input.compared;
+    let all = input.finished.compared.pictures();
     for (compared, cell) in all.iter().zip(cells(&first.frame, all.len(), 3, size)) {
         let figures = figures(input, compared);
         cell.title(

@@ -8,8 +8,7 @@ use super::values::told_in_words;
 use crate::color::Rgb;
 use crate::language::Message;
 use crate::picture::{Image, Ink, Picture, Rect, Style, elide};
-use crate::render::Method;
-use crate::render::compare::{Compared, Difference, difference};
+use crate::render::compare::{Compared, Difference};
 use glam::Vec2;
 
 const TEXT: f32 = 11.0;
@@ -22,21 +21,14 @@ const HERE: Message = Message("difference-here");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     // Wires shade nothing: how far they are says nothing.
-    let shaded: Vec<&Compared> = input
-        .compared
-        .iter()
-        .filter(|compared| compared.method != Method::Wireframe)
-        .collect();
-    let Some((&reference, others)) = shaded.split_last().filter(|(_, rest)| !rest.is_empty())
-    else {
+    let compared = &input.finished.compared;
+    let differences = compared.differences();
+    let mut others = compared.shaded();
+    let Some((_, reference)) = others.next_back().filter(|_| !differences.is_empty()) else {
         return message(NOT_COMPARED, input.language, size);
     };
     let localize = |strings: Message| strings.text(input.language);
     let cursor = Cursor::of(input);
-    let differences: Vec<Difference> = others
-        .iter()
-        .map(|compared| difference(&compared.frame, &reference.frame))
-        .collect();
     let most = differences
         .iter()
         .fold(0.0, |most: f64, d| most.max(d.largest));
@@ -48,12 +40,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         reference.method.name()
     );
     let room = Vec2::new(size.x, size.y - SCALE - ROW);
-    for ((compared, difference), cell) in
-        others
-            .iter()
-            .zip(&differences)
-            .zip(cells(&reference.frame, others.len(), 2, room))
-    {
+    let cells = cells(&reference.frame, differences.len(), 2, room);
+    for (((_, compared), difference), cell) in others.zip(differences).zip(cells) {
         cell.title(
             &mut picture,
             compared.method,

@@ -10,7 +10,7 @@ use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
 use crate::color::Rgb;
 use crate::record::RecordingLimit;
-use crate::render::{Method, render};
+use crate::render::{Finished, Method, render};
 use crate::replay::Run;
 use crate::scene::{
     self, Camera, Highlight, Light, Limits, Material, Mesh, Object, Scene, Shape, View,
@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// A recorded run with the finished picture.
 pub(crate) struct Fixture {
     pub run: Run,
-    pub finished: Frame,
+    pub finished: Finished,
     pub focus: Focus,
 }
 
@@ -69,11 +69,8 @@ impl Fixture {
         };
         let prepared = prepared(scene, (640, 480)).with_settings(settings);
         let focus = Focus::Pixel { x, y };
-        Fixture {
-            finished: Frame::new(640, 0..480, prepared.scene.background),
-            run: Run::record(Arc::new(prepared), method, focus, RecordingLimit::default()),
-            focus,
-        }
+        let picture = prepared.empty_frame();
+        Fixture::recorded(prepared, picture, method, focus)
     }
 
     /// A red ball over a white floor under a lamp, 64 patches, whose light `solver` finds; 640×480 pixels, none finished.
@@ -92,17 +89,9 @@ impl Fixture {
             solver,
             ..enclosure::Settings::default()
         };
-        let prepared = Arc::new(prepared(scene, (640, 480)).with_radiosity(settings));
-        Fixture {
-            finished: Frame::new(640, 0..480, prepared.scene.background),
-            run: Run::record(
-                prepared,
-                Method::Radiosity,
-                focus,
-                RecordingLimit::default(),
-            ),
-            focus,
-        }
+        let prepared = prepared(scene, (640, 480)).with_radiosity(settings);
+        let picture = prepared.empty_frame();
+        Fixture::recorded(prepared, picture, Method::Radiosity, focus)
     }
 
     pub fn of(scene: Scene, method: Method, focus: Focus, size: (u32, u32)) -> Self {
@@ -116,10 +105,23 @@ impl Fixture {
         size: (u32, u32),
         settings: Settings,
     ) -> Self {
-        let prepared = Arc::new(prepared(scene, size).with_settings(settings));
+        let prepared = prepared(scene, size).with_settings(settings);
+        Fixture::rendered(prepared, method, focus)
+    }
+
+    /// A run of `method`, with its finished picture.
+    pub fn rendered(prepared: PreparedScene, method: Method, focus: Focus) -> Self {
+        let picture = render(&prepared, method, NonZeroUsize::MIN, &|_, _| {});
+        Fixture::recorded(prepared, picture, method, focus)
+    }
+
+    /// A run of `method` with another finished picture.
+    pub fn recorded(prepared: PreparedScene, picture: Frame, method: Method, focus: Focus) -> Self {
+        let finished = Finished::new(picture, &prepared.scene.lights);
+        let limit = RecordingLimit::default();
         Fixture {
-            finished: render(&prepared, method, NonZeroUsize::MIN, &|_, _| {}),
-            run: Run::record(prepared, method, focus, RecordingLimit::default()),
+            run: Run::record(Arc::new(prepared), method, focus, limit),
+            finished,
             focus,
         }
     }
@@ -128,13 +130,12 @@ impl Fixture {
         PanelInput {
             run: &self.run,
             finished: &self.finished,
-            compared: &[],
             focus: self.focus,
             language: Language::English,
             narrated: &[],
             breakpoints: &[],
             tree: TreeView::whole(),
-            smooth: false,
+            smooth: None,
         }
     }
 

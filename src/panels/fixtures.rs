@@ -14,13 +14,12 @@ use crate::algorithms::texture::Mapping;
 use crate::color::Rgb;
 use crate::picture::{Picture, Rect, Shape as Drawn};
 use crate::record::RecordingLimit;
-use crate::render::{Method, render};
+use crate::render::Method;
 use crate::replay::{Run, Walk};
 use crate::scene::{Camera, Highlight, Light, Material, Mesh, Object, Scene, Shape, Texture, View};
 use glam::{DVec3, Vec2};
 use std::collections::HashMap;
-use std::num::{NonZeroU32, NonZeroUsize};
-use std::sync::Arc;
+use std::num::NonZeroU32;
 
 /// Sizes at which panels are checked: the smallest, as in the window, low and wide, tall, large.
 pub const SIZES: [Vec2; 6] = [
@@ -206,12 +205,7 @@ pub fn textured(method: Method, mapping: Mapping) -> Fixture {
     );
     let camera = scene.camera.expect("it has one");
     let prepared = PreparedScene::new(scene, View::new(&camera, 16, 12)).with_mapping(mapping);
-    let prepared = Arc::new(prepared);
-    Fixture {
-        finished: render(&prepared, method, NonZeroUsize::MIN, &|_, _| {}),
-        run: Run::record(prepared, method, Focus::Frame, RecordingLimit::default()),
-        focus: Focus::Frame,
-    }
+    Fixture::rendered(prepared, method, Focus::Frame)
 }
 
 /// Every kind of step of the ray methods: objects met, missed and hidden, a light ball, blocked lights, glass with total

@@ -4,15 +4,13 @@
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::values::{short, told_in_words};
-use crate::algorithms::illumination::{attenuation, slide_factor};
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
 use crate::figure::LogAxes;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, symbol};
 use crate::record::Value;
+use crate::render::falloff::{Falloff, Sample};
 use crate::replay::shading::{CurrentLight, CurrentPoint};
-use crate::scene::Light;
 use glam::Vec2;
 
 const NOTHING: Message = Message("illumination-nothing");
@@ -28,9 +26,6 @@ const ROW: f32 = 18.0;
 const MARGIN: f32 = 8.0;
 /// The least size at which the curves can be read.
 const PLOT: Vec2 = Vec2::new(180.0, 110.0);
-/// Between these distances the curves are drawn, in so many parts.
-const DISTANCES: [f64; 2] = [0.1, 100.0];
-const PARTS: u32 = 60;
 const OF_STANDARD: Ink = Ink::Series(0);
 const OF_SLIDE: Ink = Ink::Series(1);
 
@@ -38,7 +33,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if input.run.walk().is_empty() {
         return message(NO_STEPS, input.language, size);
     }
-    let (Some(prepared), point) = input.run.lit() else {
+    let (Some(_), point) = input.run.lit() else {
         return message(NO_LIGHT, input.language, size);
     };
     let Some(point) = point else {
@@ -80,7 +75,13 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         row.draw(&mut picture, kind, Rect::new(list.x, y, list.width, ROW));
     }
     if plot.width >= PLOT.x && plot.height >= PLOT.y {
-        curves(&mut picture, prepared, point, input.language, plot);
+        curves(
+            &mut picture,
+            &input.finished.falloff,
+            point,
+            input.language,
+            plot,
+        );
     }
     let recorded: Vec<String> = rows.iter().map(Row::in_words).collect();
     picture.alt = format!("{} {}.", told_in_words(input), recorded.join("; "));
@@ -209,7 +210,7 @@ impl Row {
 /// Both factors against the distance, at the angle of the light in hand; none where it is behind the surface or far away.
 fn curves(
     picture: &mut Picture,
-    prepared: &PreparedScene,
+    falloff: &[Falloff],
     point: &CurrentPoint,
     language: Language,
     place: Rect,
@@ -220,38 +221,33 @@ fn curves(
     let Some((_, n_dot_l)) = light.to_light.filter(|&(_, n_dot_l)| n_dot_l > 0.0) else {
         return;
     };
-    let Some(&Light::Point {
-        attenuation: coefficients,
-        ..
-    }) = prepared.scene.lights.get(light.light as usize)
-    else {
+    let samples = falloff.get(light.light as usize);
+    let Some(Falloff(samples)) = samples.filter(|falloff| !falloff.0.is_empty()) else {
         return;
     };
-    let [near, far] = DISTANCES;
-    let distances: Vec<f64> = (0..=PARTS)
-        .map(|i| near * (far / near).powf(f64::from(i) / f64::from(PARTS)))
-        .collect();
-    let of_standard = |d: f64| attenuation(coefficients, d) * n_dot_l;
-    let of_slide = |d: f64| slide_factor(d, n_dot_l);
-    let values = distances
-        .iter()
-        .flat_map(|&d| [of_standard(d), of_slide(d)]);
-    let axes = LogAxes::new(DISTANCES, values, place);
+    let factors = |sample: &Sample| [sample.standard, sample.slide].map(|factor| factor * n_dot_l);
+    let axes = LogAxes::new(
+        samples.iter().map(|sample| sample.distance),
+        samples.iter().flat_map(factors),
+        place,
+    );
     let strings = |strings: Message| strings.text(language);
     axes.draw(picture, strings(FACTOR), strings(DISTANCE));
     let x = axes.point(light.distance, 1.0).x;
     let (top, bottom) = (axes.place.y, axes.place.bottom());
     picture.line((x, top), (x, bottom), Ink::This.stroke(1.5).dashed());
-    let mut curve = |factor: &dyn Fn(f64) -> f64, here: f64, ink: Ink, field| {
-        let points = distances.iter().map(|&d| axes.point(d, factor(d)));
+    let mut curve = |factor: usize, here: f64, ink: Ink, field| {
+        let points = samples
+            .iter()
+            .map(|sample| axes.point(sample.distance, factors(sample)[factor]));
         picture.tagged(Tag::Field(field), |picture| {
             picture.polyline(points, ink.stroke(2.5));
             let at = axes.point(light.distance, here);
             picture.circle(at, 4.0, ink.fill().outlined(Ink::Surface.stroke(1.5)));
         });
     };
-    curve(&of_standard, standard(light, n_dot_l), OF_STANDARD, "f_att");
-    curve(&of_slide, light.slide_factor, OF_SLIDE, "slide_factor");
+    curve(0, standard(light, n_dot_l), OF_STANDARD, "f_att");
+    curve(1, light.slide_factor, OF_SLIDE, "slide_factor");
 }
 
 #[cfg(test)]

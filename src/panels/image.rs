@@ -73,7 +73,10 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
 /// The finished picture alone: the exchange of light between patches draws no pixels.
 fn finished(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
-    let (width, height) = (input.finished.width, input.finished.rows.len() as u32);
+    let (width, height) = (
+        input.finished.picture.width,
+        input.finished.picture.rows.len() as u32,
+    );
     let area = Rect::new(0.0, 0.0, size.x, size.y);
     if width == 0 || height == 0 || area.is_empty() {
         return picture;
@@ -82,7 +85,7 @@ fn finished(input: &PanelInput, size: Vec2) -> Picture {
     let extent = Vec2::new(width as f32, height as f32) * zoom as f32;
     let origin = (0.5 * (size - extent)).floor();
     let frame = Rect::between(origin, origin + extent);
-    let colors = input.finished.color.iter();
+    let colors = input.finished.picture.color.iter();
     let bytes: Vec<u8> = colors.flat_map(|color| color.to_srgb8()).collect();
     picture.pixels(frame, Image::new(width, height, bytes), (0, 0));
     picture.rect(frame, Ink::Rule.stroke(1.0));
@@ -111,7 +114,7 @@ fn image(input: &PanelInput, canvas: &Canvas<Dot>, background: Rgb) -> (Image, u
     let (pixels, _) = bytes.as_chunks_mut();
     let follows_rays = matches!(input.run, Run::Rays(..));
     let around = follows_rays && matches!(input.focus, Focus::Pixel { .. });
-    let mut both = iter::zip(pixels, &input.finished.color);
+    let mut both = iter::zip(pixels, &input.finished.picture.color);
     let mut drawn = 0;
     // `for_each`, not `for`: the canvas hands out its tiles' rows much faster.
     canvas.iter().for_each(|dot| {
@@ -231,7 +234,10 @@ mod tests {
         ] {
             for size in [[260.0, 180.0], [460.0, 380.0], [1400.0, 900.0]] {
                 let picture = draw(&fixture.input(), Vec2::from(size));
-                let (width, height) = (fixture.finished.width, fixture.finished.rows.end);
+                let (width, height) = (
+                    fixture.finished.picture.width,
+                    fixture.finished.picture.rows.end,
+                );
                 let frame = frame(&picture);
                 assert!(picture.bounds().encloses(&frame));
                 let pixel = Vec2::new(frame.width / width as f32, frame.height / height as f32);
@@ -262,16 +268,16 @@ mod tests {
         let drawn = draw(&fixture.input(), size);
         let color = |picture: &Picture, x: u32, y: u32| {
             let frame = frame(picture);
-            let scale = frame.width / fixture.finished.width as f32;
+            let scale = frame.width / fixture.finished.picture.width as f32;
             let at = frame.min() + scale * (Vec2::new(x as f32, y as f32) + 0.5);
             let pixels = rasterize(picture, Theme::Light, 1.0).unwrap();
             let color = pixels.pixel(at.x as u32, at.y as u32).unwrap();
             [color.red(), color.green(), color.blue()]
         };
-        let finished = fixture.finished.pixel(22, 16).to_srgb8();
+        let finished = fixture.finished.picture.pixel(22, 16).to_srgb8();
         assert_eq!(color(&drawn, 22, 16), finished);
         // A ghost is nearer to the background than to the finished colour, and not the background.
-        let background = fixture.finished.pixel(2, 33).to_srgb8();
+        let background = fixture.finished.picture.pixel(2, 33).to_srgb8();
         let faint = color(&ghost, 22, 16)[0];
         assert!(faint.abs_diff(background[0]) * 2 < faint.abs_diff(finished[0]));
         assert!(faint.abs_diff(background[0]) > 10);

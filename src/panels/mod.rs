@@ -38,9 +38,8 @@ pub use time_line::step_at;
 pub use vectors::{Held, PlaneGrip, grip as vector_grip};
 
 use crate::algorithms::focus::Focus;
-use crate::algorithms::frame::Frame;
 use crate::picture::Picture;
-use crate::render::compare::Compared;
+use crate::render::{DrawPatches, Finished};
 use crate::replay::Run;
 use glam::Vec2;
 use strings::Language;
@@ -155,10 +154,8 @@ impl Panel {
 pub struct PanelInput<'a> {
     /// The recorded run, at the step that is shown.
     pub run: &'a Run,
-    /// The whole picture, rendered unrecorded.
-    pub finished: &'a Frame,
-    /// The same picture by several methods, the last one the reference; as many as are made.
-    pub compared: &'a [Compared],
+    /// What was found for the run beside its steps.
+    pub finished: &'a Finished,
     /// What the run recorded.
     pub focus: Focus,
     pub language: Language,
@@ -168,8 +165,8 @@ pub struct PanelInput<'a> {
     pub breakpoints: &'a [usize],
     /// How much of the ray tree is looked at.
     pub tree: &'a TreeView,
-    /// Whether the light of a room is interpolated between the corners of its patches.
-    pub smooth: bool,
+    /// How patches are drawn whose light is interpolated between their corners; none where each has one colour.
+    pub smooth: Option<DrawPatches>,
 }
 
 /// The picture of a panel, `size` points large, without title or frame.

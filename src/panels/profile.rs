@@ -6,10 +6,9 @@ use super::comparison::cursor::Cursor;
 use super::message::{NOT_COMPARED, message};
 use super::values::told_in_words;
 use crate::language::{Language, Message};
-use crate::numeric::perceived;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide};
 use crate::render::Method;
-use crate::render::compare::Compared;
+use crate::render::compare::{Compared, SideBySide};
 use glam::Vec2;
 use std::ops::Range;
 
@@ -30,16 +29,18 @@ const LINE: Message = Message("profile-line");
 const LARGEST_JUMP: Message = Message("profile-largest-jump");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
-    let Some(first) = input.compared.first() else {
+    let compared = &input.finished.compared;
+    let Some(first) = compared.pictures().first() else {
         return message(NOT_COMPARED, input.language, size);
     };
     let localize = |strings: Message| strings.text(input.language);
     let cursor = Cursor::of(input);
     let row = cursor.row(&first.frame);
-    let profiles: Vec<Profile> = shaded(input.compared)
+    let profiles: Vec<Profile> = compared
+        .shaded()
         .map(|(number, compared)| Profile::of(number, compared, row))
         .collect();
-    let columns = columns(input.compared, row, first.frame.width);
+    let columns = columns(compared, row, first.frame.width);
     let mut picture = Picture::new(size.x, size.y);
     let whole = picture.bounds().grown(-MARGIN);
     let title = Rect {
@@ -129,16 +130,10 @@ fn one_surface(a: f64, b: f64) -> bool {
 /// What is shown of a profile.
 type Values = fn(&Profile) -> &[f64];
 
-/// All but wireframe, which fills nothing; with their numbers among all.
-fn shaded(compared: &[Compared]) -> impl Iterator<Item = (usize, &Compared)> {
-    let all = compared.iter().enumerate();
-    all.filter(|(_, compared)| compared.method != Method::Wireframe)
-}
-
 /// The row's columns that any method has drawn, and a few around them.
-fn columns(compared: &[Compared], row: u32, width: u32) -> Range<u32> {
+fn columns(compared: &SideBySide, row: u32, width: u32) -> Range<u32> {
     let drawn = |x: &u32| {
-        shaded(compared).any(|(_, compared)| {
+        compared.shaded().any(|(_, compared)| {
             let frame = &compared.frame;
             frame.inverse_depth[frame.index(*x, row)] > 0.0
         })
@@ -186,7 +181,7 @@ impl Profile {
         Profile {
             number,
             method: compared.method,
-            seen: perceived(&intensity),
+            seen: compared.perceived(row).to_vec(),
             intensity,
             gentle: gentle(&slope),
             slope,

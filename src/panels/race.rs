@@ -32,10 +32,10 @@ const ON_THE_WAY: Message = Message("race-on-the-way");
 const PATCHES: Message = Message("common-patches");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
-    let Run::Radiosity(prepared, replay) = input.run else {
+    let Run::Radiosity(_, replay) = input.run else {
         return message(NO_PATCHES, input.language, size);
     };
-    let race = match prepared.enclosure().ok().and_then(|room| room.race()) {
+    let race = match &input.finished.race {
         None => return message(RUNNING, input.language, size),
         Some(Err(_)) => return message(NO_SOLUTION, input.language, size),
         Some(Ok(race)) => race,
@@ -344,16 +344,15 @@ mod tests {
 
     /// The sample room whose race was run on a clock that ticks.
     fn fixture(solver: Solver, focus: Focus) -> Fixture {
-        let fixture = Fixture::room(solver, focus);
-        if let Run::Radiosity(prepared, _) = &fixture.run {
-            let room = prepared.enclosure().unwrap();
-            let mut ticks = 0.0;
-            let clock = || {
-                ticks += 1e-6;
-                ticks
-            };
-            room.race_or(room.matrix().unwrap(), clock).unwrap();
-        }
+        let mut fixture = Fixture::room(solver, focus);
+        let room = fixture.run.enclosure().unwrap();
+        let mut ticks = 0.0;
+        let clock = || {
+            ticks += 1e-6;
+            ticks
+        };
+        let race = room.race(room.matrix().unwrap(), clock);
+        fixture.finished.race = Some(race);
         fixture
     }
 

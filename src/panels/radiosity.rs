@@ -63,14 +63,14 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     for (coloring, place) in colorings.iter().zip(places) {
         let area = coloring.frame(&mut picture, place);
         let fit = view.fit(area);
-        let smooth = input.smooth && coloring.may_be_smooth;
-        if smooth {
-            let (place, image) = smooth::image(room, &view, &fit, &coloring.patches);
+        let smooth = input.smooth.filter(|_| coloring.may_be_smooth);
+        if let Some(draw) = smooth {
+            let (place, image) = smooth::image(draw, room, &view, &fit, &coloring.patches);
             picture.image(place, image);
         }
         for seen in &view.seen {
             let paint = Ink::Rgb(coloring.patches[seen.patch]).fill();
-            let paint = match (smooth, outlined) {
+            let paint = match (smooth.is_some(), outlined) {
                 // Not seen, but pointed at.
                 (true, _) => paint.opacity(0.0),
                 (false, true) => paint.outlined(Ink::Muted.stroke(0.75).opacity(0.6)),

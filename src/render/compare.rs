@@ -1,16 +1,18 @@
-//! Several methods on one stage: their pictures, what each did for it, and how long it took.
+//! Several methods on one scene: their pictures, what each did for its own, how long it took, and how far they are apart.
 
 use super::{Method, render};
 use crate::algorithms::frame::Frame;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::color::Rgb;
+use crate::numeric::perceived;
 use std::iter::zip;
 use std::num::NonZeroUsize;
 use web_time::Instant;
 
-/// Pictures are made so often, and the median of their times is told.
+/// How many pictures are timed, to take the median.
 const REPEATS: usize = 5;
 
-/// One method on a stage.
+/// One method on a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
     pub method: Method,
@@ -18,6 +20,67 @@ pub struct Compared {
     /// Of the whole picture on one thread, unrecorded: the median of five.
     pub seconds: f64,
     pub operations: Operations,
+    /// How bright the pixels of each row look.
+    perceived: Vec<f64>,
+}
+
+impl Compared {
+    /// How bright the pixels of row `y` look beside each other.
+    pub fn perceived(&self, y: u32) -> &[f64] {
+        let start = self.frame.index(0, y);
+        &self.perceived[start..start + self.frame.width as usize]
+    }
+}
+
+/// Pictures of one scene, as many as are made. Of those that are shaded the last one is the reference.
+#[derive(Clone, Debug, Default)]
+pub struct SideBySide {
+    pictures: Vec<Compared>,
+    differences: Vec<Difference>,
+}
+
+impl SideBySide {
+    pub fn push(&mut self, compared: Compared) {
+        self.pictures.push(compared);
+        self.differences = differences(&self.pictures);
+    }
+
+    pub fn pictures(&self) -> &[Compared] {
+        &self.pictures
+    }
+
+    /// Of the shaded pictures, but the last, against the last.
+    pub fn differences(&self) -> &[Difference] {
+        &self.differences
+    }
+
+    /// All pictures but that of wireframe, which fills nothing, with their numbers among all.
+    pub fn shaded(&self) -> impl DoubleEndedIterator<Item = (usize, &Compared)> {
+        shaded(&self.pictures)
+    }
+}
+
+impl FromIterator<Compared> for SideBySide {
+    fn from_iter<I: IntoIterator<Item = Compared>>(pictures: I) -> Self {
+        let pictures: Vec<Compared> = pictures.into_iter().collect();
+        SideBySide {
+            differences: differences(&pictures),
+            pictures,
+        }
+    }
+}
+
+fn shaded(pictures: &[Compared]) -> impl DoubleEndedIterator<Item = (usize, &Compared)> {
+    let all = pictures.iter().enumerate();
+    all.filter(|(_, compared)| compared.method != Method::Wireframe)
+}
+
+fn differences(pictures: &[Compared]) -> Vec<Difference> {
+    let mut shaded = shaded(pictures).map(|(_, compared)| &compared.frame);
+    let Some(reference) = shaded.next_back() else {
+        return Vec::new();
+    };
+    shaded.map(|frame| difference(frame, reference)).collect()
 }
 
 /// What a method did for a whole picture.
@@ -37,7 +100,7 @@ pub struct Operations {
     pub rays: u64,
 }
 
-/// Draws the stage's whole picture by `method`; on the clock of this machine.
+/// Draws the scene's whole picture by `method`; on the clock of this machine.
 pub fn compare(prepared: &PreparedScene, method: Method) -> Compared {
     let start = Instant::now();
     compare_on(prepared, method, || start.elapsed().as_secs_f64())
@@ -58,8 +121,15 @@ pub fn compare_on(
         clock() - start
     });
     times.sort_by(f64::total_cmp);
+    let rows = frame.color.chunks(frame.width.max(1) as usize);
+    let luminance = |row: &[Rgb]| {
+        row.iter()
+            .map(|color| color.luminance())
+            .collect::<Vec<_>>()
+    };
     Compared {
         method,
+        perceived: rows.flat_map(|row| perceived(&luminance(row))).collect(),
         frame,
         seconds: times[REPEATS / 2],
         operations: operations(prepared, method),
@@ -94,7 +164,7 @@ pub struct Difference {
 }
 
 /// `picture` against `reference`.
-pub fn difference(picture: &Frame, reference: &Frame) -> Difference {
+fn difference(picture: &Frame, reference: &Frame) -> Difference {
     let colors = zip(&picture.color, &reference.color);
     let signed: Vec<f64> = colors
         .map(|(one, other)| one.luminance() - other.luminance())
@@ -124,7 +194,6 @@ pub fn difference(picture: &Frame, reference: &Frame) -> Difference {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::color::Rgb;
 
     #[test]
     fn the_difference_counts_drawn_pixels_alone() {

@@ -3,7 +3,8 @@
 use super::thread_pool::ThreadPool;
 use crate::algorithms::enclosure::{Enclosure, Light};
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::radiosity::ChannelUnsolved;
+use crate::algorithms::radiosity::race::Race;
+use crate::algorithms::radiosity::{ChannelUnsolved, Unsolved};
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use web_time::Instant;
@@ -22,16 +23,11 @@ pub fn matrix<'a, E: Send>(
     matrix_by(enclosure, &ThreadPool::new(threads), progress)
 }
 
-/// Lets all solvers run on the stage's room, where its matrix is made, one after the other and on one thread; the room keeps how
-/// they did.
-pub fn race(prepared: &PreparedScene) {
+/// How all solvers do on the scene's enclosure, one after the other on one thread; none where it has no matrix yet.
+pub fn race(prepared: &PreparedScene) -> Option<Result<Race, Unsolved>> {
     let start = Instant::now();
-    if let Ok(enclosure) = prepared.enclosure()
-        && let Some(matrix) = enclosure.matrix()
-    {
-        // Why there is no solution, the room keeps too.
-        let _ = enclosure.race_or(matrix, || start.elapsed().as_secs_f64());
-    }
+    let enclosure = prepared.enclosure().ok()?;
+    Some(enclosure.race(enclosure.matrix()?, || start.elapsed().as_secs_f64()))
 }
 
 /// What a room's light is, or why there is none to be shown.

@@ -2,10 +2,13 @@
 
 mod bands;
 pub mod compare;
+pub mod falloff;
+mod finished;
 mod light;
 mod painter;
 mod pixels;
 mod skipped;
+mod smooth;
 mod tally;
 mod thread_pool;
 
@@ -26,9 +29,11 @@ use std::num::NonZeroUsize;
 use tally::Totals;
 
 pub use crate::methods::Method;
+pub use finished::Finished;
 pub use light::{matrix, race};
 pub use painter::Painter;
 pub use skipped::skipped;
+pub use smooth::{DrawPatches, smooth_patches};
 pub use tally::RayCounts;
 
 /// The longest side of a picture.

@@ -1,25 +1,23 @@
 //! A lesson with all that its panels need, for a walk through its narrated steps.
 
-use lightwalk::algorithms::frame::Frame;
 use lightwalk::lesson::{OpenLesson, builtin};
 use lightwalk::panels::strings::Language;
 use lightwalk::panels::{Panel, PanelInput, TreeView, draw};
 use lightwalk::picture::Picture;
-use lightwalk::render::compare::{Compared, compare_on};
-use lightwalk::render::render;
+use lightwalk::render::compare::compare_on;
+use lightwalk::render::{Finished, render, smooth_patches};
 use std::num::NonZeroUsize;
 
 pub struct Walk {
     pub open: OpenLesson,
     pub narrated: Vec<usize>,
-    finished: Frame,
-    compared: Vec<Compared>,
+    finished: Finished,
 }
 
 impl Walk {
     pub fn of(lesson: &str) -> Walk {
         let open = builtin(lesson).unwrap().read().unwrap().open().unwrap();
-        let finished = render(
+        let picture = render(
             &open.prepared,
             open.lesson.method,
             NonZeroUsize::MIN,
@@ -31,14 +29,13 @@ impl Walk {
             ticks += 1e-5;
             ticks
         };
+        let mut finished = Finished::new(picture, &open.prepared.scene.lights);
         if open.lesson.panels.contains(&Panel::Race) {
             let enclosure = open.prepared.enclosure().unwrap();
-            enclosure
-                .race_or(enclosure.matrix().unwrap(), &mut clock)
-                .unwrap();
+            finished.race = Some(enclosure.race(enclosure.matrix().unwrap(), &mut clock));
         }
         let methods = open.lesson.compare.iter();
-        let compared = methods
+        finished.compared = methods
             .map(|&method| compare_on(&open.prepared, method, &mut clock))
             .collect();
         let narrated = open.narrated.iter().map(|narrated| narrated.step).collect();
@@ -46,7 +43,6 @@ impl Walk {
             open,
             narrated,
             finished,
-            compared,
         }
     }
 
@@ -69,13 +65,17 @@ impl Walk {
         let input = PanelInput {
             run: &self.open.run,
             finished: &self.finished,
-            compared: &self.compared,
             focus: self.open.lesson.focus,
             language,
             narrated: &self.narrated,
             breakpoints: &[],
             tree: TreeView::whole(),
-            smooth: self.open.prepared.radiosity.smooth,
+            smooth: self
+                .open
+                .prepared
+                .radiosity
+                .smooth
+                .then_some(smooth_patches),
         };
         let size = if panel == Panel::TimeLine {
             (800.0 / shrink, 130.0 / shrink)

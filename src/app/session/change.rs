@@ -156,7 +156,7 @@ mod tests {
             NonZeroUsize::MIN,
             &|_, _| {},
         );
-        assert!(session.show().finished == &rendered);
+        assert!(session.show().finished.picture == rendered);
 
         let recording = session.recording();
         put(&mut session, THERE);

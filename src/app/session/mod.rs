@@ -24,6 +24,7 @@ use crate::language::{Language, Message};
 use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson, builtins};
 use crate::panels::{Panel, PanelInput, TreeView};
 use crate::picture::{Tag, Theme};
+use crate::render::smooth_patches;
 use crate::replay::Walk;
 use play::{Loop, Play};
 use preview::{Methods, Preview};
@@ -250,14 +251,13 @@ impl Session {
     pub fn show(&self) -> PanelInput<'_> {
         PanelInput {
             run: &self.open.run,
-            finished: self.preview.frame(),
-            compared: self.preview.compared(),
+            finished: self.preview.finished(),
             focus: self.focus,
             language: self.look.language,
             narrated: &self.narrated,
             breakpoints: self.breakpoints(),
             tree: &self.tree,
-            smooth: self.look.smooth,
+            smooth: self.look.smooth.then_some(smooth_patches),
         }
     }
 

@@ -1,10 +1,12 @@
-//! The whole picture, those of the methods that are compared, and of a room the race of its solvers, made in the background: nobody waits for it, and nobody keeps it from
-//! being called off.
+//! The whole picture, those of the methods that are compared, and the race of the radiosity solvers, made in the background: nobody
+//! waits for them, and they can be cancelled at any time.
 
 use crate::algorithms::frame::Frame;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::radiosity::Unsolved;
+use crate::algorithms::radiosity::race::Race;
 use crate::render::compare::{Compared, compare};
-use crate::render::{Cancelled, Method, preview, race};
+use crate::render::{Cancelled, Finished, Method, preview, race};
 use crate::study::ablation;
 use crate::study::timing::{Patience, Timing};
 use std::num::NonZeroUsize;
@@ -28,10 +30,8 @@ pub type Times = Result<[Timing; 2], String>;
 
 /// A picture on its way. Dropped, it is called off, and its thread ends by itself within milliseconds.
 pub struct Preview {
-    /// The newest pass; before there is one, the background, or the picture before the scene was changed.
-    frame: Frame,
-    /// The pictures of the methods that are compared, as many as are made.
-    compared: Vec<Compared>,
+    /// As far as it has come. Before the first pass its picture is the background, or the one before the scene was changed.
+    finished: Finished,
     /// Where something is done that the scene does not need.
     times: Option<Times>,
     /// Where the passes come in; none once all of them did.
@@ -51,8 +51,8 @@ pub struct Methods {
 enum Pass {
     Picture(Frame),
     Compared(Compared),
-    /// The solvers of the room have run.
-    Raced,
+    /// The solvers have run.
+    Raced(Result<Race, Unsolved>),
     Timed(Times),
 }
 
@@ -75,23 +75,22 @@ impl State {
 }
 
 impl Preview {
-    /// Begins the picture of the stage.
+    /// Begins the picture of the scene.
     pub fn new(prepared: Arc<PreparedScene>, methods: Methods) -> Self {
-        let [width, height] = [prepared.view.width, prepared.view.height];
-        let background = Frame::new(width, 0..height, prepared.scene.background);
-        Preview::over(background, prepared, methods)
+        Preview::over(prepared.empty_frame(), prepared, methods)
     }
 
-    /// Begins anew, on a stage of the same view; what there is stays to be seen until the first pass comes.
+    /// Begins anew with a scene of the same view; the old picture stays until the first pass arrives.
     pub fn begin_anew(&mut self, prepared: Arc<PreparedScene>, methods: Methods) {
         let nothing = Frame::new(0, 0..0, prepared.scene.background);
-        let frame = std::mem::replace(&mut self.frame, nothing);
+        let frame = std::mem::replace(&mut self.finished.picture, nothing);
         *self = Preview::over(frame, prepared, methods);
     }
 
     fn over(frame: Frame, prepared: Arc<PreparedScene>, methods: Methods) -> Self {
         let threads = thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
-        Preview::of(frame, move |state, passes| {
+        let finished = Finished::new(frame, &prepared.scene.lights);
+        Preview::of(finished, move |state, passes| {
             let progress = |done, all| state.progress(done, all);
             // The other end may be gone: then there is nobody to be sorry for.
             let show = &mut |pass: &Frame| drop(passes.send(Pass::Picture(pass.clone())));
@@ -105,9 +104,11 @@ impl Preview {
                 }
                 drop(passes.send(Pass::Compared(compare(&prepared, method))));
             }
-            if methods.picture == Method::Radiosity && progress(1, 1).is_ok() {
-                race(&prepared);
-                drop(passes.send(Pass::Raced));
+            if methods.picture == Method::Radiosity
+                && progress(1, 1).is_ok()
+                && let Some(race) = race(&prepared)
+            {
+                drop(passes.send(Pass::Raced(race)));
             }
             if !prepared.forced().is_empty() && progress(1, 1).is_ok() {
                 let times = ablation::both(&prepared, methods.picture, MEASURING);
@@ -116,8 +117,11 @@ impl Preview {
         })
     }
 
-    /// Shows `frame` until `make` sends a better one. Where no thread can be had, as on a web page, it is made here and now.
-    fn of(frame: Frame, make: impl Fn(&State, &Sender<Pass>) + Send + Sync + 'static) -> Self {
+    /// Shows `finished` until `make` sends more. Without threads, as on a web page, all is made at once.
+    fn of(
+        finished: Finished,
+        make: impl Fn(&State, &Sender<Pass>) + Send + Sync + 'static,
+    ) -> Self {
         let state = Arc::new(State::default());
         let (sender, passes) = channel();
         let make = Arc::new(make);
@@ -130,8 +134,7 @@ impl Preview {
             make(&state, &sender);
         }
         Preview {
-            frame,
-            compared: Vec::new(),
+            finished,
             times: None,
             passes: Some(passes),
             state,
@@ -139,14 +142,9 @@ impl Preview {
         }
     }
 
-    /// The picture as far as it has come.
-    pub fn frame(&self) -> &Frame {
-        &self.frame
-    }
-
-    /// The pictures of the methods that are compared, as many as are made.
-    pub fn compared(&self) -> &[Compared] {
-        &self.compared
+    /// As far as it has come.
+    pub fn finished(&self) -> &Finished {
+        &self.finished
     }
 
     /// What is done although the scene does not need it, timed: once that is measured.
@@ -190,9 +188,9 @@ impl Preview {
 
     fn keep(&mut self, pass: Pass) {
         match pass {
-            Pass::Picture(frame) => self.frame = frame,
-            Pass::Compared(compared) => self.compared.push(compared),
-            Pass::Raced => {}
+            Pass::Picture(frame) => self.finished.picture = frame,
+            Pass::Compared(compared) => self.finished.compared.push(compared),
+            Pass::Raced(race) => self.finished.race = Some(race),
             Pass::Timed(times) => self.times = Some(times),
         }
     }
@@ -213,11 +211,15 @@ mod tests {
         Frame::new(4, 0..3, Rgb::splat(gray))
     }
 
+    fn black() -> Finished {
+        Finished::new(frame(0.0), &[])
+    }
+
     /// A picture of two passes; the maker waits for a word before each.
     fn on_request() -> (Preview, Sender<()>) {
         let (go_on, word) = channel();
         let word = std::sync::Mutex::new(word);
-        let preview = Preview::of(frame(0.0), move |state, passes| {
+        let preview = Preview::of(black(), move |state, passes| {
             for pass in 1..=2 {
                 if word.lock().unwrap().recv().is_err() {
                     return;
@@ -233,18 +235,18 @@ mod tests {
     fn passes_are_shown_as_they_come() {
         let (mut preview, go_on) = on_request();
         assert!(!preview.take() && !preview.is_done());
-        assert_eq!(preview.frame(), &frame(0.0));
+        assert_eq!(&preview.finished().picture, &frame(0.0));
         go_on.send(()).unwrap();
         while !preview.take() {
             thread::yield_now();
         }
-        assert_eq!(preview.frame(), &frame(1.0));
+        assert_eq!(&preview.finished().picture, &frame(1.0));
         assert!(!preview.is_done());
         preview.start = Instant::now() - PATIENCE;
         assert_eq!(preview.percent(), Some(50));
         go_on.send(()).unwrap();
         preview.wait();
-        assert_eq!(preview.frame(), &frame(2.0));
+        assert_eq!(&preview.finished().picture, &frame(2.0));
         assert!(preview.is_done() && preview.percent().is_none() && !preview.take());
     }
 
@@ -255,13 +257,13 @@ mod tests {
         drop(go_on);
         preview.wait();
         assert!(preview.is_done());
-        assert_eq!(preview.frame(), &frame(1.0));
+        assert_eq!(&preview.finished().picture, &frame(1.0));
     }
 
     #[test]
     fn a_dropped_picture_is_called_off() {
         let (tell, recorded) = channel();
-        let endless = Preview::of(frame(0.0), move |state, _| {
+        let endless = Preview::of(black(), move |state, _| {
             while state.progress(0, 1).is_ok() {
                 thread::yield_now();
             }

@@ -408,7 +408,7 @@ fn a_lesson_is_walked_while_its_picture_is_made() {
         NonZeroUsize::MIN,
         &|_, _| {},
     );
-    assert!(session.show().finished == &rendered);
+    assert!(session.show().finished.picture == rendered);
 }
 
 #[test]
@@ -418,11 +418,11 @@ fn a_picture_of_the_lesson_before_never_shows() {
         go(&mut session, Command::Open(id.into()));
         session.take_picture();
         let [width, height] = session.lesson().size;
-        let finished = session.show().finished;
+        let finished = &session.show().finished.picture;
         assert_eq!([finished.width, finished.rows.end], [width, height]);
     }
     session.wait_for_picture();
     let mut alone = self::session("gouraud-triangle");
     alone.wait_for_picture();
-    assert!(session.show().finished == alone.show().finished);
+    assert!(session.show().finished.picture == alone.show().finished.picture);
 }

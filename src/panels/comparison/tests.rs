@@ -4,7 +4,6 @@ use super::super::strings::Language;
 use super::super::{Panel, draw};
 use super::*;
 use crate::algorithms::focus::Focus;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::picture::{Shape, Tag};
 use crate::render::Method;
 use crate::render::compare::compare_on;
@@ -17,40 +16,32 @@ const METHODS: [Method; 4] = [
 ];
 const PANELS: [Panel; 3] = [Panel::Comparison, Panel::Difference, Panel::Profile];
 
-fn prepared(fixture: &Fixture) -> &PreparedScene {
-    fixture.run.prepared()
-}
-
 /// On a clock that ticks a microsecond each time it is looked at.
-fn compared(fixture: &Fixture) -> Vec<Compared> {
+fn compare(mut fixture: Fixture) -> Fixture {
     let mut ticks = 0.0;
     let mut clock = || {
         ticks += 1e-6;
         ticks
     };
     let methods = METHODS.into_iter();
-    methods
-        .map(|method| compare_on(prepared(fixture), method, &mut clock))
-        .collect()
+    fixture.finished.compared = methods
+        .map(|method| compare_on(fixture.run.prepared(), method, &mut clock))
+        .collect();
+    fixture
 }
 
 #[test]
 fn every_step_is_legible_at_every_size() {
     // Of the large one a few steps are enough.
     for (mut fixture, stride) in [
-        (Fixture::triangle(Method::Gouraud), 1499),
-        (Fixture::pyramid(Method::Phong), 300_007),
+        (compare(Fixture::triangle(Method::Gouraud)), 1499),
+        (compare(Fixture::pyramid(Method::Phong)), 300_007),
     ] {
-        let compared = compared(&fixture);
         for step in fixture.some_steps(stride) {
             fixture.seek(step);
             for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                let input = PanelInput {
-                    compared: &compared,
-                    ..fixture.show_in(language)
-                };
                 for panel in PANELS {
-                    let picture = draw(panel, &input, size);
+                    let picture = draw(panel, &fixture.show_in(language), size);
                     let what = format!("{} {step} at {size}", panel.name());
                     assert_legible(&picture, &what);
                     assert!(!picture.alt.is_empty(), "{what}");
@@ -62,14 +53,9 @@ fn every_step_is_legible_at_every_size() {
 
 #[test]
 fn the_cursor_goes_with_the_pixel_of_the_run_in_every_picture() {
-    let mut fixture = Fixture::triangle(Method::Gouraud);
-    let compared = compared(&fixture);
+    let mut fixture = compare(Fixture::triangle(Method::Gouraud));
     let circles = |fixture: &Fixture| {
-        let input = PanelInput {
-            compared: &compared,
-            ..fixture.input()
-        };
-        let picture = draw(Panel::Comparison, &input, Vec2::new(640.0, 460.0));
+        let picture = draw(Panel::Comparison, &fixture.input(), Vec2::new(640.0, 460.0));
         let circles = picture.items.iter().filter_map(|item| match item.shape {
             Shape::Circle { center, .. } => Some(center),
             _ => None,
@@ -88,14 +74,9 @@ fn the_cursor_goes_with_the_pixel_of_the_run_in_every_picture() {
 
 #[test]
 fn every_picture_answers_the_pointer_with_its_pixels() {
-    let fixture = Fixture::triangle(Method::Gouraud);
-    let compared = compared(&fixture);
-    let input = PanelInput {
-        compared: &compared,
-        ..fixture.input()
-    };
+    let fixture = compare(Fixture::triangle(Method::Gouraud));
     for panel in [Panel::Comparison, Panel::Difference] {
-        let picture = draw(panel, &input, Vec2::new(640.0, 460.0));
+        let picture = draw(panel, &fixture.input(), Vec2::new(640.0, 460.0));
         let images: Vec<Rect> = picture
             .items
             .iter()
@@ -127,9 +108,8 @@ fn every_picture_answers_the_pointer_with_its_pixels() {
 
 #[test]
 fn phong_costs_more_than_gouraud_and_flat_least() {
-    let fixture = Fixture::pyramid(Method::Phong);
-    let compared = compared(&fixture);
-    let [_, flat, gouraud, phong] = &compared[..] else {
+    let fixture = compare(Fixture::pyramid(Method::Phong));
+    let [_, flat, gouraud, phong] = fixture.finished.compared.pictures() else {
         panic!("four methods");
     };
     assert_eq!(flat.operations.pixels, gouraud.operations.pixels);

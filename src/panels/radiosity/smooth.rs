@@ -1,26 +1,28 @@
-//! The room with its light interpolated between the corners of patches, as Gouraud shading interpolates intensity: constant patches
-//! look faceted, as the eye exaggerates every edge (Cohen & Greenberg 1985, §5).
+//! The place in the panel of an enclosure whose light is interpolated between the corners of patches, and the size at which it is
+//! drawn.
 
 use super::super::fit::Fit;
 use super::room_view::RoomView;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Region;
-use crate::algorithms::frame::Frame;
-use crate::algorithms::patch_view::corner_values;
-use crate::algorithms::scan_line::{self, Corner, EdgeTable};
 use crate::color::Rgb;
 use crate::picture::{Image, Rect};
-use crate::record::Unrecorded;
+use crate::render::DrawPatches;
 use crate::scene::View;
 use glam::DVec2;
-use std::iter::zip;
 use std::ops::Range;
 
 /// More pixels are not drawn: what is that near is shown coarser.
 const MOST_PIXELS: f64 = 2e6;
 
 /// The fronts of all patches, transparent where there are none, and its place in the panel. `colors` has one a patch.
-pub(super) fn image(room: &Enclosure, view: &RoomView, fit: &Fit, colors: &[Rgb]) -> (Rect, Image) {
+pub(super) fn image(
+    draw: DrawPatches,
+    room: &Enclosure,
+    view: &RoomView,
+    fit: &Fit,
+    colors: &[Rgb],
+) -> (Rect, Image) {
     let View { width, height, .. } = view.view;
     let size = DVec2::new(width.into(), height.into());
     let scale = fit.scale.min((MOST_PIXELS / (size.x * size.y)).sqrt());
@@ -39,29 +41,8 @@ pub(super) fn image(room: &Enclosure, view: &RoomView, fit: &Fit, colors: &[Rgb]
         rows: within(low.y, high.y, enlarged.height),
     };
 
-    let mut frame = Frame::new(enlarged.width, 0..enlarged.height, Rgb::BLACK);
-    let corners = corner_values(room, colors);
-    let mut edge_table = EdgeTable::new(&enlarged, &region);
-    for seen in &view.seen {
-        let mut values = corners[seen.patch].iter();
-        for piece in room.patches.pieces(seen.patch) {
-            let corners: Vec<Corner<Rgb>> = zip(piece.corners, values.by_ref())
-                .map(|(&at, &value)| Corner {
-                    position: enlarged.to_camera(at),
-                    value,
-                })
-                .collect();
-            if piece.normal.dot(enlarged.eye - piece.corners[0]) > 0.0 {
-                edge_table.fill::<scan_line::Event<Rgb>, _>(
-                    corners,
-                    &mut frame,
-                    &mut Unrecorded,
-                    |_, _, value| value,
-                );
-            }
-        }
-    }
-
+    let patches: Vec<usize> = view.seen.iter().map(|seen| seen.patch).collect();
+    let frame = draw(room, &patches, &enlarged, &region, colors);
     let mut pixels = Vec::with_capacity(4 * region.columns.len() * region.rows.len());
     for y in region.rows.clone() {
         for x in region.columns.clone() {

@@ -4,7 +4,7 @@ use super::*;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::radiosity::Solver;
 use crate::picture::{Item, Shape};
-use crate::render::Method;
+use crate::render::{Method, smooth_patches};
 use crate::scene::View;
 use crate::scene::primitives::Ray;
 use glam::DVec2;
@@ -52,7 +52,7 @@ fn every_step_is_legible_at_every_size() {
         for step in fixture.some_steps(9973) {
             fixture.seek(step);
             for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                let smooth = step % 2 == 1;
+                let smooth = (step % 2 == 1).then_some(smooth_patches as _);
                 let input = PanelInput {
                     smooth,
                     ..fixture.show_in(language)
@@ -216,7 +216,7 @@ fn a_smooth_room_shows_at_a_corner_the_mean_of_the_patches_that_meet_there() {
         .iter()
         .map(|patch| Rgb::splat(gray(patch.center)))
         .collect();
-    let (place, image) = smooth::image(room, &view, &fit, &colors);
+    let (place, image) = smooth::image(smooth_patches, room, &view, &fit, &colors);
     let mut picture = Picture::new(800.0, 500.0);
     picture.image(place, image);
     let pixels = crate::picture::rasterize(&picture, crate::picture::Theme::Light, 1.0).unwrap();
