@@ -45,51 +45,52 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The first names behind `crate::`, also in `crate::{a, b::c}`.
-fn floors_named(source: &str) -> Vec<String> {
-    let mut named = Vec::new();
+/// All paths behind `crate::`, also those in braces, without `crate`.
+fn paths(source: &str) -> Vec<String> {
+    let mut paths = Vec::new();
     for (at, _) in source.match_indices("crate::") {
-        let rest = &source[at + "crate::".len()..];
-        let name = |text: &str| {
-            text.trim()
-                .chars()
-                .take_while(|c| c.is_alphanumeric() || *c == '_')
-                .collect::<String>()
-        };
-        match rest.strip_prefix('{') {
-            None => named.push(name(rest)),
-            Some(group) => {
-                // Names at the outermost level of the braces
-                let mut depth = 0;
-                let mut start = 0;
-                for (i, c) in group.char_indices() {
-                    match c {
-                        '{' => depth += 1,
-                        '}' if depth == 0 => {
-                            named.push(name(&group[start..i]));
-                            break;
-                        }
-                        '}' => depth -= 1,
-                        ',' if depth == 0 => {
-                            named.push(name(&group[start..i]));
-                            start = i + 1;
-                        }
-                        _ => {}
-                    }
-                }
+        tree(&source[at + "crate::".len()..], "", &mut paths);
+    }
+    paths
+}
+
+/// Adds the paths of a tree of imports, as far as it goes, and returns what stands behind it.
+fn tree<'a>(source: &'a str, above: &str, paths: &mut Vec<String>) -> &'a str {
+    let source = source.trim_start();
+    if let Some(mut rest) = source.strip_prefix('{') {
+        loop {
+            rest = rest.trim_start_matches(|c: char| c.is_whitespace() || c == ',');
+            if rest.is_empty() || rest.starts_with('}') {
+                return rest.strip_prefix('}').unwrap_or(rest);
             }
+            rest = tree(rest, above, paths);
         }
     }
-    named.retain(|name| !name.is_empty());
-    named
+    let end = source.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == '*'));
+    if end == Some(0) {
+        return source.split_at(source.ceil_char_boundary(1)).1;
+    }
+    let (name, rest) = source.split_at(end.unwrap_or(source.len()));
+    let path = match name {
+        "self" => above.trim_end_matches("::").to_owned(),
+        name => format!("{above}{name}"),
+    };
+    match rest.strip_prefix("::") {
+        Some(rest) => tree(rest, &format!("{path}::"), paths),
+        None => {
+            paths.push(path);
+            rest
+        }
+    }
 }
 
 /// The paths in `source`, a file of `floor`, that point down the list.
 fn faults(floor: &str, source: &str) -> Vec<String> {
     let own = level(floor)
         .unwrap_or_else(|| panic!("src/{floor} is no floor: add it to the list, at its place"));
-    floors_named(source)
-        .into_iter()
+    let floors = paths(source).into_iter();
+    floors
+        .map(|path| path.split("::").next().unwrap_or_default().to_owned())
         .filter(|named| match level(named) {
             Some(_) if floor == "picture" => !OF_PICTURE.contains(&named.as_str()),
             Some(_) if floor == "figure" => !OF_FIGURE.contains(&named.as_str()),
@@ -166,6 +167,114 @@ fn only_the_shell_knows_the_window_and_touches_files() {
             relative.display()
         );
     }
+}
+
+/// What drawing may name of the floors that compute: events and other values that come in with the panels' input.
+const DRAWN: [&str; 20] = [
+    "algorithms::enclosure::Enclosure",
+    "algorithms::focus::Focus",
+    "algorithms::focus::Region",
+    "algorithms::frame::Frame",
+    "algorithms::prepared_scene::PreparedScene",
+    "algorithms::radiosity::race::Lap",
+    "algorithms::radiosity::race::Race",
+    "algorithms::radiosity::race::Racer",
+    "algorithms::radiosity::Solver",
+    "algorithms::radiosity::SolverEvent",
+    "algorithms::radiosity::Unsolved",
+    "algorithms::ray_tree::End",
+    "algorithms::ray_tree::RayKind",
+    "algorithms::visible::Intersection",
+    "algorithms::wireframe::Event",
+    "methods::Method",
+    "render::compare",
+    "render::falloff",
+    "render::DrawPatches",
+    "render::Finished",
+];
+
+/// Calls on those values that would compute.
+const COMPUTING: [&str; 9] = [
+    "prepared.enclosure(",
+    ".form_factors(",
+    ".lighting(",
+    ".matrix_or(",
+    ".light_or(",
+    ".needs(",
+    ".primitives(",
+    ".race(",
+    ".solve(",
+];
+
+/// What in `source`, a file of `panels`, is more than layout.
+fn computed(source: &str) -> Vec<String> {
+    // Tests stand at the end of a file.
+    let source = source
+        .split("#[cfg(test)]\nmod tests {")
+        .next()
+        .unwrap_or_default();
+    let computes = |path: &String| {
+        let floor = path.split("::").next().unwrap_or_default();
+        let is_drawn = |known: &&str| path == known || path.starts_with(&format!("{known}::"));
+        ["algorithms", "methods", "numeric", "render"].contains(&floor)
+            && !DRAWN.iter().any(|known| is_drawn(&known))
+    };
+    let calls = COMPUTING.iter().filter(|call| source.contains(**call));
+    let paths = paths(source).into_iter().filter(computes);
+    paths.chain(calls.map(|call| (*call).to_owned())).collect()
+}
+
+#[test]
+fn drawing_calls_no_algorithm() {
+    let panels = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/panels");
+    let mut read = 0;
+    for file in sources(&panels) {
+        let relative = file.strip_prefix(&panels).unwrap();
+        if relative.starts_with("fixtures")
+            || relative.starts_with("fixture.rs")
+            || relative.starts_with("fixtures.rs")
+            || relative.ends_with("tests.rs")
+        {
+            continue;
+        }
+        let computed = computed(&fs::read_to_string(&file).unwrap());
+        assert!(
+            computed.is_empty(),
+            "panels/{} computes: {computed:?}. Let it come in with the state of the run or with `PanelInput`",
+            relative.display()
+        );
+        read += 1;
+    }
+    assert!(read > 50, "only {read} files were read");
+}
+
+#[test]
+fn the_check_of_drawing_sees_what_it_should() {
+    assert_eq!(
+        computed(
+            "use crate::algorithms::{focus::Focus, illumination::{attenuation, slide_factor}};"
+        ),
+        [
+            "algorithms::illumination::attenuation",
+            "algorithms::illumination::slide_factor"
+        ]
+    );
+    assert_eq!(
+        computed("crate::numeric::perceived(&row)"),
+        ["numeric::perceived"]
+    );
+    assert_eq!(
+        computed("use crate::algorithms::radiosity::{self, Solver};"),
+        ["algorithms::radiosity"]
+    );
+    assert_eq!(
+        computed("let room = prepared.enclosure();"),
+        ["prepared.enclosure("]
+    );
+    assert_eq!(
+        computed("use crate::{picture, render::compare::{Compared, Difference}};"),
+        [""; 0]
+    );
 }
 
 #[test]

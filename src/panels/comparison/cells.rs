@@ -2,8 +2,8 @@
 
 use super::cursor::Cursor;
 use crate::algorithms::frame::Frame;
+use crate::methods::Method;
 use crate::picture::{Ink, Picture, Rect, Style, elide};
-use crate::render::Method;
 use glam::Vec2;
 
 /// Height of a line of text.
