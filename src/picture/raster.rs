@@ -3,17 +3,17 @@
 //! Straight edges that lie along the pixel grid are moved onto it, so that rules and frames are crisp at any scale; all other
 //! lines are anti-aliased. Images keep hard pixels. Text stands on whole pixels vertically, on quarters horizontally.
 
+mod lines;
+mod paths;
+
 use glam::Vec2;
-use tiny_skia::{
-    Color, FillRule, LineCap, LineJoin, Mask, Path, PathBuilder, Pixmap, StrokeDash, Transform,
-};
+use tiny_skia::{Mask, PathBuilder, Pixmap};
 
 use super::Picture;
 use super::blit::{self, PixelRect, Rgba};
-use super::font::{Coverage, OFFSETS, glyphs};
-use super::ink::{Dash, Ink, Paint, Stroke};
-use super::line::{End, cover};
-use super::path::{path_through, rounded, segment_within};
+use super::font::{OFFSETS, glyphs};
+use super::ink::{Dash, Ink, Paint};
+use super::path::{path_through, rounded};
 use super::rect::Rect;
 use super::shape::{Item, Shape};
 use super::text::{Text, place};
@@ -207,205 +207,13 @@ impl Canvas<'_> {
         }
     }
 
-    fn polyline(&mut self, points: &[Vec2], stroke: &Stroke) {
-        match points {
-            &[from, to] if from.x == to.x || from.y == to.y => {
-                self.rule(Rect::between(from, to), stroke);
-            }
-            &[from, to] => {
-                let ends = [from * self.scale, to * self.scale];
-                self.segment(ends, stroke, stroke.width * self.scale);
-            }
-            points => self.joined(&self.scaled(points), false, stroke),
-        }
-    }
-
     fn scaled(&self, points: &[Vec2]) -> Vec<Vec2> {
         points.iter().map(|&point| point * self.scale).collect()
-    }
-
-    /// A straight line on its own, whole or in dashes. The ends and the width are in pixels.
-    fn segment(&mut self, ends: [Vec2; 2], stroke: &Stroke, width: f32) {
-        let seen = self.clip.to_rect().grown(width + 2.0);
-        let Some((from, to)) = segment_within(ends[0], ends[1], seen) else {
-            return;
-        };
-        let color = rgba(self.theme, stroke.ink, stroke.opacity);
-        let mut draw = |ends| {
-            cover(self.clip, ends, width, [End::Cut; 2], |x, y, coverage| {
-                blit::dot(self.pixmap, x, y, color, coverage);
-            });
-        };
-        let Some([on, off]) = stroke.dash.lengths() else {
-            draw([from, to]);
-            return;
-        };
-        let length = from.distance(to);
-        let along = (to - from).normalize_or_zero();
-        let period = (on + off) * self.scale;
-        for dash in 0..(length / period).ceil() as usize {
-            let start = dash as f32 * period;
-            let end = (start + on * self.scale).min(length);
-            draw([from + start * along, from + end * along]);
-        }
-    }
-
-    /// A line through points, with round joints. Its segments' coverage is gathered first, and drawn once: joints are no
-    /// darker than the rest. A closed line ends where it began. The points are in pixels.
-    fn joined(&mut self, points: &[Vec2], closed: bool, stroke: &Stroke) {
-        let width = stroke.width * self.scale;
-        if stroke.dash != Dash::Solid {
-            self.stroke_path(path_through(points.iter().copied(), false), stroke, width);
-            return;
-        }
-        let seen = self.clip.to_rect().grown(width + 2.0);
-        let Some(bounds) = Rect::around(points.iter().copied()) else {
-            return;
-        };
-        let area = PixelRect::around(bounds.grown(width + 2.0)).intersection(self.clip);
-        if area.is_empty() {
-            return;
-        }
-        let columns = area.width() as usize;
-        let mut coverage = vec![0; columns * area.height() as usize];
-        let segments = points.len() - 1;
-        for (i, ends) in points.windows(2).enumerate() {
-            let Some((from, to)) = segment_within(ends[0], ends[1], seen) else {
-                continue;
-            };
-            let cap = |outermost: bool| {
-                if outermost && !closed {
-                    End::Cut
-                } else {
-                    End::Joint
-                }
-            };
-            let caps = [cap(i == 0), cap(i + 1 == segments)];
-            cover(area, [from, to], width, caps, |x, y, covered| {
-                let at = (y - area.top) as usize * columns + (x - area.left) as usize;
-                coverage[at] = covered.max(coverage[at]);
-            });
-        }
-        let mask = Coverage {
-            left: area.left,
-            top: area.top,
-            width: columns,
-            bytes: coverage.into_boxed_slice(),
-        };
-        let color = rgba(self.theme, stroke.ink, stroke.opacity);
-        blit::coverage(self.pixmap, self.clip, &mask, (0, 0), color);
-    }
-
-    /// A horizontal or vertical line, given as a rectangle without width: moved to where its sides are on whole pixels.
-    fn rule(&mut self, line: Rect, stroke: &Stroke) {
-        let width = self.whole_width(stroke.width);
-        let half = 0.5 * width as f32 / self.scale;
-        let horizontal = line.height == 0.0;
-        let mut bar = if horizontal {
-            self.snapped(Rect {
-                y: line.y - half,
-                ..line
-            })
-        } else {
-            self.snapped(Rect {
-                x: line.x - half,
-                ..line
-            })
-        };
-        if horizontal {
-            bar.bottom = bar.top + width;
-        } else {
-            bar.right = bar.left + width;
-        }
-        if stroke.dash == Dash::Solid {
-            self.fill_rect(bar, rgba(self.theme, stroke.ink, stroke.opacity));
-            return;
-        }
-        let middle = 0.5 * width as f32;
-        let (left, top) = (bar.left as f32, bar.top as f32);
-        let ends = if horizontal {
-            [(left, top + middle), (bar.right as f32, top + middle)]
-        } else {
-            [(left + middle, top), (left + middle, bar.bottom as f32)]
-        };
-        self.segment(ends.map(Vec2::from), stroke, width as f32);
     }
 
     fn fill_rect(&mut self, rect: PixelRect, color: Rgba) {
         let area = self.clip.intersection(rect);
         blit::fill(self.pixmap, area, color);
-    }
-
-    fn path(&mut self, path: Option<Path>, paint: &Paint) {
-        if let Some(fill) = paint.fill {
-            let color = rgba(self.theme, fill.ink, fill.opacity);
-            self.fill_path(path.clone(), color);
-        }
-        if let Some(stroke) = paint.stroke {
-            self.stroke_path(path, &stroke, stroke.width * self.scale);
-        }
-    }
-
-    /// `path` is in pixels; none is drawn as nothing.
-    fn fill_path(&mut self, path: Option<Path>, color: Rgba) {
-        let Some(path) = path else { return };
-        self.need_mask(path.bounds(), 1.0);
-        self.pixmap.fill_path(
-            &path,
-            &paint(color),
-            FillRule::Winding,
-            Transform::identity(),
-            mask_for(&self.mask, self.clip),
-        );
-    }
-
-    /// `path` and `width` are in pixels.
-    fn stroke_path(&mut self, path: Option<Path>, stroke: &Stroke, width: f32) {
-        let Some(path) = path else { return };
-        self.need_mask(path.bounds(), width + 1.0);
-        let lengths = stroke
-            .dash
-            .lengths()
-            .map(|lengths| lengths.map(|length| length * self.scale).to_vec());
-        let style = tiny_skia::Stroke {
-            width,
-            line_cap: LineCap::Butt,
-            line_join: LineJoin::Round,
-            dash: lengths.and_then(|lengths| StrokeDash::new(lengths, 0.0)),
-            ..Default::default()
-        };
-        self.pixmap.stroke_path(
-            &path,
-            &paint(rgba(self.theme, stroke.ink, stroke.opacity)),
-            &style,
-            Transform::identity(),
-            mask_for(&self.mask, self.clip),
-        );
-    }
-
-    /// Makes the clip's mask if a path with these bounds leaves the clip.
-    fn need_mask(&mut self, bounds: tiny_skia::Rect, margin: f32) {
-        let all = PixelRect::whole(self.pixmap);
-        let clip = self.clip;
-        let leaves = bounds.left() - margin < clip.left as f32
-            || bounds.top() - margin < clip.top as f32
-            || bounds.right() + margin > clip.right as f32
-            || bounds.bottom() + margin > clip.bottom as f32;
-        if clip == all || !leaves {
-            self.mask = self.mask.take().filter(|(of, _)| *of == clip);
-            return;
-        }
-        if self.mask.as_ref().is_some_and(|(of, _)| *of == clip) {
-            return;
-        }
-        self.mask = Mask::new(all.right as u32, all.bottom as u32).map(|mut mask| {
-            let width = all.right as usize;
-            for y in clip.top..clip.bottom {
-                let row = &mut mask.data_mut()[y as usize * width..];
-                row[clip.left as usize..clip.right as usize].fill(255);
-            }
-            (clip, mask)
-        });
     }
 
     fn text(&mut self, at: Vec2, text: &str, set: &Text) {
@@ -431,19 +239,6 @@ impl Canvas<'_> {
             blit::coverage(self.pixmap, self.clip, mask, pen, color);
         }
     }
-}
-
-/// The mask, if it is the one of this clip.
-fn mask_for(mask: &Option<(PixelRect, Mask)>, clip: PixelRect) -> Option<&Mask> {
-    mask.as_ref()
-        .filter(|(of, _)| *of == clip)
-        .map(|(_, mask)| mask)
-}
-
-fn paint([r, g, b, a]: Rgba) -> tiny_skia::Paint<'static> {
-    let mut paint = tiny_skia::Paint::default();
-    paint.set_color(Color::from_rgba8(r, g, b, a));
-    paint
 }
 
 #[cfg(test)]

@@ -1,7 +1,9 @@
 //! The whole window, with no screen: keys pressed, buttons clicked, and what is then shown.
 
+mod keys;
 mod painter;
 mod parameters;
+mod questions;
 mod ray_tree;
 mod skipped;
 mod studies;
@@ -114,74 +116,6 @@ impl Screen {
 }
 
 #[test]
-fn keys_walk_through_the_run() {
-    let mut screen = triangle([]);
-    for (held, key, step) in [
-        (Modifiers::NONE, Key::ArrowRight, 1),
-        (Modifiers::NONE, Key::ArrowDown, 2),
-        (Modifiers::NONE, Key::ArrowLeft, 1),
-        (Modifiers::NONE, Key::Home, 0),
-    ] {
-        screen.press(held, key);
-        assert_eq!(screen.session().step(), step, "{key:?}");
-    }
-    screen.press(Modifiers::NONE, Key::N);
-    assert!(screen.session().said_here().is_some());
-}
-
-#[test]
-fn letters_typed_into_the_search_are_no_commands() {
-    let mut screen = triangle([]);
-    screen.press(Modifiers::NONE, Key::Slash);
-    screen.harness.event(egui::Event::Text("ScanLine".into()));
-    screen.press(Modifiers::NONE, Key::L);
-    assert_eq!(screen.session().look.language, Language::English);
-    screen.press(Modifiers::NONE, Key::Enter);
-    let session = screen.session();
-    let arrived =
-        session.walk().kind(session.step()) == "ScanLine" || session.question_at(session.step());
-    assert!(arrived, "{}", session.walk().kind(session.step()));
-}
-
-#[test]
-fn a_focused_button_keeps_its_space() {
-    let mut screen = triangle([]);
-    screen
-        .harness
-        .get_by_label(strings::ONE_ON.text(Language::English))
-        .focus();
-    screen.harness.run();
-    screen.press(Modifiers::NONE, Key::Space);
-    assert_eq!(
-        (screen.session().step(), screen.session().playing()),
-        (1, None)
-    );
-    screen.press(Modifiers::NONE, Key::ArrowRight);
-    assert_eq!(screen.session().step(), 2, "arrows walk all the same");
-    screen.press(Modifiers::NONE, Key::Space);
-    assert_eq!(
-        screen.session().step(),
-        3,
-        "and the focus stays where it was"
-    );
-}
-
-#[test]
-fn buttons_do_what_their_keys_do() {
-    let mut screen = triangle([]);
-    screen.click("one event on");
-    assert_eq!(screen.session().step(), 1);
-    screen.click("first step");
-    assert_eq!(screen.session().step(), 0);
-    screen.click("ID");
-    assert_eq!(screen.session().look.language, Language::Indonesian);
-    screen.click(strings::KEYS.text(Language::Indonesian));
-    assert!(screen.session().look.keys);
-    screen.press(Modifiers::NONE, Key::F1);
-    assert!(!screen.session().look.keys);
-}
-
-#[test]
 fn every_input_has_a_name() {
     for commands in [
         vec![],
@@ -190,141 +124,6 @@ fn every_input_has_a_name() {
     ] {
         // The harness panics on an input without a name.
         triangle(commands).harness.run();
-    }
-}
-
-#[test]
-fn a_question_is_answered_in_its_card() {
-    let mut screen = triangle([]);
-    let narrated = screen.session().show().narrated.to_vec();
-    let asked = narrated
-        .into_iter()
-        .find(|&step| screen.session().question_at(step))
-        .expect("a question");
-    screen
-        .harness
-        .state_mut()
-        .0
-        .update(Command::End)
-        .expect("a way on");
-    screen.harness.run();
-    assert_eq!(
-        screen.session().step(),
-        asked,
-        "the end lies behind the question"
-    );
-    screen
-        .harness
-        .get_by_label(strings::BEFORE_YOU_GO_ON.text(Language::English));
-    let answer = screen
-        .session()
-        .question()
-        .expect("a question")
-        .0
-        .answer
-        .clone();
-    match answer {
-        Answer::Number { value, .. } => {
-            screen
-                .harness
-                .get_by_label(strings::YOUR_ANSWER.text(Language::English))
-                .focus();
-            screen.harness.run();
-            screen.harness.event(egui::Event::Text(value.to_string()));
-            screen.press(Modifiers::NONE, Key::Enter);
-        }
-        Answer::Choice { options, right } => screen.click(&options[right][0]),
-        Answer::Pixel { x, y, .. } => {
-            let click = Command::Click(Tag::Pixel { x, y });
-            screen
-                .harness
-                .state_mut()
-                .0
-                .update(click)
-                .expect("an answer");
-            screen.harness.run();
-        }
-    }
-    assert_eq!(
-        screen.session().question().map(|(_, standing)| standing),
-        Some(Standing::Right)
-    );
-}
-
-#[test]
-fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
-    let mut screen = triangle([Command::Questions]);
-    let narrated = screen.session().show().narrated.to_vec();
-    screen.session_mut().update(Command::Questions).expect("on");
-    let asks_number = |session: &Session| {
-        matches!(
-            session.question(),
-            Some((question, Standing::Open)) if matches!(question.answer, Answer::Number { .. })
-        )
-    };
-    for step in narrated {
-        screen.session_mut().start_at(step);
-        if asks_number(screen.session()) {
-            break;
-        }
-    }
-    screen.harness.run();
-    let step = screen.session().step();
-    screen
-        .harness
-        .get_by_label(strings::YOUR_ANSWER.text(Language::English))
-        .focus();
-    screen.harness.run();
-    screen.harness.event(egui::Event::Text("much".into()));
-    screen.press(Modifiers::NONE, Key::Enter);
-    screen
-        .harness
-        .get_by_label(strings::NOT_A_NUMBER.text(Language::English));
-    screen.keep("misread");
-    screen.press(Modifiers::NONE, Key::L);
-    assert_eq!(screen.session().look.language, Language::English);
-    screen.press(Modifiers::COMMAND, Key::A);
-    screen.harness.event(egui::Event::Text("1e9".into()));
-    screen.press(Modifiers::NONE, Key::Enter);
-    assert_eq!(screen.session().step(), step);
-    let (question, standing) = screen.session().question().expect("a question");
-    let Answer::Number { value, tolerance } = question.answer else {
-        panic!("a number is asked for")
-    };
-    assert_eq!(standing, Standing::Wrong);
-    let value = Language::English.number(rounded(value, tolerance));
-    let recorded = format!("Not quite. The answer is {value}.");
-    screen.harness.get_by_label(&recorded);
-    screen.keep("wrong");
-}
-
-#[test]
-fn escape_ends_the_presentation() {
-    let mut screen = triangle([Command::Present]);
-    screen.press(Modifiers::NONE, Key::Escape);
-    assert!(!screen.session().look.presenting);
-    screen.press(Modifiers::NONE, Key::Escape);
-    assert!(!screen.session().look.presenting);
-}
-
-#[test]
-fn an_open_menu_leaves_keys_their_meaning_and_closes() {
-    let mut screen = triangle([]);
-    let loop_off = format!("{} ▾", strings::LOOP_OFF.text(Language::English));
-    let open = |screen: &Screen| egui::Popup::is_any_open(&screen.harness.ctx);
-    screen.click(&loop_off);
-    assert!(open(&screen));
-    screen.press(Modifiers::NONE, Key::ArrowRight);
-    assert_eq!((screen.session().step(), open(&screen)), (1, false));
-    for seconds in [0.1, 2.0] {
-        screen.click(&loop_off);
-        assert!(open(&screen));
-        screen.harness.drag_at(egui::pos2(1000.0, 620.0));
-        screen.harness.step();
-        screen.harness.input_mut().time = Some(screen.harness.ctx.input(|i| i.time) + seconds);
-        screen.harness.drop_at(egui::pos2(1000.0, 620.0));
-        screen.harness.run();
-        assert!(!open(&screen), "after a click of {seconds} s");
     }
 }
 

@@ -1,0 +1,86 @@
+use super::*;
+
+#[test]
+fn a_question_stops_every_way_forward_until_it_is_answered_or_skipped() {
+    let mut session = session("gouraud-triangle");
+    go(&mut session, Command::End);
+    let asked = session.step();
+    assert!(session.question_at(asked) && asked < session.last_step());
+    for command in [
+        Command::Forward(1),
+        Command::End,
+        Command::NextNarrated,
+        Command::Play,
+    ] {
+        assert_eq!(session.update(command), Err(strings::ANSWER_FIRST.into()));
+        assert_eq!(session.step(), asked);
+    }
+    go(&mut session, Command::Back(1));
+    go(&mut session, Command::Play);
+    (0..3).for_each(|_| session.advance(1.0));
+    assert_eq!((session.step(), session.playing()), (asked, None));
+    go(&mut session, Command::Skip);
+    assert_eq!(
+        session.question().map(|(_, standing)| standing),
+        Some(Standing::Skipped)
+    );
+    go(&mut session, Command::Forward(1));
+    assert_eq!(session.step(), asked + 1);
+}
+
+#[test]
+fn a_shared_step_is_opened_whatever_is_asked_before_it() {
+    let mut shared = session("gouraud-triangle");
+    shared.start_at(usize::MAX);
+    assert_eq!(shared.step(), shared.last_step());
+    let asked = session("gouraud-triangle").question_between(0, usize::MAX);
+    let asked = asked.expect("a question");
+    for step in [asked, asked + 1, shared.last_step() / 2] {
+        let mut session = session("gouraud-triangle");
+        session.start_at(step);
+        assert_eq!(session.question_at(step), step == asked);
+        go(&mut session, Command::Share);
+        let command = format!("lightwalk open gouraud-triangle --step {step}");
+        assert_eq!(session.shared, Some(command));
+    }
+}
+
+#[test]
+fn answers_are_held_against_the_run() {
+    let mut session = session("gouraud-triangle");
+    let mut answered = 0;
+    while session.step() < session.last_step() {
+        go(&mut session, Command::End);
+        let Some((question, Standing::Open)) = session.question() else {
+            continue;
+        };
+        let right = match question.answer {
+            Answer::Number { value, tolerance } => {
+                Guess::Number(format!("{}", value + 0.9 * tolerance).replace('.', ","))
+            }
+            Answer::Choice { right, .. } => Guess::Choice(right),
+            Answer::Pixel { x, y, .. } => Guess::Pixel { x, y },
+        };
+        let wrong = match right {
+            Guess::Number(_) => Guess::Number("1e9".into()),
+            Guess::Choice(right) => Guess::Choice(right + 1),
+            Guess::Pixel { x, y } => Guess::Pixel { x: x + 1000, y },
+        };
+        if matches!(right, Guess::Number(_)) {
+            let much = Command::Answer(Guess::Number("much".into()));
+            assert_eq!(session.update(much), Err(strings::NOT_A_NUMBER.into()));
+        }
+        answered += 1;
+        let (guess, standing) = if answered % 2 == 0 {
+            (wrong, Standing::Wrong)
+        } else {
+            (right, Standing::Right)
+        };
+        go(&mut session, Command::Answer(guess));
+        assert_eq!(
+            session.question().map(|(_, standing)| standing),
+            Some(standing)
+        );
+    }
+    assert!(answered >= 3, "a lesson asks three questions or more");
+}

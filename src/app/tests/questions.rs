@@ -1,0 +1,106 @@
+use super::*;
+
+#[test]
+fn a_question_is_answered_in_its_card() {
+    let mut screen = triangle([]);
+    let narrated = screen.session().show().narrated.to_vec();
+    let asked = narrated
+        .into_iter()
+        .find(|&step| screen.session().question_at(step))
+        .expect("a question");
+    screen
+        .harness
+        .state_mut()
+        .0
+        .update(Command::End)
+        .expect("a way on");
+    screen.harness.run();
+    assert_eq!(
+        screen.session().step(),
+        asked,
+        "the end lies behind the question"
+    );
+    screen
+        .harness
+        .get_by_label(strings::BEFORE_YOU_GO_ON.text(Language::English));
+    let answer = screen
+        .session()
+        .question()
+        .expect("a question")
+        .0
+        .answer
+        .clone();
+    match answer {
+        Answer::Number { value, .. } => {
+            screen
+                .harness
+                .get_by_label(strings::YOUR_ANSWER.text(Language::English))
+                .focus();
+            screen.harness.run();
+            screen.harness.event(egui::Event::Text(value.to_string()));
+            screen.press(Modifiers::NONE, Key::Enter);
+        }
+        Answer::Choice { options, right } => screen.click(&options[right][0]),
+        Answer::Pixel { x, y, .. } => {
+            let click = Command::Click(Tag::Pixel { x, y });
+            screen
+                .harness
+                .state_mut()
+                .0
+                .update(click)
+                .expect("an answer");
+            screen.harness.run();
+        }
+    }
+    assert_eq!(
+        screen.session().question().map(|(_, standing)| standing),
+        Some(Standing::Right)
+    );
+}
+
+#[test]
+fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
+    let mut screen = triangle([Command::Questions]);
+    let narrated = screen.session().show().narrated.to_vec();
+    screen.session_mut().update(Command::Questions).expect("on");
+    let asks_number = |session: &Session| {
+        matches!(
+            session.question(),
+            Some((question, Standing::Open)) if matches!(question.answer, Answer::Number { .. })
+        )
+    };
+    for step in narrated {
+        screen.session_mut().start_at(step);
+        if asks_number(screen.session()) {
+            break;
+        }
+    }
+    screen.harness.run();
+    let step = screen.session().step();
+    screen
+        .harness
+        .get_by_label(strings::YOUR_ANSWER.text(Language::English))
+        .focus();
+    screen.harness.run();
+    screen.harness.event(egui::Event::Text("much".into()));
+    screen.press(Modifiers::NONE, Key::Enter);
+    screen
+        .harness
+        .get_by_label(strings::NOT_A_NUMBER.text(Language::English));
+    screen.keep("misread");
+    screen.press(Modifiers::NONE, Key::L);
+    assert_eq!(screen.session().look.language, Language::English);
+    screen.press(Modifiers::COMMAND, Key::A);
+    screen.harness.event(egui::Event::Text("1e9".into()));
+    screen.press(Modifiers::NONE, Key::Enter);
+    assert_eq!(screen.session().step(), step);
+    let (question, standing) = screen.session().question().expect("a question");
+    let Answer::Number { value, tolerance } = question.answer else {
+        panic!("a number is asked for")
+    };
+    assert_eq!(standing, Standing::Wrong);
+    let value = Language::English.number(rounded(value, tolerance));
+    let recorded = format!("Not quite. The answer is {value}.");
+    screen.harness.get_by_label(&recorded);
+    screen.keep("wrong");
+}
