@@ -1,7 +1,8 @@
 //! `lightwalk check`: are these files right?
 
+use super::arguments::LimitArguments;
+use super::failure::Failure;
 use super::files::{self, Document};
-use super::{Failure, LimitArguments};
 use std::io::Write;
 use std::path::PathBuf;
 

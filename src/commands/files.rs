@@ -1,6 +1,7 @@
 //! Reading scenes and lessons from files, and writing files that appear whole or not at all.
 
-use super::{Failure, interrupt, progress, tell};
+use super::failure::{Failure, note};
+use super::{interrupt, progress};
 use crate::algorithms::enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
@@ -106,7 +107,7 @@ pub fn prepared(
     }
     for &object in &prepared.tessellation.skipped {
         let object = &prepared.scene.objects[object].name;
-        tell(format_args!(
+        note(format_args!(
             "lightwalk: {} leaves out the infinite plane \"{object}\"",
             method.name()
         ));

@@ -1,7 +1,9 @@
 //! `lightwalk form-factors`: the matrix of a scene's form factors.
 
+use super::arguments::LimitArguments;
+use super::failure::Failure;
+use super::files;
 use super::progress::{Progress, named};
-use super::{Failure, LimitArguments, files};
 use crate::algorithms::enclosure::{Enclosure, Settings};
 use crate::algorithms::form_factor::{Method, Report};
 use crate::render;

@@ -1,8 +1,9 @@
 //! `lightwalk frames`: the panels of a lesson as PNG files, without a display.
 
+use super::arguments::{LimitArguments, parse_range, parse_size};
+use super::failure::Failure;
 use super::files::{self, Document};
 use super::progress::Progress;
-use super::{Failure, LimitArguments, parse_range, parse_size};
 use crate::panels::strings::Language;
 use crate::panels::{Panel, PanelInput, TreeView, draw};
 use crate::picture::{Theme, rasterize, to_png};

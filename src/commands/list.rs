@@ -1,6 +1,6 @@
 //! `lightwalk list`: the lessons.
 
-use super::Failure;
+use super::failure::Failure;
 use super::files::wrong;
 use crate::lesson::builtins;
 use crate::panels::strings::Language;

@@ -1,9 +1,10 @@
 //! `lightwalk needs`: what a scene needs, what is left out, why, and what that saves.
 
+use super::arguments::{LimitArguments, RayArguments, method, method_names};
+use super::failure::Failure;
 use super::progress::Progress;
 use super::radiosity::SolutionArguments;
-use super::render::{method, method_names};
-use super::{Failure, LimitArguments, RayArguments, files, form_factors};
+use super::{files, form_factors};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::render::{self, Method};
 use crate::scene::{Camera, LeftOut, Part, Scene};

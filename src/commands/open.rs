@@ -1,6 +1,6 @@
 //! `lightwalk open`: the window.
 
-use super::Failure;
+use super::failure::Failure;
 
 #[derive(clap::Args, Default)]
 pub struct Arguments {

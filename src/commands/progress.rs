@@ -1,5 +1,6 @@
 //! A word on standard error about work that takes longer than a second.
 
+use super::failure::note;
 use std::io::{IsTerminal, Write};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc;
@@ -15,7 +16,7 @@ pub fn named<T>(what: &str, work: impl FnOnce() -> T) -> T {
         scope.spawn(move || {
             // The sender is dropped when the work is done.
             if wait.recv_timeout(PATIENCE) == Err(mpsc::RecvTimeoutError::Timeout) {
-                super::tell(format_args!("lightwalk: {what} …"));
+                note(format_args!("lightwalk: {what} …"));
             }
         });
         let result = work();
@@ -86,7 +87,7 @@ impl Drop for Progress {
     fn drop(&mut self) {
         let spoken = self.due.load(Ordering::Relaxed) > PATIENCE.as_millis() as u64;
         if self.terminal && spoken {
-            super::tell(format_args!(""));
+            note(format_args!(""));
         }
     }
 }

@@ -1,8 +1,10 @@
 //! `lightwalk radiosity`: the light of a scene, patch by patch.
 
+use super::arguments::LimitArguments;
+use super::failure::{Failure, note};
+use super::files;
 use super::form_factors::{MemoryArgument, VisibilityArgument, enclosure, matrix, settings};
 use super::progress::named;
-use super::{Failure, LimitArguments, files, tell};
 use crate::algorithms::enclosure::{Enclosure, Light, Settings};
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::radiosity::{ChannelUnsolved, RecordFilter, Solver};
@@ -89,7 +91,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             (start.elapsed(), light(&enclosure)?)
         }
         Some(refusal) if enclosure.settings.solver.shoots() => {
-            tell(format_args!(
+            note(format_args!(
                 "lightwalk: {refusal}: they are found row by row, shot by shot"
             ));
             shot = shoot(&enclosure)?;

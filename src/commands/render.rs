@@ -1,9 +1,11 @@
 //! `lightwalk render`: a picture of a scene.
 
+use super::arguments::{LimitArguments, RayArguments, method, method_names, parse_size};
+use super::failure::Failure;
 use super::form_factors::MemoryArgument;
 use super::progress::Progress;
 use super::radiosity::{SolutionArguments, light};
-use super::{Failure, LimitArguments, RayArguments, files, needs, parse_size};
+use super::{files, needs};
 use crate::algorithms::enclosure::Settings;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::{Rgb, pfm, png_rgb8};
@@ -53,10 +55,6 @@ pub struct Arguments {
 }
 
 /// The methods that are built, for the command line's help and errors.
-pub fn method_names() -> clap::builder::PossibleValuesParser {
-    Method::ALL.map(Method::name).into()
-}
-
 #[derive(Clone, Copy)]
 enum Format {
     Png,
@@ -164,11 +162,6 @@ fn solve(prepared: &PreparedScene, arguments: &Arguments) -> Result<(), Failure>
 }
 
 /// A method by the name that clap has already checked.
-pub fn method(name: &str) -> Result<Method, Failure> {
-    Method::from_name(name)
-        .ok_or_else(|| Failure::Wrong(format!("--method {name}: there is no such method")))
-}
-
 fn format(out: &Path) -> Result<Format, Failure> {
     match out.extension().and_then(|extension| extension.to_str()) {
         Some("png") => Ok(Format::Png),

@@ -1,10 +1,12 @@
 //! `lightwalk steps`: every step of a run, a JSON object a line.
 
+use super::arguments::{
+    LimitArguments, RayArguments, method, method_names, parse_range, parse_size,
+};
+use super::failure::{Failure, note};
 use super::files::{self, Document};
 use super::progress::{self, Progress};
 use super::radiosity::SolutionArguments;
-use super::render::{method, method_names};
-use super::{Failure, LimitArguments, RayArguments, parse_range, parse_size, tell};
 use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
@@ -126,7 +128,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         if arguments.out.is_some() {
             return Err(Failure::Failed(TOLD.into()));
         }
-        tell(format_args!("lightwalk: {TOLD}"));
+        note(format_args!("lightwalk: {TOLD}"));
     }
     match &arguments.out {
         Some(path) => files::write_whole(path, |writer| write_steps(run.walk(), writer)),

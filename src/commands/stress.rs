@@ -1,6 +1,7 @@
 //! `lightwalk stress`: the stiff and extreme cases, each with what was expected, what came out and a verdict.
 
-use super::{Failure, progress};
+use super::failure::Failure;
+use super::progress;
 use crate::study::stress::{Case, Report, json, nearest_names, select, statement, table};
 use std::io::Write;
 

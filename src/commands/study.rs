@@ -1,7 +1,9 @@
 //! `lightwalk study`: error against run time, and how work grows; tables, plots and a summary in words.
 
+use super::arguments::LimitArguments;
+use super::failure::{Failure, note};
+use super::files;
 use super::progress::Progress;
-use super::{Failure, LimitArguments, files};
 use crate::picture::{Theme, rasterize, to_png, to_svg};
 use crate::study::families;
 use crate::study::form::{Request, Study};
@@ -64,7 +66,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
                 found.push(findings);
             }
             Err(why) => {
-                super::tell(format_args!("lightwalk: {} is left out: {why}", study.name));
+                note(format_args!("lightwalk: {} is left out: {why}", study.name));
                 skipped.push((study.name, why.to_string()));
             }
         }

@@ -1,0 +1,126 @@
+//! Options and values that several commands share.
+
+use super::failure::Failure;
+use crate::algorithms::primary::Settings;
+use crate::methods::Method;
+use clap::Args;
+use std::num::NonZeroU32;
+
+/// How large a scene may be.
+#[derive(Args, Clone, Copy)]
+pub struct LimitArguments {
+    /// The most radiosity patches that a scene may ask for
+    #[arg(long, value_name = "N", default_value_t = crate::scene::Limits::default().max_patches)]
+    pub max_patches: u64,
+    /// The most triangles that its meshes may have
+    #[arg(long, value_name = "N", default_value_t = crate::scene::Limits::default().max_triangles)]
+    pub max_triangles: u64,
+}
+
+/// How far the ray methods go.
+#[derive(Args, Clone, Copy)]
+pub struct RayArguments {
+    /// Ray tracing shades rays up to this level; the primary ray is level 1
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::DEEPEST)))]
+    pub depth: Option<u32>,
+    /// A pixel is the mean of N×N rays
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_SAMPLES)))]
+    pub samples: Option<u32>,
+}
+
+impl RayArguments {
+    /// What was asked for, and for the rest what `unless` says.
+    pub fn or(self, unless: Settings) -> Settings {
+        Settings {
+            depth: self.depth.and_then(NonZeroU32::new).unwrap_or(unless.depth),
+            samples: self
+                .samples
+                .and_then(NonZeroU32::new)
+                .unwrap_or(unless.samples),
+        }
+    }
+
+    pub fn is_given(self) -> bool {
+        self.depth.is_some() || self.samples.is_some()
+    }
+}
+
+impl From<LimitArguments> for crate::scene::Limits {
+    fn from(arguments: LimitArguments) -> Self {
+        crate::scene::Limits {
+            max_patches: arguments.max_patches,
+            max_triangles: arguments.max_triangles,
+        }
+    }
+}
+
+/// `640x480`
+pub fn parse_size(text: &str) -> Result<[u32; 2], String> {
+    let sides = text
+        .split_once(['x', 'X', '×'])
+        .and_then(|(width, height)| Some([width.parse().ok()?, height.parse().ok()?]));
+    let Some([width, height]) = sides else {
+        return Err("a size is written as 640x480".into());
+    };
+    let pixels = u64::from(width) * u64::from(height);
+    if width == 0
+        || height == 0
+        || width > crate::render::MAX_SIDE
+        || height > crate::render::MAX_SIDE
+        || pixels > crate::render::MAX_PIXELS
+    {
+        return Err(format!(
+            "a picture has sides from 1 to {} and at most {} pixels",
+            crate::render::MAX_SIDE,
+            crate::render::MAX_PIXELS
+        ));
+    }
+    Ok([width, height])
+}
+
+/// `3..10`: from 3 up to, but without, 10.
+pub fn parse_range(text: &str) -> Result<std::ops::Range<usize>, String> {
+    let ends = text
+        .split_once("..")
+        .and_then(|(start, end)| Some((start.parse().ok()?, end.parse().ok()?)));
+    match ends {
+        Some((start, end)) if start < end => Ok(start..end),
+        Some(_) => Err("the range is empty; A..B includes A and excludes B".into()),
+        None => Err("a range is written as 3..10; it counts from 0".into()),
+    }
+}
+
+pub fn method_names() -> clap::builder::PossibleValuesParser {
+    Method::ALL.map(Method::name).into()
+}
+
+pub fn method(name: &str) -> Result<Method, Failure> {
+    Method::from_name(name)
+        .ok_or_else(|| Failure::Wrong(format!("--method {name}: there is no such method")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_and_ranges_are_read_strictly() {
+        assert_eq!(parse_size("640x480"), Ok([640, 480]));
+        for wrong in [
+            "",
+            "640",
+            "0x5",
+            "-1x5",
+            "1e9x1",
+            "8193x8193",
+            "99999999999x1",
+            "4294967295x4294967295",
+        ] {
+            assert!(parse_size(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(parse_range("0..3"), Ok(0..3));
+        for wrong in ["", "3", "3..3", "4..3", "..", "a..b", "-1..2"] {
+            assert!(parse_range(wrong).is_err(), "{wrong}");
+        }
+    }
+}

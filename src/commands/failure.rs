@@ -1,0 +1,41 @@
+//! Why a command did not do what was asked, and what is said on standard error.
+
+use std::io::Write;
+
+/// Why a command did not do what was asked.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// A file or an argument is wrong: status 2.
+    #[error("{0}")]
+    Wrong(String),
+    /// The work failed: status 1.
+    #[error("{0}")]
+    Failed(String),
+    /// Nobody reads the results any more: no message.
+    #[error("")]
+    ReaderGone,
+}
+
+impl Failure {
+    pub fn status(&self) -> u8 {
+        match self {
+            Failure::Wrong(_) => 2,
+            Failure::Failed(_) | Failure::ReaderGone => 1,
+        }
+    }
+}
+
+/// Writing results to standard output.
+impl From<std::io::Error> for Failure {
+    fn from(error: std::io::Error) -> Self {
+        match error.kind() {
+            std::io::ErrorKind::BrokenPipe => Failure::ReaderGone,
+            _ => Failure::Failed(format!("cannot write the results: {error}")),
+        }
+    }
+}
+
+/// A line on standard error. Where nobody can read it, the work goes on.
+pub fn note(line: std::fmt::Arguments) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
