@@ -1,7 +1,7 @@
 //! The keys: one table, which the handler obeys and the sheet of keys prints.
 
-use super::parameter_card;
 use super::session::{Command, Session, StudyCommand};
+use super::slider_focus;
 use crate::language::Message;
 use egui::{Event, Key, Modifiers, Popup};
 
@@ -304,7 +304,7 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
     }
     let menu = Popup::is_any_open(ctx);
     let focused = ctx.memory(|memory| memory.focused().is_some());
-    let on_slider = focused && parameter_card::keeps_arrows(ctx);
+    let on_slider = focused && slider_focus::get(ctx);
     let mut arrow = false;
     let commands: Vec<Command> = ctx.input(|input| {
         let keys = input.events.iter().filter_map(|event| match *event {

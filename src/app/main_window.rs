@@ -2,7 +2,8 @@
 
 use super::session::Session;
 use super::style;
-use super::window::{self, Window};
+use super::window;
+use super::window_state::Window;
 use crate::lesson::{Lesson, builtins};
 use std::any::Any;
 use std::panic::{self, AssertUnwindSafe};

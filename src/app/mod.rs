@@ -1,5 +1,6 @@
 //! The window: a [`Session`] holds what is shown, [`window`] shows it, [`open`] puts it on the screen.
 
+mod button;
 mod drag;
 mod key_sheet;
 mod keys;
@@ -7,9 +8,11 @@ mod main_window;
 mod narration;
 mod panel_view;
 mod parameter_card;
+mod prose;
 mod question_card;
 pub mod session;
 mod skipped;
+mod slider_focus;
 mod strings;
 mod study_plot;
 mod study_view;
@@ -20,6 +23,7 @@ mod top_bar;
 mod transport;
 mod tree_controls;
 pub mod window;
+mod window_state;
 
 #[cfg(test)]
 mod tests;

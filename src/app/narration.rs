@@ -1,13 +1,13 @@
 //! The left column: what this step is and why, the note on the slide, the question, pseudocode and formula.
 
+use super::prose::prose;
 use super::session::{Command, Session};
 use super::tiles::panel_on;
-use super::window::Window;
+use super::window_state::Window;
 use super::{panel_view, question_card, strings, style};
 use crate::panels::Panel;
-use crate::picture::{Ink, Script, Tag, braced, math};
-use egui::text::{LayoutJob, TextFormat};
-use egui::{Align, FontId, Frame, Margin, Rect, RichText, ScrollArea, Ui};
+use crate::picture::{Ink, Tag};
+use egui::{Frame, Margin, Rect, RichText, ScrollArea, Ui};
 
 /// The least heights at which pseudocode and formula can be read, and what is between them.
 const CODE: f32 = 190.0;
@@ -128,33 +128,6 @@ fn in_words<'a>(session: &Session, window: &'a Window) -> &'a str {
         .filter_map(|panel| window.views.get(&panel))
         .map(|view| view.alt());
     alts.find(|alt| !alt.is_empty()).unwrap_or_default()
-}
-
-/// A text whose symbols (`I_4`, `x_P`) are set as the panels set them.
-pub fn prose(session: &Session, text: &str, size: f32, ink: Ink) -> LayoutJob {
-    set(session, text, FontId::proportional(size), ink)
-}
-
-/// As [`prose`], in any font.
-pub fn set(session: &Session, text: &str, font: FontId, ink: Ink) -> LayoutJob {
-    let mut job = LayoutJob::default();
-    for run in math(&braced(text)) {
-        // A line height of its own would put an index into the middle of the line, so that it could be neither low nor high.
-        let (scale, line_height, valign) = match run.script {
-            Script::Base => (1.0, Some(1.45 * font.size), Align::Center),
-            Script::Sub => (0.72, None, Align::BOTTOM),
-            Script::Super => (0.72, None, Align::TOP),
-        };
-        let format = TextFormat {
-            font_id: FontId::new(scale * font.size, font.family.clone()),
-            color: style::color(session.look.theme, ink),
-            line_height,
-            valign,
-            ..TextFormat::default()
-        };
-        job.append(&run.text, 0.0, format);
-    }
-    job
 }
 
 fn slide_note(session: &Session, text: &str, ui: &mut Ui) {

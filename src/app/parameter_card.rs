@@ -1,13 +1,13 @@
 //! The parameters that the lesson lets be changed, each with a slider and its value, on a card over the panels.
 
+use super::button::button;
 use super::session::{Command, Session, read_number};
-use super::window::button;
-use super::{narration, strings, style};
+use super::{prose, slider_focus, strings, style};
 use crate::language::Language;
 use crate::lesson::{Change, Coefficient, DIVISIONS, Parameter};
 use crate::picture::Ink;
 use crate::scene::Scene;
-use egui::{Button, DragValue, FontId, Id, Rect, Response, RichText, Slider, Ui, WidgetInfo};
+use egui::{Button, DragValue, FontId, Rect, Response, RichText, Slider, Ui, WidgetInfo};
 use glam::DVec3;
 use std::ops::RangeInclusive;
 
@@ -84,21 +84,12 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
         };
         commands.extend(change.map(Command::Change));
     }
-    ui.data_mut(|data| data.insert_temp(slider_id(), on_slider));
+    slider_focus::set(on_slider, ui.ctx());
 }
 
 fn inside(rect: Rect) -> egui::UiBuilder {
     let layout = egui::Layout::left_to_right(egui::Align::Center);
     egui::UiBuilder::new().max_rect(rect).layout(layout)
-}
-
-fn slider_id() -> Id {
-    Id::unique("a slider has the focus")
-}
-
-/// Whether a slider has the focus: the arrows are its own then.
-pub fn keeps_arrows(ctx: &egui::Context) -> bool {
-    ctx.data(|data| data.get_temp(slider_id())).unwrap_or(false)
 }
 
 /// A slider with its name, and what it changes.
@@ -112,7 +103,7 @@ fn value(
     let rail = Rail::of(session, parameter)?;
     let name = name(session, parameter);
     let (_, place) = ui.allocate_space(egui::vec2(NAME, ROW));
-    let text = narration::set(session, &name, FontId::proportional(13.0), Ink::Text);
+    let text = prose::set(session, &name, FontId::proportional(13.0), Ink::Text);
     let label = egui::Label::new(text).truncate().selectable(false);
     ui.new_child(inside(place)).add(label);
     ui.spacing_mut().slider_width = (ui.available_width() - NUMBER).max(RAIL);

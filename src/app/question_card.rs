@@ -1,8 +1,8 @@
 //! The card that asks before the answer is seen.
 
-use super::narration::{prose, set};
+use super::prose::{prose, set};
 use super::session::{Command, Guess, Session, Standing, read_number};
-use super::window::Window;
+use super::window_state::Window;
 use super::{strings, style};
 use crate::lesson::{Answer, Question};
 use crate::picture::Ink;

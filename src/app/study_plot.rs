@@ -1,7 +1,7 @@
 //! The plot of a part of a study, to be pointed at and clicked. Its axes are logarithmic: what is plotted is log10.
 
 use super::session::{PointAt, Session};
-use super::{strings, study_view, study_words, style};
+use super::{strings, study_words, style};
 use crate::picture::Ink;
 use crate::study::form::Axes;
 use crate::study::harness::{Part, Point};
@@ -117,7 +117,7 @@ pub fn show(session: &Session, part: &Part, lit: Option<PointAt>, ui: &mut Ui) -
     let clicked = response.clicked();
     if let Some((_, line, point)) = at.and_then(|at| session.studying().point(at)) {
         ui.ctx().set_cursor_icon(egui::CursorIcon::PointingHand);
-        let recorded = study_view::recorded(session, line, point);
+        let recorded = study_words::recorded(session, line, point);
         response.on_hover_text_at_pointer(recorded);
     }
     Pointed { at, clicked }

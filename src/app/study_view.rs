@@ -1,13 +1,13 @@
 //! Error against run time: a study is chosen and measured, and what it finds is told curve by curve and point by point.
 
+use super::button::button;
 use super::session::{Command, Outcome, PointAt, Session, StudyCommand};
-use super::window::button;
 use super::{strings, study_plot, study_words, style};
 use crate::picture::Ink;
 use crate::study::families;
 use crate::study::fit::{Fit, Law};
 use crate::study::form::Axes;
-use crate::study::harness::{Line, Part, Point};
+use crate::study::harness::{Line, Part};
 use crate::study::plot::curve::Look;
 use crate::study::report::strings as report;
 use egui::{Button, ComboBox, Frame, Margin, ProgressBar, RichText, ScrollArea, Ui};
@@ -149,7 +149,7 @@ fn found(session: &Session, part: &Part, commands: &mut Vec<Command>, ui: &mut U
     ScrollArea::vertical().id_salt("told").show(ui, |ui| {
         match shown.and_then(|at| studying.point(at)) {
             Some((_, line, point)) => {
-                ui.label(recorded(session, line, point));
+                ui.label(study_words::recorded(session, line, point));
             }
             None => about(session, part, ui),
         }
@@ -208,7 +208,7 @@ fn points(
             let response = ui.add(button);
             let name = format!("{}, {}", line.name, point.setting);
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
-            let description = recorded(session, line, point);
+            let description = study_words::recorded(session, line, point);
             ui.ctx()
                 .accesskit_node_builder(response.id, |node| node.set_description(description));
             if response.clicked() {
@@ -244,52 +244,4 @@ fn laws(session: &Session, part: &Part, line: &Line) -> String {
         Axes::TimeOverSize => format!("{time}, n: {size}"),
         _ => format!("{error}, {time}, n: {size}"),
     }
-}
-
-/// Everything about a point, a line each.
-pub fn recorded(session: &Session, line: &Line, point: &Point) -> String {
-    let localize = |strings| session.localize(strings);
-    let mut recorded = format!("{}, {}", line.name, point.setting);
-    if let Some(errors) = point.errors {
-        let [rms, largest, relative] = [errors.rms, errors.largest, errors.relative]
-            .map(|error| session.look.language.magnitude(error));
-        recorded += &format!(
-            "\n{}: rms {rms}, max {largest}, rel {relative}",
-            localize(strings::ERROR_IS)
-        );
-    }
-    let timing = &point.seconds;
-    let [median, lower, upper] = [timing.median, timing.lower, timing.upper]
-        .map(|seconds| report::seconds(seconds, session.look.language));
-    recorded += &format!(
-        "\n{}: {median} ({} {lower} – {upper}, {}×)",
-        localize(strings::TIME_IS),
-        localize(strings::QUARTILES),
-        timing.runs
-    );
-    let mut counts: Vec<String> = Vec::new();
-    for operations in &point.operations {
-        counts.push(format!(
-            "{} {}",
-            operations.count,
-            operations.of.replace('_', " ")
-        ));
-    }
-    counts.push(format!(
-        "{} {}",
-        localize(strings::MEMORY_IS),
-        report::bytes(point.bytes, session.look.language)
-    ));
-    recorded += &format!("\n{}", counts.join(", "));
-    if point.on_front {
-        recorded += &format!("\n{}", localize(strings::ON_THE_FRONT));
-    }
-    match (&point.drawn, session.studying().command_line()) {
-        (Some(_), _) => recorded += &format!("\n{}", localize(strings::CLICK_OPENS_IT)),
-        (None, Some(command)) => {
-            recorded += &format!("\n{} {command}", localize(strings::MEASURED_AGAIN_BY));
-        }
-        (None, None) => {}
-    }
-    recorded
 }

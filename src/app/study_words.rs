@@ -1,7 +1,11 @@
 //! What studies are called and ask, in Indonesian too. Names of methods and settings are those of the command line in both.
 
+use super::session::Session;
+use super::strings;
 use crate::panels::strings::Language;
 use crate::study::form::Study;
+use crate::study::harness::{Line, Point};
+use crate::study::report::strings as report;
 
 pub fn title(study: &Study, language: Language) -> &'static str {
     match language {
@@ -91,6 +95,54 @@ pub fn measure(english: &'static str, language: Language) -> &'static str {
         "B, at the centres of the finest patches" => "B, di pusat patch terhalus",
         other => other,
     }
+}
+
+/// Everything about a point, a line each.
+pub fn recorded(session: &Session, line: &Line, point: &Point) -> String {
+    let localize = |strings| session.localize(strings);
+    let mut recorded = format!("{}, {}", line.name, point.setting);
+    if let Some(errors) = point.errors {
+        let [rms, largest, relative] = [errors.rms, errors.largest, errors.relative]
+            .map(|error| session.look.language.magnitude(error));
+        recorded += &format!(
+            "\n{}: rms {rms}, max {largest}, rel {relative}",
+            localize(strings::ERROR_IS)
+        );
+    }
+    let timing = &point.seconds;
+    let [median, lower, upper] = [timing.median, timing.lower, timing.upper]
+        .map(|seconds| report::seconds(seconds, session.look.language));
+    recorded += &format!(
+        "\n{}: {median} ({} {lower} – {upper}, {}×)",
+        localize(strings::TIME_IS),
+        localize(strings::QUARTILES),
+        timing.runs
+    );
+    let mut counts: Vec<String> = Vec::new();
+    for operations in &point.operations {
+        counts.push(format!(
+            "{} {}",
+            operations.count,
+            operations.of.replace('_', " ")
+        ));
+    }
+    counts.push(format!(
+        "{} {}",
+        localize(strings::MEMORY_IS),
+        report::bytes(point.bytes, session.look.language)
+    ));
+    recorded += &format!("\n{}", counts.join(", "));
+    if point.on_front {
+        recorded += &format!("\n{}", localize(strings::ON_THE_FRONT));
+    }
+    match (&point.drawn, session.studying().command_line()) {
+        (Some(_), _) => recorded += &format!("\n{}", localize(strings::CLICK_OPENS_IT)),
+        (None, Some(command)) => {
+            recorded += &format!("\n{} {command}", localize(strings::MEASURED_AGAIN_BY));
+        }
+        (None, None) => {}
+    }
+    recorded
 }
 
 #[cfg(test)]

@@ -208,7 +208,7 @@ fn card_title(
             let text = egui::RichText::new(strings).size(13.0);
             let button = egui::Button::new(text).selected(session.look.smooth);
             let name = session.localize(strings::SMOOTH_ROOM);
-            super::window::button(session, button, name, Command::Smooth, commands, ui);
+            super::button::button(session, button, name, Command::Smooth, commands, ui);
         }
         let caption = egui::RichText::new(panel_view::caption(session, panel))
             .size(13.0)

@@ -28,7 +28,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             lessons(session, commands, ui);
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                 let narrow = ui.available_width() < 420.0;
-                super::window::button(
+                super::button::button(
                     session,
                     Button::new("?"),
                     session.localize(strings::KEYS),
@@ -39,7 +39,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
                 settings(session, commands, ui);
                 if !narrow {
                     let share = session.localize(strings::SHARE);
-                    super::window::button(
+                    super::button::button(
                         session,
                         Button::new(share),
                         share,
@@ -49,7 +49,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
                     );
                     let present = session.localize(strings::PRESENT);
                     let button = Button::new(present).selected(session.look.presenting);
-                    super::window::button(session, button, present, Command::Present, commands, ui);
+                    super::button::button(session, button, present, Command::Present, commands, ui);
                 }
                 ui.add_space(8.0);
                 ui.spacing_mut().item_spacing.x = 2.0;
@@ -137,7 +137,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
                 ("+", Command::LargerText),
             ] {
                 let name = format!("{} {sign}", session.localize(strings::TEXT_SIZE));
-                super::window::button(session, Button::new(sign), &name, command, commands, ui);
+                super::button::button(session, Button::new(sign), &name, command, commands, ui);
             }
         });
         ui.separator();
@@ -158,14 +158,14 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         ui.separator();
         let studies = session.localize(strings::STUDIES);
         let view = Command::Study(StudyCommand::View);
-        super::window::button(session, Button::new(studies), studies, view, commands, ui);
+        super::button::button(session, Button::new(studies), studies, view, commands, ui);
         for (strings, command) in [
             (strings::PRESENT, Command::Present),
             (strings::SHARE, Command::Share),
             (strings::LEFT_OUT, Command::LeftOut),
         ] {
             let strings = session.localize(strings);
-            super::window::button(
+            super::button::button(
                 session,
                 Button::new(strings),
                 strings,

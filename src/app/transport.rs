@@ -1,7 +1,8 @@
 //! The row above the time line: buttons to walk and play, where we are, speed, loop, search.
 
+use super::button::button;
 use super::session::{Command, Direction, Session};
-use super::window::{Window, button};
+use super::window_state::Window;
 use super::{strings, style};
 use crate::picture::Ink;
 use crate::replay::query;

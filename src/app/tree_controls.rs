@@ -1,8 +1,8 @@
 //! How the ray tree is zoomed and dragged.
 
+use super::button::button;
 use super::session::{Command, Session};
 use super::strings;
-use super::window::button;
 use crate::panels::{tree_area, tree_middle};
 use egui::{Button, Response, RichText, Ui};
 use glam::Vec2;

@@ -1,42 +1,18 @@
 //! The whole window, in a function of `&mut Ui`: it needs no screen, and tests show it as the screen would.
 
-use super::panel_view::PanelView;
 use super::session::{Command, Session};
-use super::tiles::{Arrangement, GAP, panel_on};
+use super::tiles::{GAP, panel_on};
+use super::window_state::Window;
 use super::{
     key_sheet, keys, narration, parameter_card, skipped, strings, study_view, style, top_bar,
     transport,
 };
 use crate::panels::Panel;
-use crate::picture::Theme;
 use egui::{CursorIcon, Frame, Id, Margin, Popup, Rect, Sense, Stroke, Ui, ViewportCommand};
-use std::collections::HashMap;
 use std::time::Duration;
 
 /// How long to wait before looking whether more of the whole picture has come in.
 const LOOK_AGAIN: Duration = Duration::from_millis(30);
-
-/// What the window keeps that the session need not know: textures, tile borders, half-typed texts.
-#[derive(Default)]
-pub struct Window {
-    pub(super) views: HashMap<Panel, PanelView>,
-    arrangement: Arrangement,
-    pub(super) answer: String,
-    /// Whether the answer was given, and is no number.
-    pub(super) misread: bool,
-    pub(super) search: String,
-    /// Why the last command was refused, or what it did, until the next one.
-    pub(super) notice: Option<String>,
-    /// Width of the left column, where the user has chosen one.
-    column: Option<f32>,
-    /// Height of narration and question in the frame before.
-    pub(super) said_height: f32,
-    styled: Option<Theme>,
-    title: String,
-    full_screen: bool,
-    /// When the frame before was shown, in seconds.
-    time: Option<f64>,
-}
 
 /// Shows the window, and carries out what the user does in it.
 pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
@@ -223,28 +199,5 @@ fn close_menus(ctx: &egui::Context) {
     let layer = let_go.flatten().and_then(|pos| ctx.layer_id_at(pos));
     if layer.is_some_and(|layer| layer.order <= egui::Order::Middle) {
         Popup::close_all(ctx);
-    }
-}
-
-/// A button for a command: off, with the reason, where it cannot act; its hint names its key.
-pub(super) fn button(
-    session: &Session,
-    button: egui::Button,
-    name: &str,
-    command: Command,
-    commands: &mut Vec<Command>,
-    ui: &mut Ui,
-) {
-    let allowed = session.allows(&command);
-    let response = ui.add_enabled(allowed.is_ok(), button);
-    let enabled = allowed.is_ok();
-    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, enabled, name));
-    let hint =
-        keys::key_of(&command).map_or_else(|| name.to_owned(), |key| format!("{name}  ({key})"));
-    let response = response.on_hover_text(hint);
-    if let Err(refused) = allowed {
-        response.on_disabled_hover_text(refused.in_language(session.look.language));
-    } else if response.clicked() {
-        commands.push(command);
     }
 }

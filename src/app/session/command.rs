@@ -1,6 +1,5 @@
 //! What a user can ask of a session, and why it may be refused.
 
-use super::StudyCommand;
 use crate::algorithms::focus::Focus;
 use crate::language::{Language, Message};
 use crate::lesson::Change;
@@ -105,6 +104,32 @@ pub enum Guess {
         x: u32,
         y: u32,
     },
+}
+
+/// A command about studies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StudyCommand {
+    /// Opens the view, or closes it.
+    View,
+    /// By its index among all studies.
+    Choose(usize),
+    /// Few and small settings, or all of them.
+    Quick,
+    /// Measures the chosen study.
+    Measure,
+    CallOff,
+    /// Looks at a part of what was found.
+    Part(usize),
+    /// Tells of a point; where that draws a picture, opens it to be walked through.
+    Pick(PointAt),
+}
+
+/// One point of the study that is shown: indices of its part, of its curve there, and of itself on that.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PointAt {
+    pub part: usize,
+    pub line: usize,
+    pub point: usize,
 }
 
 /// Why a command was not carried out.

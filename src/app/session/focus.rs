@@ -61,7 +61,7 @@ impl Session {
         self.focus = focus;
         self.recording += 1;
         self.play = None;
-        self.around = super::play::Loop::default();
+        self.around = super::playing::Loop::default();
         self.tree = TreeView {
             zoom: self.tree.zoom,
             ..TreeView::WHOLE

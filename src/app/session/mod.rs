@@ -5,18 +5,20 @@ mod command;
 mod focus;
 mod forced;
 mod play;
+mod playing;
 mod preview;
 mod question;
 mod study;
+mod study_commands;
 mod update;
 
 #[cfg(test)]
 mod tests;
 
-pub use command::{Command, Guess, Refused};
-pub use play::Direction;
-pub use question::{Standing, read_number};
-pub use study::{Outcome, PointAt, StudyCommand, Studying};
+pub use command::{Command, Guess, PointAt, Refused, StudyCommand};
+pub use playing::Direction;
+pub use question::read_number;
+pub use study::{Outcome, Studying};
 
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
@@ -26,7 +28,7 @@ use crate::panels::{Panel, PanelInput, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::render::smooth_patches;
 use crate::replay::Walk;
-use play::{Loop, Play};
+use playing::{Loop, Play};
 use preview::{Methods, Preview};
 use std::collections::HashMap;
 
@@ -80,6 +82,15 @@ fn methods(open: &OpenLesson) -> Methods {
         picture: open.lesson.method,
         compared: open.lesson.compare.clone(),
     }
+}
+
+/// How a question stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    Open,
+    Right,
+    Wrong,
+    Skipped,
 }
 
 /// A lesson in the list of lessons.
@@ -142,7 +153,7 @@ impl Session {
             recording: 0,
             breakpoints: HashMap::new(),
             play: None,
-            speed: play::NORMAL_SPEED,
+            speed: playing::NORMAL_SPEED,
             around: Loop::default(),
             tree: TreeView::WHOLE,
             look: Look::new(),

@@ -1,37 +1,7 @@
 //! Playing: steps in time, forward or backward, around a loop, up to whatever asks to stop.
 
 use super::Session;
-
-/// Steps a second.
-const SPEEDS: [f64; 10] = [0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 64.0, 256.0, 1024.0];
-
-pub(super) const NORMAL_SPEED: usize = 3;
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    Forward,
-    Backward,
-}
-
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Play {
-    direction: Direction,
-    /// Steps, or parts of one, that are due and not yet taken.
-    due: f64,
-}
-
-/// The range of steps that playing stays in; it is one once both ends are set.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Loop {
-    pub from: Option<usize>,
-    pub to: Option<usize>,
-}
-
-impl Loop {
-    fn range(self) -> Option<(usize, usize)> {
-        self.from.zip(self.to).filter(|(from, to)| from < to)
-    }
-}
+use super::playing::{Direction, Play, SPEEDS};
 
 impl Session {
     pub fn playing(&self) -> Option<Direction> {

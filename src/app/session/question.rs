@@ -1,17 +1,8 @@
 //! Predict before seeing: what follows a question stays hidden until it is answered or skipped.
 
-use super::{Guess, Refused, Session};
+use super::{Guess, Refused, Session, Standing};
 use crate::app::strings;
 use crate::lesson::{Answer, Question};
-
-/// How a question stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Standing {
-    Open,
-    Right,
-    Wrong,
-    Skipped,
-}
 
 impl Session {
     /// The question at this step, and how it stands.

@@ -10,8 +10,9 @@ mod studies;
 
 use super::question_card::rounded;
 use super::session::{Command, Session, Standing};
-use super::window::{self, Window};
-use super::{narration, strings, style};
+use super::window;
+use super::window_state::Window;
+use super::{prose, strings, style};
 use crate::algorithms::focus::Focus;
 use crate::lesson::{Answer, Lesson, builtin};
 use crate::panels::strings::Language;
@@ -152,7 +153,7 @@ fn the_column_is_as_wide_as_before_after_the_window_was_small() {
 #[test]
 fn an_index_stands_low_and_the_space_after_it_stays() {
     let screen = triangle([]);
-    let job = narration::prose(screen.session(), "I_P incremental", 14.0, Ink::Text);
+    let job = prose::prose(screen.session(), "I_P incremental", 14.0, Ink::Text);
     let galley = screen.harness.ctx.fonts_mut(|fonts| fonts.layout_job(job));
     let glyphs = &galley.rows[0].glyphs;
     let place = |index: usize| (glyphs[index].chr, glyphs[index].pos.y);

@@ -3,10 +3,8 @@
 #[cfg(test)]
 mod tests;
 
-use super::{Refused, Session};
+use super::command::{PointAt, Refused};
 use crate::app::strings;
-use crate::language::Message;
-use crate::lesson::Lesson;
 use crate::render::Cancelled;
 use crate::study::families;
 use crate::study::form::{Request, Study};
@@ -15,14 +13,6 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::thread;
-
-/// One point of the study that is shown: indices of its part, of its curve there, and of itself on that.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct PointAt {
-    pub part: usize,
-    pub line: usize,
-    pub point: usize,
-}
 
 /// The view of error against run time.
 pub struct Studying {
@@ -111,7 +101,7 @@ impl Studying {
         Some(format!("lightwalk study {}{quick} --out found", study.name))
     }
 
-    fn begin(&mut self) -> Result<(), Refused> {
+    pub(super) fn begin(&mut self) -> Result<(), Refused> {
         if self.measuring.is_some() {
             return Err(strings::STILL_MEASURING.into());
         }
@@ -135,7 +125,7 @@ impl Studying {
         Ok(())
     }
 
-    fn call_off(&mut self) -> Result<(), Refused> {
+    pub(super) fn call_off(&mut self) -> Result<(), Refused> {
         let measuring = self.measuring.take();
         measuring.ok_or(strings::NOTHING_IS_MEASURED)?;
         self.outcome = Outcome::CalledOff;
@@ -186,93 +176,5 @@ fn measure(study: &'static Study, quick: bool, state: &State, tell: &Sender<News
     let request = Request { scene: None, quick };
     if let Err(why) = study.measure(&request, &progress, &found) {
         drop(tell.send(News::Unmeasured(why)));
-    }
-}
-
-/// What a session is asked to do with studies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StudyCommand {
-    /// Opens the view, or closes it.
-    View,
-    /// By its index among all studies.
-    Choose(usize),
-    /// Few and small settings, or all of them.
-    Quick,
-    /// Measures the chosen study.
-    Measure,
-    CallOff,
-    /// Looks at a part of what was found.
-    Part(usize),
-    /// Tells of a point; where that draws a picture, opens it to be walked through.
-    Pick(PointAt),
-}
-
-impl Session {
-    pub fn studying(&self) -> &Studying {
-        &self.studying
-    }
-
-    #[cfg(test)]
-    pub fn studying_mut(&mut self) -> &mut Studying {
-        &mut self.studying
-    }
-
-    /// Takes what the study that is measured has found.
-    pub fn take_findings(&mut self) {
-        self.studying.take();
-    }
-
-    pub(super) fn study(&mut self, command: StudyCommand) -> Result<(), Refused> {
-        let studying = &mut self.studying;
-        match command {
-            StudyCommand::View => {
-                studying.is_open = !studying.is_open;
-                self.play = None;
-            }
-            StudyCommand::Choose(index) if index < families::ALL.len() => studying.chosen = index,
-            StudyCommand::Choose(_) => return Err(strings::NO_SUCH_STUDY.into()),
-            StudyCommand::Quick => studying.quick = !studying.quick,
-            StudyCommand::Part(part) => studying.part = part,
-            StudyCommand::Measure => return studying.begin(),
-            StudyCommand::CallOff => return studying.call_off(),
-            StudyCommand::Pick(at) => return self.pick(at),
-        }
-        Ok(())
-    }
-
-    /// Why a command about studies cannot act, if it cannot.
-    pub(super) fn cannot_study(&self, command: StudyCommand) -> Option<Message> {
-        let measures = self.studying.percent().is_some();
-        match command {
-            StudyCommand::Measure => measures.then_some(strings::STILL_MEASURING),
-            StudyCommand::CallOff => (!measures).then_some(strings::NOTHING_IS_MEASURED),
-            StudyCommand::Pick(at) if self.studying.point(at).is_none() => {
-                Some(strings::NO_SUCH_POINT)
-            }
-            _ => None,
-        }
-    }
-
-    fn pick(&mut self, at: PointAt) -> Result<(), Refused> {
-        let found = self.studying.point(at);
-        let (_, line, point) = found.ok_or(strings::NO_SUCH_POINT)?;
-        let lesson = point.drawn.as_ref().map(|drawn| {
-            let name = format!("{}, {}", line.name, point.setting);
-            let localize = strings::said_of_a_point(point);
-            Lesson::of_picture(
-                name,
-                localize,
-                &drawn.prepared.lock(),
-                drawn.method,
-                drawn.settings,
-            )
-        });
-        self.studying.picked = Some(at);
-        if let Some(lesson) = lesson {
-            self.replace(lesson)
-                .map_err(|error| Refused::Error(error.to_string()))?;
-            self.studying.is_open = false;
-        }
-        Ok(())
     }
 }

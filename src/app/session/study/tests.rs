@@ -1,4 +1,4 @@
-use super::super::{Command, Session};
+use super::super::{Command, PointAt, Session, StudyCommand};
 use super::*;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::lesson::builtin;

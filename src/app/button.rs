@@ -1,0 +1,28 @@
+//! Buttons that give commands.
+
+use super::keys;
+use super::session::{Command, Session};
+use egui::Ui;
+
+/// A button for a command: off, with the reason, where it cannot act; its hint names its key.
+pub(super) fn button(
+    session: &Session,
+    button: egui::Button,
+    name: &str,
+    command: Command,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
+    let allowed = session.allows(&command);
+    let response = ui.add_enabled(allowed.is_ok(), button);
+    let enabled = allowed.is_ok();
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, enabled, name));
+    let hint =
+        keys::key_of(&command).map_or_else(|| name.to_owned(), |key| format!("{name}  ({key})"));
+    let response = response.on_hover_text(hint);
+    if let Err(refused) = allowed {
+        response.on_disabled_hover_text(refused.in_language(session.look.language));
+    } else if response.clicked() {
+        commands.push(command);
+    }
+}

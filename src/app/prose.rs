@@ -1,0 +1,34 @@
+//! Text with symbols.
+
+use super::session::Session;
+use super::style;
+use crate::picture::{Ink, Script, braced, math};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Align, FontId};
+
+/// A text whose symbols (`I_4`, `x_P`) are set as the panels set them.
+pub fn prose(session: &Session, text: &str, size: f32, ink: Ink) -> LayoutJob {
+    set(session, text, FontId::proportional(size), ink)
+}
+
+/// As [`prose`], in any font.
+pub fn set(session: &Session, text: &str, font: FontId, ink: Ink) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    for run in math(&braced(text)) {
+        // A line height of its own would put an index into the middle of the line, so that it could be neither low nor high.
+        let (scale, line_height, valign) = match run.script {
+            Script::Base => (1.0, Some(1.45 * font.size), Align::Center),
+            Script::Sub => (0.72, None, Align::BOTTOM),
+            Script::Super => (0.72, None, Align::TOP),
+        };
+        let format = TextFormat {
+            font_id: FontId::new(scale * font.size, font.family.clone()),
+            color: style::color(session.look.theme, ink),
+            line_height,
+            valign,
+            ..TextFormat::default()
+        };
+        job.append(&run.text, 0.0, format);
+    }
+    job
+}

@@ -1,0 +1,29 @@
+//! What the window remembers from frame to frame.
+
+use super::panel_view::PanelView;
+use super::tiles::Arrangement;
+use crate::panels::Panel;
+use crate::picture::Theme;
+use std::collections::HashMap;
+
+/// What the window keeps that the session need not know: textures, tile borders, half-typed texts.
+#[derive(Default)]
+pub struct Window {
+    pub(super) views: HashMap<Panel, PanelView>,
+    pub(super) arrangement: Arrangement,
+    pub(super) answer: String,
+    /// Whether the answer was given, and is no number.
+    pub(super) misread: bool,
+    pub(super) search: String,
+    /// Why the last command was refused, or what it did, until the next one.
+    pub(super) notice: Option<String>,
+    /// Width of the left column, where the user has chosen one.
+    pub(super) column: Option<f32>,
+    /// Height of narration and question in the frame before.
+    pub(super) said_height: f32,
+    pub(super) styled: Option<Theme>,
+    pub(super) title: String,
+    pub(super) full_screen: bool,
+    /// When the frame before was shown, in seconds.
+    pub(super) time: Option<f64>,
+}
