@@ -4,8 +4,10 @@
 //! right when every anchor, every value in its texts and every answer is found in the run itself.
 
 mod builtin;
+mod error;
 mod file;
 mod narrate;
+mod narrated;
 mod parameters;
 mod resolve;
 mod settings;
@@ -13,6 +15,8 @@ mod synthetic;
 pub mod template;
 
 pub use builtin::{Builtin, builtin, builtins};
+pub use error::LessonError;
 pub use file::{LessonFile, Text};
+pub use narrated::{Answer, Narrated, Question};
 pub use parameters::{Change, Coefficient, DIVISIONS, NotAllowed, Parameter};
-pub use resolve::{Answer, Lesson, LessonError, Narrated, OpenLesson, Question};
+pub use resolve::{Lesson, OpenLesson};

@@ -1,7 +1,8 @@
 //! Ties what a lesson says and asks to the steps of its run.
 
+use super::error::{LessonError, problem};
 use super::file::{AnswerFile, QuestionFile, StepFile, Text};
-use super::resolve::{Answer, LessonError, Narrated, Question, problem};
+use super::narrated::{Answer, Narrated, Question};
 use super::template::fill;
 use crate::record::Value;
 use crate::replay::{Query, Walk, query};

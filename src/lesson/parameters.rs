@@ -1,6 +1,6 @@
 //! What a student may change in a lesson, and what a change does to its scene.
 
-use super::resolve::problem;
+use super::error::problem;
 use crate::scene::document::Problem;
 use crate::scene::{LARGEST, Light, Material, Object, Scene, Shape};
 use glam::DVec3;

@@ -1,7 +1,9 @@
 //! A lesson file checked, run, and tied to the steps of its run.
 
+use super::error::{LessonError, problem};
 use super::file::{FocusFile, LessonFile, StepFile, Text};
 use super::narrate::narrate;
+use super::narrated::Narrated;
 use super::parameters::{Parameter, parameters};
 use super::settings::{compare, mapping, radiosity, rays};
 use crate::algorithms::enclosure;
@@ -10,35 +12,12 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::texture::Mapping;
 use crate::panels::Panel;
-use crate::panels::strings::Language;
 use crate::record::RecordingLimit;
 use crate::render::{MAX_PIXELS, MAX_SIDE, Method};
 use crate::replay::Run;
 use crate::scene::document::{self, Keyed, Problem};
-use crate::scene::{self, Limits, Scene, SceneError, View};
+use crate::scene::{self, Limits, Scene, View};
 use std::sync::Arc;
-
-/// What is wrong with a lesson. Displayed as one problem a line.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{}", document::one_a_line(.problems))]
-pub struct LessonError {
-    /// One or more.
-    pub problems: Vec<Problem>,
-}
-
-impl From<Problem> for LessonError {
-    fn from(problem: Problem) -> Self {
-        LessonError {
-            problems: vec![problem],
-        }
-    }
-}
-
-impl From<SceneError> for LessonError {
-    fn from(SceneError { problems }: SceneError) -> Self {
-        LessonError { problems }
-    }
-}
 
 /// A lesson whose file is right by itself; it has not been run.
 #[derive(Clone, Debug)]
@@ -74,65 +53,6 @@ pub struct OpenLesson {
     pub run: Run,
     /// In the order of their steps.
     pub narrated: Vec<Narrated>,
-}
-
-/// What is said at a step.
-#[derive(Clone, Debug)]
-pub struct Narrated {
-    pub step: usize,
-    /// By language, with the values of the run filled in.
-    pub(super) localize: [String; 2],
-    pub(super) slide: Option<[String; 2]>,
-    pub question: Option<Question>,
-}
-
-/// A question whose answer was read from the run.
-#[derive(Clone, Debug)]
-pub struct Question {
-    pub(super) ask: [String; 2],
-    pub(super) why: [String; 2],
-    /// The step that shows the answer.
-    pub step: usize,
-    pub answer: Answer,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-pub enum Answer {
-    Number {
-        value: f64,
-        tolerance: f64,
-    },
-    /// Options by language, and the index of the right one.
-    Choice {
-        options: Vec<[String; 2]>,
-        right: usize,
-    },
-    Pixel {
-        x: u32,
-        y: u32,
-        tolerance: u32,
-    },
-}
-
-impl Narrated {
-    pub fn localize(&self, language: Language) -> &str {
-        &self.localize[language as usize]
-    }
-
-    /// The note on what the lecture's slide prints instead.
-    pub fn slide(&self, language: Language) -> Option<&str> {
-        self.slide.as_ref().map(|slide| &*slide[language as usize])
-    }
-}
-
-impl Question {
-    pub fn ask(&self, language: Language) -> &str {
-        &self.ask[language as usize]
-    }
-
-    pub fn why(&self, language: Language) -> &str {
-        &self.why[language as usize]
-    }
 }
 
 impl Lesson {
@@ -281,15 +201,6 @@ impl Lesson {
     /// What is said in a run of the lesson's own part. Errors: every anchor, value and answer that is not in the run.
     pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
         narrate(&self.steps, run.walk())
-    }
-}
-
-pub(super) fn problem(place: impl Into<String>, message: impl Into<String>) -> Problem {
-    Problem {
-        place: place.into(),
-        line: None,
-        column: None,
-        message: message.into(),
     }
 }
 

@@ -1,8 +1,8 @@
 //! How far ray methods go in a lesson, where textures are looked up, how the light of its room is found, and which methods are
 //! compared.
 
+use super::error::problem;
 use super::file::LessonFile;
-use super::resolve::problem;
 use crate::algorithms::enclosure;
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::primary::Settings;
