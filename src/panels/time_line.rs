@@ -4,27 +4,19 @@
 //! scope that contains the cursor one depth further out, so that its bars stay readable however long the run is; what is
 //! too narrow is drawn as one quiet bar for many. Drawing looks at a few steps for every bar, never at all steps of the run.
 
+mod rows;
+
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::names;
 use super::strings::{Language, Words};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
-use crate::record::{Outline, Value};
+use crate::record::Value;
 use crate::replay::Walk;
 use crate::vocabulary::Kind;
 use glam::Vec2;
-use std::ops::Range;
+use rows::{Bar, MARGIN, Row, Span, TRACK, rows, track};
 
-const MARGIN: f32 = 10.0;
-/// Height of the track with the marks.
-const TRACK: f32 = 18.0;
-const ROW: f32 = 20.0;
-const ROW_GAP: f32 = 5.0;
-const MOST_ROWS: usize = 5;
-/// Bars are at least this wide, and so are the places of the marks.
-const NARROWEST: f64 = 3.0;
-/// The bars of a run are all drawn on one scale where a step has this width.
-const WHOLE_RUN: f64 = 2.0;
 const TEXT: f32 = 12.0;
 
 const SAYS: Words = Words::new("Time line at step", "Garis waktu pada langkah");
@@ -63,170 +55,6 @@ pub fn step_at(input: &PanelInput, size: Vec2, x: f32) -> usize {
     let len = input.run.walk().len();
     let step = Span::new(0..len, track(size)).step(x);
     step.min(len.saturating_sub(1))
-}
-
-/// The place of the track; names of the rows stand to the left of it.
-fn track(size: Vec2) -> Rect {
-    let names = (0.16 * size.x).clamp(64.0, 140.0);
-    Rect::new(MARGIN + names, MARGIN, size.x - 2.0 * MARGIN - names, TRACK)
-}
-
-/// Steps laid out from left to right, all of the same width.
-#[derive(Clone, PartialEq, Debug)]
-struct Span {
-    steps: Range<usize>,
-    left: f64,
-    /// Points a step.
-    scale: f64,
-}
-
-impl Span {
-    fn new(steps: Range<usize>, place: Rect) -> Self {
-        let scale = f64::from(place.width) / steps.len().max(1) as f64;
-        Span {
-            steps,
-            left: f64::from(place.x),
-            scale,
-        }
-    }
-
-    /// The left border of a step.
-    fn x(&self, step: usize) -> f32 {
-        (self.left + (step as f64 - self.steps.start as f64) * self.scale) as f32
-    }
-
-    fn middle(&self, step: usize) -> f32 {
-        (self.left + (step as f64 + 0.5 - self.steps.start as f64) * self.scale) as f32
-    }
-
-    /// The step at `x`; beyond the ends the first or the last.
-    fn step(&self, x: f32) -> usize {
-        // A cast from float saturates.
-        let steps = ((f64::from(x) - self.left) / self.scale) as usize;
-        (self.steps.start + steps).min(self.steps.end.saturating_sub(1))
-    }
-
-    /// How many steps are as wide as the narrowest bar.
-    fn slot(&self) -> usize {
-        (NARROWEST / self.scale).ceil() as usize
-    }
-}
-
-/// A bar: one scope, or several too narrow to be told apart.
-#[derive(Clone, PartialEq, Debug)]
-struct Bar {
-    steps: Range<usize>,
-    several: bool,
-}
-
-struct Row {
-    place: Rect,
-    span: Span,
-    bars: Vec<Bar>,
-    /// The scope of this depth around the cursor.
-    current: Option<usize>,
-}
-
-/// The rows that fit, those of the outermost depths first; where the cursor lies deeper, the rows around it.
-fn rows(walk: &dyn Walk, size: Vec2) -> Vec<Row> {
-    let outline = walk.outline();
-    let position = walk.position();
-    let track = track(size);
-    let whole = 0..walk.len();
-    let short = f64::from(track.width) >= WHOLE_RUN * whole.len() as f64;
-
-    // The scopes around the cursor from the outermost; the one that the step itself opens is among them.
-    let mut around: Vec<usize> = outline.scopes(position).collect();
-    around.reverse();
-    if outline.opens(position) {
-        around.push(position);
-    }
-    let mut rows: Vec<Row> = (0..=around.len())
-        .map(|depth| {
-            let steps = match depth.checked_sub(1) {
-                Some(parent) if !short => around[parent] + 1..outline.last(around[parent]) + 1,
-                _ => whole.clone(),
-            };
-            let span = Span::new(steps, track);
-            Row {
-                place: track,
-                bars: bars(outline, &span, depth),
-                span,
-                current: around.get(depth).copied(),
-            }
-        })
-        .filter(|row| !row.bars.is_empty())
-        .collect();
-    // A scope around the whole run says nothing.
-    if rows.len() > 1 && rows[0].bars.len() == 1 {
-        rows.remove(0);
-    }
-
-    let top = MARGIN + TRACK + 4.0;
-    let room = (((size.y - top - MARGIN + ROW_GAP) / (ROW + ROW_GAP)) as usize).min(MOST_ROWS);
-    rows.drain(..rows.len().saturating_sub(room));
-    for (i, row) in rows.iter_mut().enumerate() {
-        row.place.y = top + i as f32 * (ROW + ROW_GAP);
-        row.place.height = ROW;
-    }
-    rows
-}
-
-/// The scopes of `depth` within the span, from left to right; narrow neighbours as one bar. Looks at one step for every
-/// bar or gap, and at the scopes around it.
-fn bars(outline: &Outline, span: &Span, depth: usize) -> Vec<Bar> {
-    let slot = span.slot();
-    let mut bars: Vec<Bar> = Vec::new();
-    let mut step = span.steps.start;
-    while step < span.steps.end {
-        let Some(scope) = scope_at(outline, step, depth) else {
-            step += slot;
-            if slot > 1
-                && let Some(scope) = scope_at(outline, step.min(span.steps.end - 1), depth)
-            {
-                // The jump may have passed the beginning of a scope.
-                step = scope.max(step + 1 - slot);
-            }
-            continue;
-        };
-        let end = outline.last(scope) + 1;
-        if end - step >= slot {
-            bars.push(Bar {
-                steps: step..end,
-                several: step != scope,
-            });
-            step = end;
-            continue;
-        }
-        // From here on to the next slot, or as far as the scope there reaches; a wide one has a bar of its own.
-        let mut next = (step + slot).min(span.steps.end);
-        if next < span.steps.end
-            && let Some(scope) = scope_at(outline, next, depth)
-            && scope > step
-        {
-            let end = outline.last(scope) + 1;
-            next = if end - scope >= slot { scope } else { end };
-        }
-        let next = next.max(end);
-        bars.push(Bar {
-            steps: step..next,
-            several: next > end,
-        });
-        step = next;
-    }
-    bars
-}
-
-/// The scope of `depth` that `step` lies in or opens.
-fn scope_at(outline: &Outline, step: usize, depth: usize) -> Option<usize> {
-    let innermost = if outline.opens(step) {
-        Some(step)
-    } else {
-        outline.parent(step)
-    };
-    std::iter::successors(innermost, |&scope| outline.parent(scope))
-        .find(|&scope| outline.depth(scope) <= depth)
-        .filter(|&scope| outline.depth(scope) == depth)
 }
 
 impl Row {

@@ -128,9 +128,9 @@ fn the_way_of_the_light_is_an_equation_of_told_values() {
     let light = node::bracketed(ball.returned.unwrap().0, Language::English);
     let expected = format!("+ 0.2·{light}/{}", Language::English.short(divisor, 2));
     assert!(said.contains(&expected), "{expected} in {said}");
-    assert!(card::sum(&describer, floor)[0].starts_with("floor → "));
+    assert!(card::sections::sum(&describer, floor)[0].starts_with("floor → "));
     assert!(
-        said.contains(&card::sum(&describer, ball).join(" ")),
+        said.contains(&card::sections::sum(&describer, ball).join(" ")),
         "{said}"
     );
 }

@@ -1,7 +1,8 @@
 use super::super::fixture::Fixture;
 use super::super::fixtures::{self, SIZES, assert_legible};
+use super::rows::{NARROWEST, bars};
 use super::*;
-use crate::record::{Recorder, Recording, RecordingLimit};
+use crate::record::{Outline, Recorder, Recording, RecordingLimit};
 use crate::render::Method;
 
 #[test]
