@@ -20,9 +20,9 @@
 //! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud, Phong, Fast Phong, textures, ray casting, ray tracing; [`algorithms::form_factor`] and [`algorithms::radiosity`] with a file a method or solver |
 //! | [`vocabulary`] | what each kind of event means, declared once: values with their symbols, pseudocode line, sentence, formulas |
 //! | [`methods`] | a method as one value: its name, what it needs, how it is drawn, recorded and counted |
-//! | [`render`] | a whole frame or a whole matrix of form factors, unrecorded, on all cores; frames all at once or coarse first |
+//! | [`render`] | a whole frame or a whole matrix of form factors, unrecorded, on all cores; frames all at once or coarse first; what panels show beside the steps of a run ([`render::Finished`]) |
 //! | [`replay`] | timelines with checkpoints, walking, searching; the state of each algorithm at a step |
-//! | [`panels`] | one file a panel: what it draws of a run at its step |
+//! | [`panels`] | one file a panel: how it lays out a run at its step; values come in computed, which `tests/floors.rs` checks |
 //! | [`lesson`] | lesson files, tied to the steps of their run |
 //! | [`study`] | error against run time, how work grows, and how the algorithms cope with stiff, extreme and wrong input |
 //! | `app` | the window (feature `gui`) |

@@ -16,7 +16,7 @@ enum Hold {
 
 impl Hold {
     fn at(session: &Session, panel: Panel, size: Vec2, at: Vec2) -> Option<Self> {
-        let show = session.show();
+        let show = session.panel_input();
         match panel {
             Panel::Rays => grip(&show, size, at).map(Hold::Rays),
             Panel::Vectors => vector_grip(&show, size, at).map(Hold::Vectors),

@@ -94,7 +94,7 @@ impl PanelView {
         if self.key.as_ref() != Some(&key) {
             self.picture = draw(
                 panel,
-                &session.show(),
+                &session.panel_input(),
                 glam::Vec2::new(rect.width(), rect.height()),
             );
             self.pixels = rasterize(&self.picture, key.theme, scale).ok();

@@ -75,7 +75,7 @@ fn entry(
     let [what, why] = words_of(part);
     let name = style::strong(session.localize(what), 14.0);
     if ui.checkbox(&mut forced, name).clicked() {
-        commands.push(Command::Anyway(part));
+        commands.push(Command::Force(part));
     }
     ui.indent(what.0, |ui| {
         ui.label(session.localize(why));

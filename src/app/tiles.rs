@@ -247,7 +247,7 @@ pub fn panel_on(
             .interact_pointer_pos()
             .map_or(0.0, |at| at.x - response.rect.min.x);
         let size = glam::Vec2::new(response.rect.width(), response.rect.height());
-        let step = step_at(&session.show(), size, at);
+        let step = step_at(&session.panel_input(), size, at);
         command = (step != session.step()).then_some(Command::Seek(step));
     }
     if matches!(panel, Panel::Rays | Panel::Vectors) {

@@ -55,7 +55,7 @@ pub fn pointed(session: &Session, response: &Response, ui: &Ui) -> Option<Comman
     let size = Vec2::new(response.rect.width(), response.rect.height());
     let area = tree_area(size);
     let extent = Vec2::new(area.width, area.height);
-    let middle = tree_middle(&session.show(), size)?;
+    let middle = tree_middle(&session.panel_input(), size)?;
     let view = match pointer {
         Some(at) => {
             let at = at - response.rect.min;

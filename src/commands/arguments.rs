@@ -29,7 +29,7 @@ pub struct RayArguments {
 }
 
 impl RayArguments {
-    /// What was asked for, and for the rest what `unless` says.
+    /// The options given, and for the rest those of `unless`.
     pub fn or(self, unless: Settings) -> Settings {
         Settings {
             depth: self.depth.and_then(NonZeroU32::new).unwrap_or(unless.depth),

@@ -15,7 +15,7 @@ pub struct Arguments {
     limits: LimitArguments,
 }
 
-/// Every file is looked at, whatever the ones before it were.
+/// Every file is checked, also after a wrong one.
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let limits = arguments.limits.into();
     let mut problems = Vec::new();

@@ -11,7 +11,7 @@ pub enum Failure {
     /// The work failed: status 1.
     #[error("{0}")]
     Failed(String),
-    /// Nobody reads the results any more: no message.
+    /// The reader of the results is gone: no message.
     #[error("")]
     ReaderGone,
 }
@@ -35,7 +35,7 @@ impl From<std::io::Error> for Failure {
     }
 }
 
-/// A line on standard error. Where nobody can read it, the work goes on.
+/// Writes a line to standard error. Where that fails, the work goes on.
 pub fn note(line: std::fmt::Arguments) {
     let _ = writeln!(std::io::stderr(), "{line}");
 }

@@ -95,7 +95,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let progress = Progress::new("drawing");
     for (done, &step) in steps.iter().enumerate() {
         open.run.walk_mut().seek(step);
-        let show = PanelInput {
+        let input = PanelInput {
             run: &open.run,
             finished: &finished,
             focus: open.lesson.focus,
@@ -107,7 +107,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {
-            let picture = draw(panel, &show, Vec2::new(width, height));
+            let picture = draw(panel, &input, Vec2::new(width, height));
             let pixmap = rasterize(&picture, Theme::Light, 1.0)
                 .map_err(|error| Failure::Wrong(format!("--size: {error}")))?;
             let path = arguments

@@ -27,7 +27,7 @@ pub fn named<T>(what: &str, work: impl FnOnce() -> T) -> T {
 
 /// Silent for a second, then one line that is written over four times a second; without a terminal, a line every ten seconds.
 ///
-/// It costs little to tell it more than anybody reads.
+/// Calls cost little, however many there are.
 pub struct Progress {
     what: &'static str,
     start: Instant,

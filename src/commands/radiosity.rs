@@ -57,7 +57,7 @@ impl SolutionArguments {
             || self.max_iterations.is_some()
     }
 
-    /// What was asked for, and for the rest what `unless` says.
+    /// The options given, and for the rest those of `unless`.
     pub fn or(&self, unless: Settings, limits: LimitArguments) -> Result<Settings, Failure> {
         let mut settings = settings(self.form_factors.as_deref(), &self.visibility, unless)?;
         settings.max_patches = limits.max_patches;
@@ -129,9 +129,8 @@ pub fn light(enclosure: &Enclosure) -> Result<&Light, Failure> {
 }
 
 fn shoot(enclosure: &Enclosure) -> Result<Light, Failure> {
-    let untold = &mut Unrecorded;
     named("shooting", || {
-        enclosure.shoot(&RecordFilter::default(), untold)
+        enclosure.shoot(&RecordFilter::default(), &mut Unrecorded)
     })
     .map_err(|why| unsolved(enclosure, &why))
 }

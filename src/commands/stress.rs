@@ -20,13 +20,13 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         cases.iter().map(Case::report).collect()
     });
     let mut out = std::io::stdout().lock();
-    tell(&mut out, &reports, arguments.json)?;
+    write_reports(&mut out, &reports, arguments.json)?;
     out.flush()?;
     verdict(&reports)
 }
 
 /// Every statement and then the table, or the array.
-fn tell(out: &mut impl Write, reports: &[Report], as_json: bool) -> Result<(), Failure> {
+fn write_reports(out: &mut impl Write, reports: &[Report], as_json: bool) -> Result<(), Failure> {
     if as_json {
         let reports: Vec<_> = reports.iter().map(json).collect();
         serde_json::to_writer_pretty(&mut *out, &reports).map_err(std::io::Error::from)?;
@@ -80,7 +80,7 @@ mod tests {
             format!("fell short: {}", cases[1].name)
         );
         let mut out = Vec::new();
-        tell(&mut out, &sabotaged, false).unwrap();
+        write_reports(&mut out, &sabotaged, false).unwrap();
         assert!(String::from_utf8(out).unwrap().contains("FELL SHORT"));
     }
 

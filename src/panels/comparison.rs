@@ -30,7 +30,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     };
     let cursor = Cursor::of(input);
     let mut picture = Picture::new(size.x, size.y);
-    let mut strings = told_in_words(input);
+    let mut alt = told_in_words(input);
     let all = input.finished.compared.pictures();
     for (compared, cell) in all.iter().zip(cells(&first.frame, all.len(), 3, size)) {
         let figures = figures(input, compared);
@@ -63,13 +63,9 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         });
         let lines = [figures.1, figures.0, here];
         cell.lines(&mut picture, &lines);
-        strings = format!(
-            "{strings} {}: {}.",
-            compared.method.name(),
-            lines.join("; ")
-        );
+        alt = format!("{alt} {}: {}.", compared.method.name(), lines.join("; "));
     }
-    picture.alt = strings;
+    picture.alt = alt;
     picture
 }
 

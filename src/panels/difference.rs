@@ -33,7 +33,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         .iter()
         .fold(0.0, |most: f64, d| most.max(d.largest));
     let mut picture = Picture::new(size.x, size.y);
-    let mut strings = format!(
+    let mut alt = format!(
         "{} {} {}.",
         told_in_words(input),
         localize(AGAINST),
@@ -90,10 +90,10 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
                 style,
             );
         }
-        strings = format!("{strings} {}: {figures}.", compared.method.name());
+        alt = format!("{alt} {}: {figures}.", compared.method.name());
     }
     scale(&mut picture, most, reference, input, size);
-    picture.alt = strings;
+    picture.alt = alt;
     picture
 }
 
@@ -110,7 +110,7 @@ fn image(compared: &Compared, difference: &Difference, most: f64) -> Image {
     )
 }
 
-/// From −1, blue, over 0, nearly white, to 1, orange: told apart also by those who see red and green alike.
+/// From −1, blue, over 0, nearly white, to 1, orange: distinct also to those who see red and green alike.
 fn diverging(share: f64) -> Rgb {
     const ENDS: [[u8; 3]; 2] = [[0x08, 0x45, 0x94], [0xb3, 0x58, 0x06]];
     const MIDDLE: [u8; 3] = [0xf7, 0xf7, 0xf7];

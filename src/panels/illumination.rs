@@ -1,4 +1,4 @@
-//! The illumination model at the point in hand: its terms as bars, the standard factor f_att·N·L of the light in hand beside
+//! The illumination model at the current point: its terms as bars, the standard factor f_att·N·L of the current light beside
 //! the slide's, and both against the distance of the light.
 
 use super::PanelInput;
@@ -207,7 +207,7 @@ impl Row {
     }
 }
 
-/// Both factors against the distance, at the angle of the light in hand; none where it is behind the surface or far away.
+/// Both factors against the distance, at the angle of the current light; none where it is behind the surface or directional.
 fn curves(
     picture: &mut Picture,
     falloff: &[Falloff],

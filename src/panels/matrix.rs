@@ -32,12 +32,12 @@ struct Layout<'a> {
     language: Language,
 }
 
-/// The patch in hand, and its exchange.
+/// The current patch, and its exchange.
 #[derive(Clone, Copy)]
 struct Hand {
     i: usize,
     recorded: SolverEvent,
-    /// The row and column of the form factor in hand, and what was told of it.
+    /// Row and column of the current form factor, and its value.
     entry: Option<(usize, usize, f64)>,
 }
 

@@ -49,29 +49,29 @@ use strings::Language;
 pub enum Panel {
     /// The picture so far.
     Image,
-    /// The polygon in hand, its edges, the scan line, the span and the pixel.
+    /// The current polygon, its edges, the scan line, the span and the pixel.
     ScanLine,
     /// The table of active edges.
     ActiveEdges,
-    /// The vertex in hand: face normals, their mean, and the vectors of the illumination model.
+    /// The current vertex: face normals, their mean, and the vectors of the illumination model.
     Vertex,
-    /// The binary ray tree of the pixel in hand.
+    /// The binary ray tree of the current pixel.
     RayTree,
-    /// The vectors where the ray in hand meets a surface, in the plane of incidence.
+    /// The vectors where the current ray meets a surface, in the plane of incidence.
     Vectors,
     /// The rays of the pixel among the objects, from the side and from above.
     Rays,
     /// The terms of the point that is lit, and the slide's factor against the standard one.
     Illumination,
-    /// The patches of the room, each in its light, with the exchange in hand.
+    /// The patches of the enclosure, each in its light, with the current exchange.
     Radiosity,
-    /// Two patches, and the form factor between them as it is found.
+    /// Two patches, and the form factor between them as it is computed.
     FormFactor,
     /// The form factors of the system, row by row.
     Matrix,
     /// Residual and error bound, iteration by iteration.
     Convergence,
-    /// All solvers on the same room, by iteration and by time.
+    /// All solvers on the same enclosure, by iteration and by time.
     Race,
     /// The picture by several methods side by side.
     Comparison,
@@ -79,7 +79,7 @@ pub enum Panel {
     Difference,
     /// Intensity along a scan line, its slope, and how it looks.
     Profile,
-    /// All values of the step, and where each came from.
+    /// All values of the step, and where each comes from.
     Inspector,
     /// The pseudocode, with the current line.
     Code,
@@ -156,14 +156,14 @@ pub struct PanelInput<'a> {
     pub run: &'a Run,
     /// What was found for the run beside its steps.
     pub finished: &'a Finished,
-    /// What the run recorded.
+    /// The part of the frame that the run recorded.
     pub focus: Focus,
     pub language: Language,
-    /// Steps at which something is said, ascending.
+    /// Narrated steps, ascending.
     pub narrated: &'a [usize],
     /// Steps at which playing stops, ascending.
     pub breakpoints: &'a [usize],
-    /// How much of the ray tree is looked at.
+    /// Which part of the ray tree is shown.
     pub tree: &'a TreeView,
     /// How patches are drawn whose light is interpolated between their corners; none where each has one colour.
     pub smooth: Option<DrawPatches>,

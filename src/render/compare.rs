@@ -106,7 +106,7 @@ pub fn compare(prepared: &PreparedScene, method: Method) -> Compared {
     compare_on(prepared, method, || start.elapsed().as_secs_f64())
 }
 
-/// As [`compare`], on a clock that tells seconds.
+/// As [`compare`], timed by `clock`, in seconds.
 pub fn compare_on(
     prepared: &PreparedScene,
     method: Method,
@@ -136,7 +136,7 @@ pub fn compare_on(
     }
 }
 
-/// Heard from a run that is told, but of which nothing is kept. Radiosity tells of patches, not of pixels.
+/// Counted in a recorded run of which no event is kept. Those of radiosity are about patches, not pixels.
 fn operations(prepared: &PreparedScene, method: Method) -> Operations {
     if method == Method::Radiosity {
         return Operations::default();

@@ -9,7 +9,7 @@ use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use web_time::Instant;
 
-/// Rows are dealt out in so many blocks a thread: the first ones are longer, where a pair counts once.
+/// Blocks of rows for each thread: more than one, as the first rows are longer where a pair counts once.
 const BLOCKS: usize = 16;
 
 /// The matrix of a room, made on `threads` threads where it is not there yet. The same, bit for bit, for any number of them.

@@ -9,7 +9,7 @@ use glam::DVec3;
 pub struct State {
     /// From patch, to patch, method; and the step that opened them.
     pub pair: Option<(u32, u32, &'static str, usize)>,
-    /// F_ij by the reference, and the step that told it.
+    /// F_ij by the reference, and the step that recorded it.
     pub reference: Option<(f64, usize)>,
     /// The method that an automatic choice fell on, and the step.
     pub chosen: Option<(&'static str, usize)>,
@@ -17,9 +17,9 @@ pub struct State {
     pub segments: CowVec<Segment>,
     /// The points of hemicubes and elements so far.
     pub points: CowVec<(DVec3, usize)>,
-    /// The corner of the polygon at which the edge in hand begins, seen from the last point.
+    /// The corner of the polygon at which the current edge begins, seen from the last point.
     pub edge: Option<(DVec3, usize)>,
-    /// The pixels of the hemicube in hand that show j: face, column, row, ΔF, step.
+    /// The pixels of the current hemicube that show j: face, column, row, ΔF, step.
     pub pixels: CowVec<(u32, u32, u32, f64, usize)>,
     pub resolution: Option<u32>,
     /// The two points of a pair that has no term yet.

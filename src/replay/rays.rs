@@ -1,5 +1,5 @@
-//! The state of ray casting and of ray tracing at one step: the picture so far, and of the pixel in hand the tree of its rays,
-//! with what has been told of each so far.
+//! The state of ray casting and of ray tracing at one step: the picture so far, and the tree of rays of the current pixel, with what
+//! is known of each.
 
 mod media;
 mod ray;
@@ -30,16 +30,16 @@ pub struct State {
     /// The transparent objects that the eye is inside, outermost first.
     around_eye: Arc<[u32]>,
     pub canvas: Canvas<Dot>,
-    /// The pixel in hand, and the point of the screen that its primary ray goes through.
+    /// The current pixel, and the point of the screen that its primary ray goes through.
     pub pixel: Option<(u32, u32)>,
     pub through: Option<DVec2>,
     /// The rays of the pixel, each behind its parent; the first is primary. They stay until the next primary ray.
     pub rays: CowVec<RayState>,
-    /// The ray in hand: the innermost that has not returned yet; the primary one, once all have.
+    /// The current ray: the innermost that has not returned yet; the primary one, once all have.
     pub current: Option<usize>,
     /// What the search has found so far, while it goes on.
     pub search: Option<CurrentSearch>,
-    /// The shadow ray in hand.
+    /// The current shadow ray.
     pub shadow: Option<CurrentShadow>,
     /// The point that is being lit, or was lit last.
     pub point: Option<CurrentPoint>,
@@ -62,12 +62,12 @@ impl State {
         }
     }
 
-    /// The ray in hand.
+    /// The current ray.
     pub fn ray(&self) -> Option<&RayState> {
         self.rays.get(self.current?)
     }
 
-    /// The ray in hand, the one that it comes from, and so on up to the primary ray, as indices of [`State::rays`].
+    /// The current ray, the one that it comes from, and so on up to the primary ray, as indices of [`State::rays`].
     pub fn way(&self) -> impl Iterator<Item = usize> {
         std::iter::successors(self.current, |&index| self.rays.get(index)?.parent)
     }

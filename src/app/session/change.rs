@@ -1,4 +1,4 @@
-//! Parameters that are changed while one looks: the part that is looked at is recorded again, and the whole picture begun anew.
+//! Changing parameters: the focus is recorded again, and the whole picture rendered again.
 
 use super::{Refused, Session};
 use crate::app::strings;
@@ -16,7 +16,7 @@ impl Session {
         parameters.any(|parameter| parameter.value(now) != parameter.value(opened))
     }
 
-    /// Whether the lesson falls silent because of that: something that it speaks of does not happen any more.
+    /// Whether the narration is gone because of that: an event that it needs does not happen any more.
     pub fn is_unsaid(&self) -> bool {
         self.follows_lesson() && self.narrated.is_empty()
     }
@@ -49,7 +49,7 @@ impl Session {
         self.set_up(self.open.lesson.scene.clone());
     }
 
-    /// Puts another scene on the stage; where only its lights are other ones, all that was made of the rest stays.
+    /// Shows another scene. Where only its lights differ, what was prepared of the rest stays.
     fn set_up(&mut self, scene: Scene) {
         let old = &self.open.prepared;
         let lit = Scene {

@@ -52,7 +52,7 @@ pub enum Command {
         x: u32,
         y: u32,
     },
-    /// Goes to what a tag shows, looks at it, or lights it up.
+    /// Goes to what a tag shows, focuses on it, or highlights it.
     Click(Tag),
     Hover(Option<Tag>),
     /// Another part of the ray tree, or at another size.
@@ -63,8 +63,8 @@ pub enum Command {
     Questions,
     /// Gives a parameter another value; the lesson says which may be changed.
     Change(Change),
-    /// Does a part that the scene does not need all the same, or leaves it out again.
-    Anyway(Part),
+    /// Forces a part that the scene does not need, or skips it again.
+    Force(Part),
     /// The lesson as it was when it was opened.
     Reset,
     /// Error against run time.
@@ -118,9 +118,9 @@ pub enum StudyCommand {
     /// Measures the chosen study.
     Measure,
     CallOff,
-    /// Looks at a part of what was found.
+    /// Shows a part of what was found.
     Part(usize),
-    /// Tells of a point; where that draws a picture, opens it to be walked through.
+    /// Describes a point; where it has a picture, opens that to be walked through.
     Pick(PointAt),
 }
 

@@ -40,7 +40,7 @@ impl Session {
         Ok(())
     }
 
-    /// Records the part that is looked at again, on a changed stage, and stays at the same step as far as there is one.
+    /// Records the focus again in a changed scene, and stays at the same step if there is one.
     pub(super) fn look_again(&mut self) {
         let here = self.step();
         let skipped = self.question_between(0, here).is_some();

@@ -10,17 +10,17 @@ use crate::scene::{LeftOut, Part, Parts};
 use std::sync::Arc;
 
 impl Session {
-    /// What the scene does not need of the lesson's method, whether it is done all the same or not.
+    /// What the lesson's method does not need for the scene, forced or not.
     pub fn skipped(&self) -> Vec<LeftOut> {
         skipped(self.prepared(), self.lesson().method)
     }
 
-    /// Run times without and with what is done all the same; none before they are measured, or where nothing is.
+    /// Run times without and with what is forced; none before they are measured, or where nothing is forced.
     pub fn times(&self) -> Option<&Times> {
         self.preview.times()
     }
 
-    /// Why a part cannot be left out or done all the same, if it cannot.
+    /// Why a part cannot be skipped or forced, if it cannot.
     pub(super) fn cannot_leave_out(&self, part: Part) -> Option<Message> {
         let skipped = self.skipped();
         let is_needed = skipped.iter().all(|skipped| skipped.part != part);
@@ -67,15 +67,13 @@ mod tests {
     fn a_part_done_all_the_same_changes_steps_and_time_and_no_bit_of_the_picture() {
         let mut session = session("needs");
         let (picture, steps) = (
-            session.show().finished.picture.clone(),
+            session.panel_input().finished.picture.clone(),
             session.walk().len(),
         );
         assert!(session.times().is_none());
-        session
-            .update(Command::Anyway(Part::ReflectedRays))
-            .unwrap();
+        session.update(Command::Force(Part::ReflectedRays)).unwrap();
         session.wait_for_picture();
-        assert!(session.show().finished.picture == picture);
+        assert!(session.panel_input().finished.picture == picture);
         assert!(session.walk().len() > steps);
         // A machine that is busy may be too slow to time both.
         assert!(session.times().is_some());
@@ -84,11 +82,9 @@ mod tests {
             Err(strings::SHARE_AS_LEFT_OUT_ONLY.into())
         );
 
-        session
-            .update(Command::Anyway(Part::ReflectedRays))
-            .unwrap();
+        session.update(Command::Force(Part::ReflectedRays)).unwrap();
         session.wait_for_picture();
-        assert!(session.show().finished.picture == picture && session.times().is_none());
+        assert!(session.panel_input().finished.picture == picture && session.times().is_none());
         assert_eq!(session.walk().len(), steps);
         session.update(Command::Share).unwrap();
     }
@@ -97,7 +93,7 @@ mod tests {
     fn what_is_needed_cannot_be_left_out() {
         let mut session = session("needs");
         for part in [Part::Highlights, Part::SightTests] {
-            let command = Command::Anyway(part);
+            let command = Command::Force(part);
             assert_eq!(session.allows(&command), Err(strings::IS_NEEDED.into()));
             assert_eq!(session.update(command), Err(strings::IS_NEEDED.into()));
         }
@@ -108,7 +104,7 @@ mod tests {
     fn reset_leaves_all_out_again() {
         let mut session = session("needs");
         let steps = session.walk().len();
-        session.update(Command::Anyway(Part::ShadowRays)).unwrap();
+        session.update(Command::Force(Part::ShadowRays)).unwrap();
         assert!(session.walk().len() > steps);
         session.update(Command::Reset).unwrap();
         assert!(session.prepared().forced().is_empty());

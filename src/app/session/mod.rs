@@ -76,7 +76,7 @@ impl Look {
     }
 }
 
-/// What is drawn in the background.
+/// The methods whose pictures are rendered in the background.
 fn methods(open: &OpenLesson) -> Methods {
     Methods {
         picture: open.lesson.method,
@@ -107,14 +107,14 @@ pub struct Listed {
 pub struct Session {
     open: OpenLesson,
     focus: Focus,
-    /// The step at which the lesson's own part was left for another one.
+    /// The step at which the lesson's own focus was left for another one.
     left_at: usize,
     /// Steps at which something is said under this focus.
     narrated: Vec<usize>,
     /// How each narrated step's question stands.
     standings: Vec<Standing>,
     preview: Preview,
-    /// Counts the pictures that have come in, so that an earlier one is known to be old.
+    /// Counts the pictures that have arrived, so that an earlier one is known to be old.
     pictures: u64,
     /// Counts the recordings, so that pictures of an earlier one are known to be old.
     recording: u64,
@@ -123,11 +123,11 @@ pub struct Session {
     /// An index into the speeds.
     speed: usize,
     around: Loop,
-    /// How much of the ray tree is looked at.
+    /// Which part of the ray tree is shown.
     tree: TreeView,
     pub look: Look,
     hovered: Option<Tag>,
-    /// Lit up by a click, until the next one.
+    /// Highlighted by a click, until the next one.
     lit: Option<Tag>,
     /// The search text of the last search.
     pub search: String,
@@ -222,7 +222,7 @@ impl Session {
         self.focus
     }
 
-    /// Whether the lesson's own part of the frame is looked at.
+    /// Whether the focus is the lesson's own.
     pub fn follows_lesson(&self) -> bool {
         self.focus == self.open.lesson.focus
     }
@@ -232,7 +232,7 @@ impl Session {
         self.recording
     }
 
-    /// Takes what has come in of the whole picture, which is made in the background.
+    /// Takes what has arrived of the whole picture, which is rendered in the background.
     pub fn take_picture(&mut self) {
         self.pictures += u64::from(self.preview.take());
     }
@@ -242,12 +242,12 @@ impl Session {
         self.pictures
     }
 
-    /// Whether the whole picture is still being made.
+    /// Whether the whole picture is still being rendered.
     pub fn awaits_picture(&self) -> bool {
         !self.preview.is_done()
     }
 
-    /// How far the whole picture is, in percent, where it takes long.
+    /// How much of the whole picture is rendered, in percent, where it takes long.
     pub fn picture_percent(&self) -> Option<usize> {
         self.preview.percent()
     }
@@ -259,7 +259,7 @@ impl Session {
         self.pictures += 1;
     }
 
-    pub fn show(&self) -> PanelInput<'_> {
+    pub fn panel_input(&self) -> PanelInput<'_> {
         PanelInput {
             run: &self.open.run,
             finished: self.preview.finished(),

@@ -1,4 +1,4 @@
-//! Playing: steps in time, forward or backward, around a loop, up to whatever asks to stop.
+//! Playing: steps in time, forward or backward, in a loop, up to a question or a breakpoint.
 
 use super::Session;
 use super::playing::{Direction, Play, SPEEDS};

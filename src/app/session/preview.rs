@@ -1,5 +1,5 @@
-//! The whole picture, those of the methods that are compared, and the race of the radiosity solvers, made in the background: nobody
-//! waits for them, and they can be cancelled at any time.
+//! The whole picture, those of the methods that are compared, and the race of the radiosity solvers, made in the background. They can
+//! be cancelled at any time.
 
 use crate::algorithms::frame::Frame;
 use crate::algorithms::prepared_scene::PreparedScene;
@@ -16,25 +16,25 @@ use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::thread;
 use web_time::{Duration, Instant};
 
-/// A picture that is done sooner is not spoken of.
+/// Progress is shown only of pictures that take longer.
 const PATIENCE: Duration = Duration::from_millis(200);
 
-/// How long is measured what it takes to do what the scene does not need: a few seconds, which nobody waits for.
+/// How long the cost of forced parts is measured: a few seconds, in the background.
 const MEASURING: Patience = Patience {
     longest: Duration::from_secs(1),
     ..Patience::QUICK
 };
 
-/// Run times with all left out that the scene does not need, and with some of it done all the same; or why there are none.
+/// Run times with everything skipped that the scene does not need, and with the forced parts; or why there are none.
 pub type Times = Result<[Timing; 2], String>;
 
-/// A picture on its way. Dropped, it is called off, and its thread ends by itself within milliseconds.
+/// A picture that is being rendered. Dropped, it is cancelled, and its thread ends by itself within milliseconds.
 pub struct Preview {
     /// As far as it has come. Before the first pass its picture is the background, or the one before the scene was changed.
     finished: Finished,
-    /// Where something is done that the scene does not need.
+    /// Where something is forced that the scene does not need.
     times: Option<Times>,
-    /// Where the passes come in; none once all of them did.
+    /// Where the passes arrive; none once all of them have.
     passes: Option<Receiver<Pass>>,
     state: Arc<State>,
     start: Instant,
@@ -47,7 +47,7 @@ pub struct Methods {
     pub compared: Vec<Method>,
 }
 
-/// What comes in.
+/// What the thread sends.
 enum Pass {
     Picture(Frame),
     Compared(Compared),
@@ -56,10 +56,10 @@ enum Pass {
     Timed(Times),
 }
 
-/// What the maker of the picture and its viewer tell each other.
+/// What the two threads share.
 #[derive(Default)]
 struct State {
-    called_off: AtomicBool,
+    cancelled: AtomicBool,
     percent: AtomicUsize,
 }
 
@@ -67,7 +67,7 @@ impl State {
     fn progress(&self, done: usize, all: usize) -> Result<(), Cancelled> {
         let percent = 100 * done / all.max(1);
         self.percent.store(percent, Ordering::Relaxed);
-        match self.called_off.load(Ordering::Relaxed) {
+        match self.cancelled.load(Ordering::Relaxed) {
             true => Err(Cancelled),
             false => Ok(()),
         }
@@ -92,7 +92,7 @@ impl Preview {
         let finished = Finished::new(frame, &prepared.scene.lights);
         Preview::of(finished, move |state, passes| {
             let progress = |done, all| state.progress(done, all);
-            // The other end may be gone: then there is nobody to be sorry for.
+            // The receiver may be gone; then the pass is not needed.
             let show = &mut |pass: &Frame| drop(passes.send(Pass::Picture(pass.clone())));
             let Ok(whole) = preview(&prepared, methods.picture, threads, progress, show) else {
                 return;
@@ -147,7 +147,7 @@ impl Preview {
         &self.finished
     }
 
-    /// What is done although the scene does not need it, timed: once that is measured.
+    /// Run times of what is forced, once they are measured.
     pub fn times(&self) -> Option<&Times> {
         self.times.as_ref()
     }
@@ -156,13 +156,13 @@ impl Preview {
         self.passes.is_none()
     }
 
-    /// How far a picture is that takes long, in percent.
+    /// How much of a picture that takes long is done, in percent.
     pub fn percent(&self) -> Option<usize> {
         let waits = !self.is_done() && self.start.elapsed() >= PATIENCE;
         waits.then(|| self.state.percent.load(Ordering::Relaxed))
     }
 
-    /// Takes the passes that have come in; whether there was one.
+    /// Takes the passes that have arrived; whether there was one.
     pub fn take(&mut self) -> bool {
         let mut taken = false;
         while let Some(passes) = &self.passes {
@@ -198,7 +198,7 @@ impl Preview {
 
 impl Drop for Preview {
     fn drop(&mut self) {
-        self.state.called_off.store(true, Ordering::Relaxed);
+        self.state.cancelled.store(true, Ordering::Relaxed);
     }
 }
 
@@ -215,7 +215,7 @@ mod tests {
         Finished::new(frame(0.0), &[])
     }
 
-    /// A picture of two passes; the maker waits for a word before each.
+    /// A picture of two passes; the thread waits for a message before each.
     fn on_request() -> (Preview, Sender<()>) {
         let (go_on, word) = channel();
         let word = std::sync::Mutex::new(word);
@@ -251,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn a_maker_that_fails_leaves_what_there_is() {
+    fn a_thread_that_fails_leaves_the_last_pass() {
         let (mut preview, go_on) = on_request();
         go_on.send(()).unwrap();
         drop(go_on);
@@ -261,17 +261,17 @@ mod tests {
     }
 
     #[test]
-    fn a_dropped_picture_is_called_off() {
-        let (tell, recorded) = channel();
+    fn a_dropped_picture_is_cancelled() {
+        let (sender, ended) = channel();
         let endless = Preview::of(black(), move |state, _| {
             while state.progress(0, 1).is_ok() {
                 thread::yield_now();
             }
-            tell.send(()).unwrap();
+            sender.send(()).unwrap();
         });
-        assert!(recorded.try_recv().is_err());
+        assert!(ended.try_recv().is_err());
         drop(endless);
         // The maker says that it has ended; without that, this would wait for ever.
-        recorded.recv().unwrap();
+        ended.recv().unwrap();
     }
 }

@@ -63,7 +63,7 @@ impl Session {
         Ok(())
     }
 
-    /// Goes to a step that was asked for from outside; the questions before it count as skipped.
+    /// Goes to a step given from outside; the questions before it count as skipped.
     pub fn start_at(&mut self, step: usize) {
         let target = step.min(self.last_step());
         let before = self.narrated.partition_point(|&step| step < target);
@@ -75,7 +75,7 @@ impl Session {
         self.seek(target);
     }
 
-    /// Whether a click on a pixel of the image answers the question at hand.
+    /// Whether a click on a pixel of the image answers the current question.
     pub fn pixel_is_asked(&self) -> bool {
         matches!(
             self.question(),

@@ -35,7 +35,7 @@ fn go(session: &mut Session, command: Command) {
 /// What every panel shows: equal where the state is.
 fn shown(session: &Session) -> Vec<crate::picture::Picture> {
     Panel::ALL
-        .map(|panel| draw(panel, &session.show(), glam::Vec2::new(400.0, 300.0)))
+        .map(|panel| draw(panel, &session.panel_input(), glam::Vec2::new(400.0, 300.0)))
         .into()
 }
 
@@ -216,7 +216,7 @@ fn a_lesson_is_walked_while_its_picture_is_made() {
         NonZeroUsize::MIN,
         &|_, _| {},
     );
-    assert!(session.show().finished.picture == rendered);
+    assert!(session.panel_input().finished.picture == rendered);
 }
 
 #[test]
@@ -226,11 +226,11 @@ fn a_picture_of_the_lesson_before_never_shows() {
         go(&mut session, Command::Open(id.into()));
         session.take_picture();
         let [width, height] = session.lesson().size;
-        let finished = &session.show().finished.picture;
+        let finished = &session.panel_input().finished.picture;
         assert_eq!([finished.width, finished.rows.end], [width, height]);
     }
     session.wait_for_picture();
     let mut alone = self::session("gouraud-triangle");
     alone.wait_for_picture();
-    assert!(session.show().finished.picture == alone.show().finished.picture);
+    assert!(session.panel_input().finished.picture == alone.panel_input().finished.picture);
 }

@@ -53,7 +53,7 @@ impl Session {
             Command::Skip => return self.skip(),
             Command::Questions => self.look.questions = !self.look.questions,
             Command::Change(change) => return self.change(change),
-            Command::Anyway(part) => return self.force(part),
+            Command::Force(part) => return self.force(part),
             Command::Reset => {
                 if !self.prepared().forced().is_empty() {
                     self.leave_all_out();
@@ -99,7 +99,7 @@ impl Session {
             Command::Share => self.command_line().err(),
             Command::Change(change) => self.cannot_change(change.parameter()),
             Command::Study(command) => self.cannot_study(command),
-            Command::Anyway(part) => self.cannot_leave_out(part),
+            Command::Force(part) => self.cannot_leave_out(part),
             _ => None,
         };
         refusal.map_or(Ok(()), |strings| Err(strings.into()))

@@ -25,8 +25,8 @@ fn ball() -> Screen {
 }
 
 fn lights(screen: &Screen) -> [DVec3; 2] {
-    let show = screen.session().show();
-    let lights = &show.run.prepared().scene.lights;
+    let input = screen.session().panel_input();
+    let lights = &input.run.prepared().scene.lights;
     [0, 1].map(|number| match lights[number] {
         Light::Point { position, .. } => position,
         Light::Directional { .. } => unreachable!("both are point lights"),
@@ -40,7 +40,7 @@ fn place(screen: &Screen, light: usize) -> egui::Pos2 {
         .get_by_role_and_label(Role::Image, strings::RAYS.text(Language::English));
     let rect = panel.rect();
     let size = glam::Vec2::new(rect.width(), rect.height());
-    let picture = draw(Panel::Rays, &screen.session().show(), size);
+    let picture = draw(Panel::Rays, &screen.session().panel_input(), size);
     let tag = Some(Tag::Light(light));
     let item = picture.items.iter().find(|item| item.tag == tag);
     let at = item.expect("the light is drawn").shape.bounds().center();
@@ -130,8 +130,8 @@ fn the_eye_is_dragged_by_its_vector_and_stays_as_far_away() {
     let places =
         (0..rect.height() as u32).flat_map(|y| (0..rect.width() as u32).map(move |x| [x, y]));
     let mut places = places.map(|at| glam::Vec2::from(at.map(|x| x as f32)));
-    let show = screen.session().show();
-    let held = |at| vector_grip(&show, size, at).is_some_and(|grip| grip.held == Held::Eye);
+    let input = screen.session().panel_input();
+    let held = |at| vector_grip(&input, size, at).is_some_and(|grip| grip.held == Held::Eye);
     let at = places.find(|&at| held(at)).expect("the eye can be held");
     let eye = |screen: &Screen| screen.session().prepared().view.eye;
     let target = DVec3::new(0.48, 0.64, 0.6);

@@ -3,7 +3,7 @@ use super::*;
 #[test]
 fn a_question_is_answered_in_its_card() {
     let mut screen = triangle([]);
-    let narrated = screen.session().show().narrated.to_vec();
+    let narrated = screen.session().panel_input().narrated.to_vec();
     let asked = narrated
         .into_iter()
         .find(|&step| screen.session().question_at(step))
@@ -61,7 +61,7 @@ fn a_question_is_answered_in_its_card() {
 #[test]
 fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
     let mut screen = triangle([Command::Questions]);
-    let narrated = screen.session().show().narrated.to_vec();
+    let narrated = screen.session().panel_input().narrated.to_vec();
     screen.session_mut().update(Command::Questions).expect("on");
     let asks_number = |session: &Session| {
         matches!(

@@ -30,7 +30,7 @@ fn panel(screen: &Screen) -> egui::Rect {
 fn click(screen: &mut Screen, tag: Tag) {
     let rect = panel(screen);
     let size = glam::Vec2::new(rect.width(), rect.height());
-    let picture = draw(Panel::RayTree, &screen.session().show(), size);
+    let picture = draw(Panel::RayTree, &screen.session().panel_input(), size);
     let bounds = picture.tagged_bounds(tag).expect("a place");
     let at = rect.min + egui::vec2(bounds.center().x, bounds.center().y);
     screen.harness.hover_at(at);

@@ -1,4 +1,4 @@
-//! The pixel that all methods are asked about: the one that the run is at, and before it comes to one, what it looks at.
+//! The pixel at which methods are compared: the current one, and before there is one, that of the focus.
 
 use super::super::PanelInput;
 use crate::algorithms::focus::Focus;
@@ -33,7 +33,7 @@ impl Cursor {
         }
     }
 
-    /// The row that is looked at, and before there is one that in the middle.
+    /// The row of the pixel; where there is none, the middle one.
     pub fn row(&self, frame: &Frame) -> u32 {
         let rows = frame.rows.len() as u32;
         self.y.filter(|&y| y < rows).unwrap_or(rows / 2)

@@ -10,7 +10,7 @@ use glam::{DVec3, Vec2};
 
 const AIR: Message = Message("vectors-air");
 
-/// The surface that the ray in hand met, or, while it has met none yet, the surface that it leaves.
+/// The surface that the current ray met, or, while it has met none yet, the surface that it leaves.
 pub struct SurfaceInSight<'a> {
     pub state: &'a State,
     pub ray: &'a RayState,
@@ -53,7 +53,7 @@ impl<'a> SurfaceInSight<'a> {
         Plane::new(position, geometric, self.along, middle, unit)
     }
 
-    /// What can be moved: the lights told so far, and the eye where the ray comes from it.
+    /// What can be moved: the lights so far, and the eye where the ray comes from it.
     pub fn tips(&self) -> Vec<Tip> {
         let eye = self.state.prepared.view.eye;
         // At the start of u, and at the tip of V.
@@ -98,14 +98,14 @@ impl<'a> SurfaceInSight<'a> {
             .to_degrees()
     }
 
-    /// What was told of the light that the surface sends on.
+    /// How the surface was lit so far.
     pub fn lit(&self) -> Option<&CurrentPoint> {
         let current = self.state.current == Some(self.index);
         let current = self.state.point.as_ref().filter(|_| current);
         current.or(self.ray.lit.as_deref())
     }
 
-    /// The light in hand, while the surface is being lit.
+    /// The current light, while the surface is being lit.
     pub fn current_light(&self) -> Option<&CurrentLight> {
         let lit = self.lit()?;
         lit.lights.last().filter(|_| lit.intensity.is_none())
@@ -132,7 +132,7 @@ impl<'a> SurfaceInSight<'a> {
         self.ray.ray.direction.dot(self.surface.geometric) < 0.0
     }
 
-    /// What lies above and below the surface: names, and η where it was told.
+    /// What lies above and below the surface: names, and η where it is known.
     pub fn media(&self, language: Language) -> [String; 2] {
         let named = |object: Option<&u32>| match object {
             Some(&object) => names::object(&self.state.prepared, object).to_string(),

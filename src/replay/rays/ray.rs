@@ -91,20 +91,20 @@ pub struct CurrentBranch {
     pub attenuation: Option<(f64, f64)>,
     /// What is added, before the coefficient.
     pub carried: Option<Rgb>,
-    /// The step that told it first.
+    /// The step that recorded it first.
     pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// Asked for, not traced yet.
+    /// Not traced yet.
     Open,
     /// Index of the ray in [`State::rays`].
     Ray(usize),
     Ended(End),
 }
 
-/// How the search for the nearest object stands.
+/// The search for the nearest object so far.
 #[derive(Clone, Copy, Debug)]
 pub struct CurrentSearch {
     pub objects: u32,

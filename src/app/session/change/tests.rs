@@ -34,7 +34,11 @@ fn put(session: &mut Session, position: DVec3) {
 
 fn picture(session: &mut Session) -> Picture {
     session.wait_for_picture();
-    draw(Panel::Image, &session.show(), glam::Vec2::new(400.0, 300.0))
+    draw(
+        Panel::Image,
+        &session.panel_input(),
+        glam::Vec2::new(400.0, 300.0),
+    )
 }
 
 fn intensity(session: &Session) -> Value {
@@ -80,7 +84,7 @@ fn a_moved_light_is_seen_in_picture_run_and_narration_at_the_same_step() {
         NonZeroUsize::MIN,
         &|_, _| {},
     );
-    assert!(session.show().finished.picture == rendered);
+    assert!(session.panel_input().finished.picture == rendered);
 
     let recording = session.recording();
     put(&mut session, THERE);

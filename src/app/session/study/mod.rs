@@ -1,4 +1,4 @@
-//! A study that is measured in the background: nobody waits for it, its parts are shown as they come, and it can be called off.
+//! A study that is measured in the background: its parts are shown as they arrive, and it can be cancelled.
 
 #[cfg(test)]
 mod tests;
@@ -25,11 +25,11 @@ pub struct Studying {
     pub of: Option<(&'static Study, bool)>,
     /// As many of its parts as have come.
     pub parts: Vec<Part>,
-    /// Which of them is looked at.
+    /// Which of them is shown.
     pub part: usize,
     pub outcome: Outcome,
     measuring: Option<Measuring>,
-    /// The point that is told of.
+    /// The point that is described.
     pub picked: Option<PointAt>,
 }
 
@@ -43,7 +43,7 @@ pub enum Outcome {
     Because(String),
 }
 
-/// Dropped, it is called off: its thread ends by itself after the setting that it runs.
+/// Dropped, it is cancelled: its thread ends by itself after the current setting.
 struct Measuring {
     state: Arc<State>,
     news: Receiver<News>,
@@ -54,7 +54,7 @@ enum News {
     Unmeasured(Unmeasured),
 }
 
-/// What measurer and viewer tell each other.
+/// What the two threads share.
 #[derive(Default)]
 struct State {
     called_off: AtomicBool,
@@ -110,11 +110,11 @@ impl Studying {
             .ok_or(strings::NO_SUCH_STUDY)?;
         let quick = self.quick;
         let state = Arc::new(State::default());
-        let (tell, news) = channel();
+        let (sender, news) = channel();
         let of_thread = state.clone();
         thread::Builder::new()
             .name("study".into())
-            .spawn(move || measure(study, quick, &of_thread, &tell))
+            .spawn(move || measure(study, quick, &of_thread, &sender))
             .map_err(|error| Refused::Error(error.to_string()))?;
         self.measuring = Some(Measuring { state, news });
         self.of = Some((study, quick));
@@ -161,7 +161,7 @@ impl Studying {
     }
 }
 
-fn measure(study: &'static Study, quick: bool, state: &State, tell: &Sender<News>) {
+fn measure(study: &'static Study, quick: bool, state: &State, sender: &Sender<News>) {
     let progress = |done: usize, all: usize| {
         let percent = 100 * done / all.max(1);
         // A part begins at its first share, where its settings are run for the first time.
@@ -171,10 +171,10 @@ fn measure(study: &'static Study, quick: bool, state: &State, tell: &Sender<News
             false => Ok(()),
         }
     };
-    // The other end may be gone: then there is nobody to be sorry for.
-    let found = |part: &Part| drop(tell.send(News::Part(Box::new(part.clone()))));
+    // The receiver may be gone; then the news is not needed.
+    let found = |part: &Part| drop(sender.send(News::Part(Box::new(part.clone()))));
     let request = Request { scene: None, quick };
     if let Err(why) = study.measure(&request, &progress, &found) {
-        drop(tell.send(News::Unmeasured(why)));
+        drop(sender.send(News::Unmeasured(why)));
     }
 }
