@@ -170,7 +170,7 @@ fn only_the_shell_knows_the_window_and_touches_files() {
 }
 
 /// What drawing may name of the floors that compute: events and other values that come in with the panels' input.
-const DRAWN: [&str; 20] = [
+const DRAWN: [&str; 23] = [
     "algorithms::enclosure::Enclosure",
     "algorithms::focus::Focus",
     "algorithms::focus::Region",
@@ -187,14 +187,18 @@ const DRAWN: [&str; 20] = [
     "algorithms::visible::Intersection",
     "algorithms::wireframe::Event",
     "methods::Method",
-    "render::compare",
-    "render::falloff",
+    "render::compare::Compared",
+    "render::compare::Difference",
+    "render::compare::SideBySide",
+    "render::falloff::Falloff",
+    "render::falloff::Sample",
     "render::DrawPatches",
     "render::Finished",
 ];
 
 /// Calls on those values that would compute.
-const COMPUTING: [&str; 9] = [
+const COMPUTING: [&str; 10] = [
+    "Falloff::of(",
     "prepared.enclosure(",
     ".form_factors(",
     ".lighting(",
@@ -215,9 +219,8 @@ fn computed(source: &str) -> Vec<String> {
         .unwrap_or_default();
     let computes = |path: &String| {
         let floor = path.split("::").next().unwrap_or_default();
-        let is_drawn = |known: &&str| path == known || path.starts_with(&format!("{known}::"));
         ["algorithms", "methods", "numeric", "render"].contains(&floor)
-            && !DRAWN.iter().any(|known| is_drawn(&known))
+            && !DRAWN.contains(&path.as_str())
     };
     let calls = COMPUTING.iter().filter(|call| source.contains(**call));
     let paths = paths(source).into_iter().filter(computes);
