@@ -93,7 +93,7 @@ fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui:
         }
     }
     if let Some(said) = session.said_here() {
-        ui.label(prose(session, said.localize(language), 15.0, Ink::Text));
+        ui.label(prose(session, said.say(language), 15.0, Ink::Text));
         if let Some(slide) = said.slide(language) {
             slide_note(session, slide, ui);
         }
@@ -111,11 +111,11 @@ fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui:
         }
     }
     if let Some(said) = session.said_last() {
-        let link = format!("{} {}", session.localize(strings::LAST_SAID), said.step);
+        let link = strings::LAST_SAID.format(language, &[("step", &said.step.to_string())]);
         if ui.link(RichText::new(link).size(12.0)).clicked() {
             commands.push(Command::Seek(said.step));
         }
-        ui.label(prose(session, said.localize(language), 13.0, Ink::Muted));
+        ui.label(prose(session, said.say(language), 13.0, Ink::Muted));
     }
 }
 

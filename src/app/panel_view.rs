@@ -185,11 +185,11 @@ pub fn menu(session: &Session, tag: Option<Tag>, ui: &mut Ui) -> Option<Command>
     let mut choices: Vec<(String, Command)> = Vec::new();
     if let Some(Tag::Pixel { x, y }) = tag {
         choices.push((
-            format!("{} ({x}, {y})", session.localize(strings::PIXEL)),
+            crate::panels::strings::focus(Focus::Pixel { x, y }, session.look.language),
             Command::Focus(Focus::Pixel { x, y }),
         ));
         choices.push((
-            format!("{} {y}", session.localize(strings::LINE)),
+            strings::LINE.format(session.look.language, &[("y", &y.to_string())]),
             Command::Focus(Focus::ScanLine(y)),
         ));
         choices.push((
@@ -263,10 +263,8 @@ pub fn caption(session: &Session, panel: Panel) -> String {
         Panel::Image => session
             .picture_percent()
             .map(|percent| {
-                format!(
-                    "{} {percent} %",
-                    session.localize(strings::MAKING_THE_PICTURE)
-                )
+                strings::MAKING_THE_PICTURE
+                    .format(session.look.language, &[("percent", &percent.to_string())])
             })
             .unwrap_or_default(),
         Panel::ScanLine => whole("y").map(|y| format!("y = {y}")).unwrap_or_default(),

@@ -128,7 +128,7 @@ fn value(
         .clamp_existing_to_range(false)
         .max_decimals(if rail.whole { 0 } else { 3 });
     let response = ui.add(written(number, session.look.language));
-    let as_number = format!("{name} ({})", session.localize(strings::AS_A_NUMBER));
+    let as_number = strings::AS_A_NUMBER.format(session.look.language, &[("name", &name)]);
     named(&response, &as_number, rail.value);
     let moved = value != rail.value;
     let change = moved.then(|| change_to(session, scene, parameter, value));

@@ -90,13 +90,14 @@ fn entry(
 fn place(skipped: &LeftOut, session: &Session) -> String {
     let LeftOut { part, place, share } = skipped;
     let share = share.map_or(String::new(), |[some, all]| {
-        let counted = session.localize(match part {
+        let counted = match part {
             Part::BlackRows => PATCHES,
             Part::FacingAway | Part::SightTests => PAIRS,
             _ => OBJECTS,
-        });
-        let of = session.localize(strings::OF);
-        format!(": {some} {of} {all} {counted}")
+        };
+        let [some, all] = [some, all].map(|count| count.to_string());
+        let counted = counted.format(session.look.language, &[("some", &some), ("all", &all)]);
+        format!(": {counted}")
     });
     format!("{place}{share}")
 }
@@ -110,13 +111,11 @@ fn times(session: &Session) -> String {
             let language = session.look.language;
             let [a, b] =
                 [without, with].map(|time| format!("{} ms", language.fixed(1e3 * time.median, 2)));
-            let tie = match with.ties(without) {
-                true => format!(" ({})", session.localize(strings::TIME_TIE)),
-                false => String::new(),
+            let times = match with.ties(without) {
+                true => strings::TIMES_TIE,
+                false => strings::TIMES,
             };
-            let [skipped, done] =
-                [strings::TIME_WITHOUT, strings::TIME_WITH].map(|w| session.localize(w));
-            format!("{skipped} {a}   {done} {b}{tie}")
+            times.format(language, &[("without", &a), ("with", &b)])
         }
     }
 }
@@ -151,5 +150,5 @@ fn words_of(part: Part) -> [Message; 2] {
 
 const PLANE: Message = Message("app-skipped-plane");
 const OBJECTS: Message = Message("app-skipped-objects");
-const PATCHES: Message = Message("common-patches");
+const PATCHES: Message = Message("app-skipped-patches");
 const PAIRS: Message = Message("app-skipped-pairs");

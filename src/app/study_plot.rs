@@ -226,10 +226,10 @@ impl Scales {
 /// What stands at the axes: across, and up.
 fn names(session: &Session, part: &Part) -> [String; 2] {
     let language = session.look.language;
-    let size = study_words::measure(part.size, language).to_owned();
+    let size = part.size.text(language).to_owned();
     let time = session.localize(strings::TIME_OF_A_RUN).to_owned();
-    let quantity = study_words::measure(part.quantity, language);
-    let error = format!("{} {quantity}", session.localize(strings::RMS_ERROR_OF));
+    let quantity = part.quantity.text(language);
+    let error = strings::RMS_ERROR_OF.format(language, &[("quantity", quantity)]);
     match part.axes {
         Axes::ErrorOverTime => [time, error],
         Axes::ErrorOverSize => [size, error],

@@ -49,11 +49,11 @@ fn choose(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         ui.label(style::strong(session.localize(strings::STUDIES), 17.0));
         ui.add_space(8.0);
         ComboBox::from_label(session.localize(strings::STUDY))
-            .selected_text(study_words::title(chosen, language))
+            .selected_text(chosen.title.text(language))
             .width(300.0)
             .show_ui(ui, |ui| {
                 for (index, study) in families::ALL.iter().enumerate() {
-                    let title = Button::new(study_words::title(study, language));
+                    let title = Button::new(study.title.text(language));
                     let button = title.selected(index == studying.chosen);
                     if ui.add(button).clicked() {
                         commands.push(Command::Study(StudyCommand::Choose(index)));
@@ -77,7 +77,7 @@ fn choose(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             button(session, Button::new(name), name, command, commands, ui);
         }
     });
-    ui.label(study_words::about(chosen, language));
+    ui.label(chosen.about.text(language));
     if cfg!(debug_assertions) {
         let warn = style::color(session.look.theme, Ink::Warn);
         ui.label(RichText::new(session.localize(strings::DEBUG_BUILD)).color(warn));
@@ -88,7 +88,8 @@ fn choose(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 fn state(session: &Session, ui: &mut Ui) {
     let studying = session.studying();
     if let Some(percent) = studying.percent() {
-        let recorded = format!("{} {percent} %", session.localize(strings::MEASURING));
+        let recorded =
+            strings::MEASURING.format(session.look.language, &[("percent", &percent.to_string())]);
         let bar = ProgressBar::new(percent as f32 / 100.0).desired_height(18.0);
         ui.add(bar.text(recorded));
     }
@@ -96,7 +97,8 @@ fn state(session: &Session, ui: &mut Ui) {
         Outcome::Well => {}
         Outcome::CalledOff => drop(ui.label(session.localize(strings::CALLED_OFF))),
         Outcome::Because(why) => {
-            let recorded = format!("{} {why}", session.localize(strings::NO_FINDINGS));
+            let recorded =
+                strings::NO_FINDINGS.format(session.look.language, &[("why", &why.to_string())]);
             ui.label(recorded);
         }
     }
@@ -107,7 +109,7 @@ fn found(session: &Session, part: &Part, commands: &mut Vec<Command>, ui: &mut U
     let studying = session.studying();
     let mut heading = String::new();
     if let Some((study, _)) = studying.of {
-        heading = study_words::title(study, session.look.language).into();
+        heading = study.title.text(session.look.language).into();
     }
     ui.label(style::strong(heading, 15.0));
     if studying.parts.len() > 1 {
@@ -171,8 +173,8 @@ fn about(session: &Session, part: &Part, ui: &mut Ui) {
         ));
     }
     for [curve, setting, why] in &part.failed {
-        let no = session.localize(strings::NO_FINDINGS);
-        ui.label(format!("{curve}, {setting}. {no} {why}."));
+        let no = strings::NO_FINDINGS.format(session.look.language, &[("why", why)]);
+        ui.label(format!("{curve}, {setting}. {no}."));
     }
 }
 
@@ -226,7 +228,7 @@ fn points(
 /// How error falls and time grows along a curve, as far as they do by a law.
 fn laws(session: &Session, part: &Part, line: &Line) -> String {
     let language = session.look.language;
-    let size = study_words::measure(part.size, language);
+    let size = part.size.text(language);
     let law = |strings, fit: Option<Fit>| {
         let fit = fit.filter(|fit| fit.is_clean() && !fit.is_level());
         let recorded = fit.map_or_else(

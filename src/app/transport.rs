@@ -31,13 +31,7 @@ pub fn show(
     ui.set_clip_rect(rect.intersect(ui.clip_rect()));
     walk_buttons(session, commands, ui);
     ui.add_space(6.0);
-    let (step, last) = (session.step(), session.last_step());
-    let place = format!(
-        "{} {step} {} {last}",
-        session.localize(strings::STEP),
-        session.localize(strings::OF)
-    );
-    ui.label(style::strong(place, 15.0));
+    ui.label(style::strong(session.place(), 15.0));
     ui.add_space(6.0);
     speed(session, commands, ui);
     ui.add_space(6.0);
@@ -95,11 +89,9 @@ fn speed(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         commands,
         ui,
     );
-    let speed = format!(
-        "{} {}",
-        session.look.language.number(session.speed()),
-        session.localize(strings::STEPS_A_SECOND)
-    );
+    let language = session.look.language;
+    let speed = language.number(session.speed());
+    let speed = strings::STEPS_A_SECOND.format(language, &[("speed", &speed)]);
     ui.label(RichText::new(speed).size(13.0));
     button(
         session,
@@ -116,12 +108,10 @@ fn looping(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let end = |step: Option<usize>| step.map_or("…".to_owned(), |step| step.to_string());
     let text = match session.loop_ends() {
         (None, None) => format!("{} ▾", session.localize(strings::LOOP_OFF)),
-        (from, to) => format!(
-            "{} {}–{} ▾",
-            session.localize(strings::LOOP),
-            end(from),
-            end(to)
-        ),
+        (from, to) => {
+            let ends = [("from", &*end(from)), ("to", &*end(to))];
+            format!("{} ▾", strings::LOOP.format(session.look.language, &ends))
+        }
     };
     let menu = MenuButton::from_button(Button::new(text));
     menu.ui(ui, |ui| {
@@ -155,11 +145,9 @@ fn run_to(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             return;
         }
         let here = walk.kind(session.step());
-        let next = session.localize(strings::NEXT_OF_THIS_KIND);
-        if ui
-            .button(RichText::new(format!("{next}: {here}")).strong())
-            .clicked()
-        {
+        let language = session.look.language;
+        let next = strings::NEXT_OF_THIS_KIND.format(language, &[("kind", here)]);
+        if ui.button(RichText::new(next).strong()).clicked() {
             commands.push(Command::Find(here.to_owned()));
         }
         ui.separator();

@@ -92,8 +92,7 @@ pub enum FocusFile {
 pub struct StepFile {
     /// The first such event after the narrated step before.
     pub at: Query,
-    #[serde(rename = "say")]
-    pub localize: Text,
+    pub say: Text,
     /// What the lecture's slide prints, where it differs from the standard form.
     #[serde(default, deserialize_with = "present")]
     pub slide: Option<Text>,

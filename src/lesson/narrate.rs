@@ -22,7 +22,7 @@ pub(super) fn narrate(steps: &[StepFile], walk: &dyn Walk) -> Result<Vec<Narrate
             continue;
         };
         from = at + 1;
-        let localize = search.fill(&step.localize, at, &format!("{place}.say"));
+        let say = search.fill(&step.say, at, &format!("{place}.say"));
         let slide = step
             .slide
             .as_ref()
@@ -32,7 +32,7 @@ pub(super) fn narrate(steps: &[StepFile], walk: &dyn Walk) -> Result<Vec<Narrate
         });
         narrated.push(Narrated {
             step: at,
-            localize,
+            say,
             slide,
             question,
         });

@@ -7,7 +7,7 @@ use crate::panels::strings::Language;
 pub struct Narrated {
     pub step: usize,
     /// By language, with the values of the run filled in.
-    pub(super) localize: [String; 2],
+    pub(super) say: [String; 2],
     pub(super) slide: Option<[String; 2]>,
     pub question: Option<Question>,
 }
@@ -41,8 +41,8 @@ pub enum Answer {
 }
 
 impl Narrated {
-    pub fn localize(&self, language: Language) -> &str {
-        &self.localize[language as usize]
+    pub fn say(&self, language: Language) -> &str {
+        &self.say[language as usize]
     }
 
     /// The note on what the lecture's slide prints instead.

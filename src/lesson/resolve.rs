@@ -263,7 +263,7 @@ fn check_words(file: &LessonFile, problems: &mut Vec<Problem>) {
         .steps
         .iter()
         .enumerate()
-        .map(|(index, Keyed(step))| (format!("steps[{index}].say"), &step.localize));
+        .map(|(index, Keyed(step))| (format!("steps[{index}].say"), &step.say));
     for (place, text) in texts.into_iter().chain(says) {
         for (language, text) in text.both() {
             if text.trim().is_empty() {

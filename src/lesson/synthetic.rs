@@ -13,11 +13,11 @@ impl Lesson {
     /// The number of a lesson that stands in no list.
     pub const UNNUMBERED: u32 = 0;
 
-    /// A lesson about the middle of a picture of the stage. `title` is the same in both languages, `localize` is by language; in
+    /// A lesson about the middle of a picture of the stage. `title` is the same in both languages, `say` is by language; in
     /// neither may there be braces. `method` draws pictures of its own: it is not radiosity.
     pub fn of_picture(
         title: String,
-        localize: [String; 2],
+        say: [String; 2],
         prepared: &PreparedScene,
         method: Method,
         settings: Settings,
@@ -34,8 +34,8 @@ impl Lesson {
                 vec![Panel::Image, Panel::ScanLine, Panel::Inspector],
             ),
         };
-        let [en, id] = localize;
-        let localize = Text { en, id };
+        let [en, id] = say;
+        let say = Text { en, id };
         Lesson {
             id: "picture".into(),
             number: Lesson::UNNUMBERED,
@@ -43,7 +43,7 @@ impl Lesson {
                 en: title.clone(),
                 id: title,
             },
-            summary: localize.clone(),
+            summary: say.clone(),
             topics: Vec::new(),
             scene: prepared.scene.clone(),
             method,
@@ -57,7 +57,7 @@ impl Lesson {
             panels,
             steps: vec![StepFile {
                 at: Query::default(),
-                localize,
+                say,
                 slide: None,
                 question: None,
             }],

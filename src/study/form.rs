@@ -4,6 +4,7 @@ use super::fit::Law;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
+use crate::language::Message;
 use crate::render::Method;
 use crate::scene::Scene;
 use std::rc::Rc;
@@ -13,9 +14,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 pub struct Study {
     /// As on the command line, and in the names of files.
     pub name: &'static str,
-    pub title: &'static str,
+    pub title: Message,
     /// What it asks, in a sentence.
-    pub about: &'static str,
+    pub about: Message,
     /// Its ladders. Errors: why it says nothing about the scene that was given.
     pub sweeps: fn(&Request) -> Result<Vec<Sweep>, String>,
 }
@@ -52,9 +53,9 @@ pub struct Sweep {
     pub title: String,
     pub axes: Axes,
     /// What the size of a setting counts: `longitudes`.
-    pub size: &'static str,
+    pub size: Message,
     /// What the errors are errors of: `intensity`.
-    pub quantity: &'static str,
+    pub quantity: Message,
     /// How errors fall with the size.
     pub law: Law,
     pub reference: Reference,

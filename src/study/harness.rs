@@ -5,6 +5,7 @@ use super::fit::{Fit, Law};
 use super::form::{Axes, Drawn, Operations, Reference, Request, Setting, Study, Sweep};
 use super::pareto::front;
 use super::timing::{Patience, Progress, Timing, time};
+use crate::language::Message;
 use crate::render::Cancelled;
 use crate::scene::Tessellation;
 
@@ -19,8 +20,8 @@ pub struct Findings {
 pub struct Part {
     pub title: String,
     pub axes: Axes,
-    pub size: &'static str,
-    pub quantity: &'static str,
+    pub size: Message,
+    pub quantity: Message,
     pub reference: Reference,
     pub memory: &'static str,
     pub lines: Vec<Line>,
@@ -251,8 +252,8 @@ mod tests {
         Sweep {
             title: "made up".into(),
             axes: Axes::ErrorOverTime,
-            size: "n",
-            quantity: "nothing",
+            size: Message("measure-samples"),
+            quantity: Message("measure-samples"),
             law: Law::Power,
             reference: Reference {
                 what: "what is right".into(),

@@ -5,11 +5,12 @@ use super::fit::Law;
 use super::form::{Axes, Reference, Study, Sweep};
 use super::harness::{Findings, Line, Part, Point};
 use super::timing::Timing;
+use crate::language::Message;
 
 static STUDY: Study = Study {
     name: "made-up",
-    title: "A made-up study",
-    about: "What is written of it is known.",
+    title: Message("study-growth"),
+    about: Message("study-growth-about"),
     sweeps: |_| Ok(Vec::<Sweep>::new()),
 };
 
@@ -44,8 +45,8 @@ pub fn findings() -> Findings {
     let part = Part {
         title: "The only part".into(),
         axes: Axes::ErrorOverTime,
-        size: "cells",
-        quantity: "intensity",
+        size: Message("measure-samples"),
+        quantity: Message("measure-samples"),
         reference: Reference {
             what: "what is known".into(),
             error: 1e-16,

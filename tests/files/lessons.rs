@@ -44,7 +44,7 @@ fn every_lesson_opens_and_teaches() {
             }
         }
         for narrated in &open.narrated {
-            let [en, id] = Language::ALL.map(|language| narrated.localize(language));
+            let [en, id] = Language::ALL.map(|language| narrated.say(language));
             assert_ne!(
                 en, id,
                 "{}: step {} says the same in both languages",

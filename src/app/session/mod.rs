@@ -334,13 +334,14 @@ impl Session {
 
     /// As it stands on the frame of the window, for people and for scripts. Steps are counted from 0.
     pub fn window_title(&self) -> String {
-        let (step, last) = (self.step(), self.last_step());
         let title = self.lesson().title.in_language(self.look.language);
-        let (word, of) = (
-            self.localize(super::strings::STEP),
-            self.localize(super::strings::OF),
-        );
-        format!("Lightwalk – {title} – {word} {step} {of} {last}")
+        format!("Lightwalk – {title} – {}", self.place())
+    }
+
+    /// The step of how many, in words.
+    pub fn place(&self) -> String {
+        let [step, last] = [self.step(), self.last_step()].map(|step| step.to_string());
+        super::strings::STEP_OF.format(self.look.language, &[("step", &step), ("last", &last)])
     }
 
     /// The command that opens this lesson at this step. Errors: why there is none.

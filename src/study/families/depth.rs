@@ -7,6 +7,7 @@
 use super::pictures::{self, MEMORY, picture, sends_rays_on, settings};
 use super::scenes;
 use crate::algorithms::primary::Settings;
+use crate::language::Message;
 use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
@@ -17,9 +18,8 @@ use web_time::Instant;
 
 pub static STUDY: Study = Study {
     name: "ray-depth",
-    title: "Ray tracing by depth",
-    about: "How deep must rays be followed, and what does each level cost? The tracer has no adaptive cut: `path_attenuation` changes \
-            the picture, and makes a cut by depth harmless sooner.",
+    title: Message("study-ray-depth"),
+    about: Message("study-ray-depth-about"),
     sweeps,
 };
 
@@ -84,8 +84,8 @@ fn sweep([a0, a1, a2]: [f64; 3], prepared: &Shared, longest: f64) -> Sweep {
     Sweep {
         title: format!("path attenuation [{a0}, {a1}, {a2}]"),
         axes: Axes::ErrorOverTime,
-        size: "levels",
-        quantity: "intensity",
+        size: Message("measure-levels"),
+        quantity: Message("measure-intensity"),
         law: Law::Geometric,
         reference: Reference {
             what: format!("the same picture with rays of up to {deepest} levels"),

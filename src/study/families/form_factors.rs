@@ -4,6 +4,7 @@
 
 use crate::algorithms::form_factor::hemicube::Hemicubes;
 use crate::algorithms::form_factor::{FormFactors, Method};
+use crate::language::Message;
 use crate::record::Counter;
 use crate::record::Unrecorded;
 use crate::scene::Scene;
@@ -18,8 +19,8 @@ use std::rc::Rc;
 
 pub static STUDY: Study = Study {
     name: "form-factors",
-    title: "Form-factor methods by samples",
-    about: "Which way to a form factor is cheapest for a given error, where patches face each other, and where they touch? Of adaptive methods 1/tolerance counts as samples.",
+    title: Message("study-form-factors"),
+    about: Message("study-form-factors-about"),
     sweeps,
 };
 
@@ -126,8 +127,8 @@ fn sweep(title: &str, reference: Reference, curves: Vec<Unfinished>, truth: &Rc<
     Sweep {
         title: title.into(),
         axes: Axes::ErrorOverTime,
-        size: "samples",
-        quantity: "F",
+        size: Message("measure-samples"),
+        quantity: Message("measure-form-factor"),
         law: Law::Power,
         reference,
         memory: "the matrix where there is one, and the pixels of a hemicube; counted by their sizes",

@@ -9,6 +9,7 @@ use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud::{self, gouraud};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
+use crate::language::Message;
 use crate::record::{Mark, Outline, Recording, RecordingLimit, Unrecorded};
 use crate::render::Method;
 use crate::scene::patches::Patches;
@@ -22,8 +23,8 @@ use std::rc::Rc;
 
 pub static STUDY: Study = Study {
     name: "growth",
-    title: "How work grows",
-    about: "What does twice the pixels, triangles, levels, patches or events cost?",
+    title: Message("study-growth"),
+    about: Message("study-growth-about"),
     sweeps,
 };
 
@@ -54,7 +55,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
 
 fn part(
     title: &str,
-    size: &'static str,
+    size: Message,
     memory: &'static str,
     curves: impl IntoIterator<Item = Curve>,
 ) -> Sweep {
@@ -62,7 +63,7 @@ fn part(
         title: title.into(),
         axes: Axes::TimeOverSize,
         size,
-        quantity: "nothing",
+        quantity: Message("measure-nothing"),
         law: Law::Power,
         reference: Reference::none(),
         memory,
@@ -99,7 +100,7 @@ fn pixels(scene: &Scene, request: &Request) -> Result<Sweep, String> {
             sweep_settings: sweep_settings.collect(),
         }
     });
-    Ok(part("pixels", "pixels", MEMORY, curves))
+    Ok(part("pixels", Message("measure-pixels"), MEMORY, curves))
 }
 
 fn triangles(request: &Request) -> Result<Sweep, String> {
@@ -135,7 +136,7 @@ fn triangles(request: &Request) -> Result<Sweep, String> {
     });
     Ok(part(
         "triangles of a ball, in 160×120 pixels",
-        "triangles",
+        Message("measure-triangles"),
         MEMORY,
         curves,
     ))
@@ -164,7 +165,12 @@ fn depth(scenes: &[(&str, &Scene)], request: &Request) -> Result<Sweep, String> 
             sweep_settings: sweep_settings.collect(),
         });
     }
-    Ok(part("depth of rays", "levels", MEMORY, curves))
+    Ok(part(
+        "depth of rays",
+        Message("measure-levels"),
+        MEMORY,
+        curves,
+    ))
 }
 
 fn form_factors(request: &Request) -> Result<Sweep, String> {
@@ -197,7 +203,7 @@ fn form_factors(request: &Request) -> Result<Sweep, String> {
     });
     Ok(part(
         "form factors of all patches of a cube",
-        "patches",
+        Message("measure-patches"),
         "the matrix",
         curves,
     ))
@@ -253,7 +259,7 @@ fn solving(request: &Request) -> Result<Sweep, String> {
     });
     Ok(part(
         "solving a cube to a residual of 1e-6",
-        "patches",
+        Message("measure-patches"),
         "the matrix and four numbers a patch",
         curves,
     ))
@@ -313,7 +319,7 @@ fn events(request: &Request) -> Result<Sweep, String> {
     });
     Ok(part(
         "events of a Gouraud frame",
-        "events",
+        Message("measure-events"),
         "colour and depth of every pixel; recorded, the events with their marks and outline",
         curves,
     ))

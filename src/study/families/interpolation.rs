@@ -1,5 +1,6 @@
 //! Incremental against direct interpolation: a ramp from 0 to 1 in more and more steps, in f32 and in f64.
 
+use crate::language::Message;
 use crate::numeric::{Linear, Ramp, interpolate};
 use crate::study::fit::Law;
 use crate::study::form::{
@@ -8,8 +9,8 @@ use crate::study::form::{
 
 pub static STUDY: Study = Study {
     name: "interpolation",
-    title: "Incremental against direct interpolation",
-    about: "One addition a step, or the formula anew at every step: what does the addition save, and what does it lose?",
+    title: Message("study-interpolation"),
+    about: Message("study-interpolation-about"),
     sweeps,
 };
 
@@ -78,8 +79,8 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     Ok(vec![Sweep {
         title: "Steps".into(),
         axes: Axes::ErrorOverSize,
-        size: "steps",
-        quantity: "the values from 0 to 1",
+        size: Message("measure-steps"),
+        quantity: Message("measure-the-values-from-0-to-1"),
         law: Law::Power,
         reference: Reference {
             what: "i/n in f64, rounded once".into(),

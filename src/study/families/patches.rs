@@ -5,6 +5,7 @@ use crate::algorithms::enclosure::{self, Enclosure};
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::form_factor::hemicube::Hemicubes;
 use crate::algorithms::radiosity::RecordFilter;
+use crate::language::Message;
 use crate::record::Unrecorded;
 use crate::scene::{Scene, Shape};
 use crate::study::errors::Errors;
@@ -16,8 +17,8 @@ use std::rc::Rc;
 
 pub static STUDY: Study = Study {
     name: "patches",
-    title: "Radiosity by patches a wall",
-    about: "How finely must walls be divided, and how exact must form factors be for that?",
+    title: Message("study-patches"),
+    about: Message("study-patches-about"),
     sweeps,
 };
 
@@ -83,8 +84,8 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     Ok(vec![Sweep {
         title: "Walls of n×n patches".into(),
         axes: Axes::ErrorOverTime,
-        size: "patches along a wall",
-        quantity: "B, at the centres of the finest patches",
+        size: Message("measure-patches-along-a-wall"),
+        quantity: Message("measure-radiosity-at-the-finest-centres"),
         law: Law::Power,
         reference: Reference {
             what: format!(

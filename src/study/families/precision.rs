@@ -1,5 +1,6 @@
 //! f32 against f64: where a ray meets a far sphere, by the textbook's roots and by the stable ones.
 
+use crate::language::Message;
 use crate::numeric::sphere_roots;
 use crate::study::fit::Law;
 use crate::study::form::{
@@ -11,8 +12,8 @@ use std::rc::Rc;
 
 pub static STUDY: Study = Study {
     name: "precision",
-    title: "f32 against f64: hits on a far unit sphere",
-    about: "Does the formula matter more than the precision? Rays come to a unit sphere from farther and farther away.",
+    title: Message("study-precision"),
+    about: Message("study-precision-about"),
     sweeps,
 };
 
@@ -49,8 +50,8 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     Ok(vec![Sweep {
         title: "Distances".into(),
         axes: Axes::ErrorOverSize,
-        size: "distance, in radii",
-        quantity: "t, a share of the distance",
+        size: Message("measure-distance-in-radii"),
+        quantity: Message("measure-t-a-share-of-the-distance"),
         law: Law::Power,
         reference: Reference {
             what: "the stable roots in f64, for the same rays".into(),

@@ -2,6 +2,7 @@
 
 use super::pictures::{self, MEMORY, picture, settings};
 use super::scenes;
+use crate::language::Message;
 use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
@@ -11,8 +12,8 @@ use std::rc::Rc;
 
 pub static STUDY: Study = Study {
     name: "ray-samples",
-    title: "Ray methods by samples a pixel",
-    about: "How many rays a pixel are enough against jagged edges?",
+    title: Message("study-ray-samples"),
+    about: Message("study-ray-samples-about"),
     sweeps,
 };
 
@@ -39,8 +40,8 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
         Sweep {
             title: method.name().into(),
             axes: Axes::ErrorOverTime,
-            size: "rays along a pixel's side",
-            quantity: "intensity",
+            size: Message("measure-rays-along-a-pixel-s-side"),
+            quantity: Message("measure-intensity"),
             law: Law::Power,
             reference: Reference {
                 what: format!("the same picture with {finest}×{finest} rays a pixel"),

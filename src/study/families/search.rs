@@ -4,6 +4,7 @@ use super::{memory, scenes};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::ray_casting::RayCaster;
 use crate::algorithms::visible::{BruteForce, Bvh, Search};
+use crate::language::Message;
 use crate::record::Unrecorded;
 use crate::scene::{Object, Scene, Shape};
 use crate::study::fit::Law;
@@ -15,8 +16,8 @@ use std::rc::Rc;
 
 pub static STUDY: Study = Study {
     name: "search",
-    title: "Every object in turn against the hierarchy",
-    about: "From how many objects on is a hierarchy worth it? Both ways find the same, so that there is no error.",
+    title: Message("study-search"),
+    about: Message("study-search-about"),
     sweeps,
 };
 
@@ -37,8 +38,8 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     Ok(vec![Sweep {
         title: "Objects".into(),
         axes: Axes::TimeOverSize,
-        size: "objects",
-        quantity: "intensity",
+        size: Message("measure-objects"),
+        quantity: Message("measure-intensity"),
         law: Law::Power,
         reference: Reference::none(),
         memory: "the objects with their hierarchy, and colour and depth of every pixel, counted by their sizes",

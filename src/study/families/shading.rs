@@ -10,6 +10,7 @@ use crate::algorithms::primary::{self, Settings};
 use crate::algorithms::ray_casting::RayCaster;
 use crate::algorithms::visible::Bvh;
 use crate::color::Rgb;
+use crate::language::Message;
 use crate::record::Unrecorded;
 use crate::render::Method;
 use crate::scene::primitives::Ray;
@@ -21,8 +22,8 @@ use std::rc::Rc;
 
 pub static STUDY: Study = Study {
     name: "shading",
-    title: "Shading methods by tessellation",
-    about: "How many polygons does each shading method need, and how long does it take, until a ball looks as smooth as it is?",
+    title: Message("study-shading"),
+    about: Message("study-shading-about"),
     sweeps,
 };
 
@@ -65,8 +66,8 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     Ok(vec![Sweep {
         title: "Spheres as polygons".into(),
         axes: Axes::ErrorOverTime,
-        size: "longitudes of a sphere",
-        quantity: "intensity where N·V ≥ 0.6",
+        size: Message("measure-longitudes-of-a-sphere"),
+        quantity: Message("measure-intensity-toward-the-viewer"),
         law: Law::Power,
         reference: Reference {
             what: "the true sphere, lit at each pixel with its true normal".into(),

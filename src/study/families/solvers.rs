@@ -6,6 +6,7 @@ use crate::algorithms::radiosity::{
     Event, Matrix, Patches, RecordFilter, Solution, Solver, Stop, System, solve,
 };
 use crate::color::Rgb;
+use crate::language::Message;
 use crate::record::Counter;
 use crate::record::{Recorder, Unrecorded};
 use crate::scene::Scene;
@@ -17,8 +18,8 @@ use web_time::Instant;
 
 pub static STUDY: Study = Study {
     name: "solvers",
-    title: "Solvers of the radiosity system",
-    about: "Which solver comes to a given error of B first? A sweep is an iteration, or as many shots as there are patches.",
+    title: Message("study-solvers"),
+    about: Message("study-solvers-about"),
     sweeps,
 };
 
@@ -123,8 +124,8 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     Ok(vec![Sweep {
         title: "One channel; a sweep is an iteration, or as many shots as patches".into(),
         axes: Axes::ErrorOverTime,
-        size: "sweeps",
-        quantity: "B, in the unit of the emission",
+        size: Message("measure-sweeps"),
+        quantity: Message("measure-radiosity-in-the-unit-of-the-emission"),
         law: Law::Geometric,
         reference,
         memory: "the matrix of form factors and four numbers a patch; elimination takes a second matrix of that size",

@@ -25,12 +25,18 @@ pub fn plot(findings: &Findings) -> Picture {
     let plots: Vec<Picture> = findings
         .parts
         .iter()
-        .map(|part| plot_part(findings.study.title, findings.parts.len() > 1, part))
+        .map(|part| {
+            plot_part(
+                findings.study.title.text(Language::English),
+                findings.parts.len() > 1,
+                part,
+            )
+        })
         .collect();
     let columns = plots.len().clamp(1, 2);
     let rows = plots.len().div_ceil(columns);
     let mut sheet = Picture::new(SIZE.x * columns as f32, SIZE.y * rows as f32);
-    sheet.alt = findings.study.title.to_string();
+    sheet.alt = findings.study.title.text(Language::English).to_string();
     sheet.rect(sheet.bounds(), Ink::Surface);
     for (place, plot) in plots.into_iter().enumerate() {
         sheet.alt += &format!(". {}", plot.alt);
@@ -142,13 +148,15 @@ fn heading(picture: &mut Picture, title: &str, part: &Part) {
 fn across_name(part: &Part) -> String {
     match part.axes {
         Axes::ErrorOverTime => "time of a run (median)".into(),
-        Axes::ErrorOverSize | Axes::TimeOverSize => part.size.into(),
+        Axes::ErrorOverSize | Axes::TimeOverSize => part.size.text(Language::English).into(),
     }
 }
 
 fn up_name(part: &Part) -> String {
     match part.axes {
-        Axes::ErrorOverTime | Axes::ErrorOverSize => format!("rms error of {}", part.quantity),
+        Axes::ErrorOverTime | Axes::ErrorOverSize => {
+            format!("rms error of {}", part.quantity.text(Language::English))
+        }
         Axes::TimeOverSize => "time of a run (median)".into(),
     }
 }

@@ -1,5 +1,6 @@
 //! A study as JSON: all that was measured, with the machine and the settings.
 
+use crate::language::Language;
 use crate::study::fit::{Fit, Law};
 use crate::study::harness::{Findings, Line, Part, Point};
 use crate::study::machine::{Machine, SEED};
@@ -9,8 +10,8 @@ pub fn json(findings: &Findings, machine: &Machine, quick: bool, scene: Option<&
     json!({
         "schema": 1,
         "study": findings.study.name,
-        "title": findings.study.title,
-        "about": findings.study.about,
+        "title": findings.study.title.text(Language::English),
+        "about": findings.study.about.text(Language::English),
         "version": env!("CARGO_PKG_VERSION"),
         "machine": machine.json(),
         "settings": { "quick": quick, "scene": scene, "threads": 1, "seed": SEED },
@@ -25,8 +26,8 @@ fn part(part: &Part) -> Json {
         .map(|[curve, setting, why]| json!({ "curve": curve, "setting": setting, "why": why }));
     json!({
         "title": part.title,
-        "quantity": part.quantity,
-        "size": part.size,
+        "quantity": part.quantity.text(Language::English),
+        "size": part.size.text(Language::English),
         "reference": {
             "what": part.reference.what,
             "error": part.reference.error,

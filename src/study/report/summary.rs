@@ -32,8 +32,12 @@ pub fn summary(found: &[Findings], skipped: &[(&str, String)], machine: &Machine
 fn study(text: &mut String, findings: &Findings) {
     let study = findings.study;
     let name = study.name;
-    *text += &format!("\n## {}\n\n{}\n", study.title, study.about);
-    *text += &format!("\n![{}]({name}.png)\n", study.title);
+    *text += &format!(
+        "\n## {}\n\n{}\n",
+        study.title.text(Language::English),
+        study.about.text(Language::English)
+    );
+    *text += &format!("\n![{}]({name}.png)\n", study.title.text(Language::English));
     for part in &findings.parts {
         if findings.parts.len() > 1 {
             *text += &format!("\n### {}\n", part.title);
@@ -165,7 +169,7 @@ fn most_exact(part: &Part) -> Option<(&Line, &Point)> {
 fn reached(text: &mut String, part: &Part) {
     *text += &format!(
         "| {} | setting | rms error | largest | relative | time |\n|---|---|---|---|---|---|\n",
-        part.size
+        part.size.text(Language::English)
     );
     for (line, point) in part.points() {
         let Some(errors) = point.errors else { continue };
@@ -194,7 +198,7 @@ fn growth(text: &mut String, part: &Part) {
             let size = point.size;
             format!(
                 "{size} {}: {}, {}",
-                part.size,
+                part.size.text(Language::English),
                 time(point),
                 bytes(point.bytes, Language::English)
             )
@@ -235,7 +239,7 @@ fn convergence(line: &Line, part: &Part) -> Option<String> {
     let fit = line.convergence?;
     let name = &line.name;
     if fit.is_level() {
-        let size = part.size;
+        let size = part.size.text(Language::English);
         return Some(format!(
             "{name}: its error does not change with the {size}."
         ));
@@ -243,17 +247,24 @@ fn convergence(line: &Line, part: &Part) -> Option<String> {
     if !fit.is_clean() {
         return Some(format!(
             "{name}: its error follows no clean law over the {} (R² {:.2}).",
-            part.size, fit.r_squared
+            part.size.text(Language::English),
+            fit.r_squared
         ));
     }
     Some(match fit.law {
         Law::Power => format!(
             "{name}: error ∝ n^{:.2}, n the {} (R² {:.3} of {} settings).",
-            fit.rate, part.size, fit.r_squared, fit.points
+            fit.rate,
+            part.size.text(Language::English),
+            fit.r_squared,
+            fit.points
         ),
         Law::Geometric => format!(
             "{name}: one more of the {} multiplies the error by {:.3} (R² {:.3} of {} settings).",
-            part.size, fit.rate, fit.r_squared, fit.points
+            part.size.text(Language::English),
+            fit.rate,
+            fit.r_squared,
+            fit.points
         ),
     })
 }
