@@ -9,9 +9,7 @@ use glam::DVec3;
 
 #[derive(Clone, Copy, Debug)]
 pub struct CurrentPolygon {
-    pub object: u32,
     pub polygon: u32,
-    pub step: usize,
 }
 
 #[derive(Clone, Debug)]
@@ -25,7 +23,6 @@ pub struct CurrentVertex {
     pub normal: Option<DVec3>,
     /// I_v, once it is known.
     pub intensity: Option<Rgb>,
-    pub step: usize,
 }
 
 #[derive(Clone, Debug)]
@@ -163,14 +160,12 @@ impl Interpolated {
     }
 }
 
-/// On the screen; `z` is the depth.
+/// On the screen.
 #[derive(Clone, Copy, Debug)]
 pub struct CurrentCorner {
     pub x: f64,
     pub y: f64,
-    pub z: f64,
     pub value: Option<Value>,
-    pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -184,7 +179,6 @@ pub struct ActiveEdge {
     pub value_step: Option<Value>,
     /// Where the current scan line cuts it, once that is known.
     pub cut: Option<CurrentCut>,
-    pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -198,7 +192,6 @@ pub struct CurrentCut {
 pub struct CurrentRow {
     pub y: u32,
     pub y_4: f64,
-    pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -209,7 +202,6 @@ pub struct CurrentSpan {
     pub end: u32,
     /// The values at x_4 and x_5, once they are known.
     pub ends: Option<[Value; 2]>,
-    pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug)]

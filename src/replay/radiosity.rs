@@ -42,7 +42,6 @@ pub struct ChannelNow {
     pub skipped: Option<(&'static str, Option<&'static str>)>,
     /// Whether it converged, once it ended.
     pub converged: Option<bool>,
-    pub step: usize,
 }
 
 /// What a patch does in the iteration in hand.
@@ -85,7 +84,7 @@ impl State {
         self.channels.last()
     }
 
-    fn begin(&mut self, channel: Option<&'static str>, solver: Solver, step: usize) {
+    fn begin(&mut self, channel: Option<&'static str>, solver: Solver) {
         self.channels.push(ChannelNow {
             channel,
             solver,
@@ -93,7 +92,6 @@ impl State {
             history: CowVec::default(),
             skipped: None,
             converged: None,
-            step,
         });
         self.iteration = None;
         self.focused = None;
@@ -138,14 +136,14 @@ impl Fold<Event> for State {
             SolverEvent::Enclosure { .. } | SolverEvent::RoomDone => {}
             SolverEvent::Channel { channel } => self.opened = Some(channel),
             SolverEvent::ChannelLeftOut { channel, why, like } => {
-                self.begin(Some(channel), event.solver, step);
+                self.begin(Some(channel), event.solver);
                 if let Some(channel) = self.channels.last_mut() {
                     channel.skipped = Some((why, like));
                 }
             }
             SolverEvent::ChannelDone { .. } => self.opened = None,
             SolverEvent::System { patches, .. } => {
-                self.begin(self.opened, event.solver, step);
+                self.begin(self.opened, event.solver);
                 if let Some(channel) = self.channels.last_mut() {
                     (0..patches).for_each(|_| channel.patches.push(PatchNow::default()));
                 }

@@ -130,15 +130,13 @@ impl State {
         }
     }
 
-    fn look(&mut self, step: usize, event: &visible::Event) {
+    fn look(&mut self, event: &visible::Event) {
         use visible::Event;
         match *event {
-            Event::Search { objects } => {
+            Event::Search { .. } => {
                 self.search = Some(CurrentSearch {
-                    objects,
                     tested: None,
                     nearest: None,
-                    step,
                 });
             }
             Event::ObjectTested {
@@ -166,7 +164,7 @@ impl State {
 
     fn test(&mut self, target: Target, t: f64, nearer: bool) {
         if let Some(search) = &mut self.search {
-            let tested = Tested { target, t, nearer };
+            let tested = Tested { target, t };
             search.tested = Some(tested);
             if nearer {
                 search.nearest = Some(tested);
@@ -174,7 +172,7 @@ impl State {
         }
     }
 
-    fn meet_surface(&mut self, step: usize, event: &surface::Event) {
+    fn meet_surface(&mut self, event: &surface::Event) {
         use surface::Event;
         let Some(ray) = self.ray_mut() else { return };
         match (*event, &mut ray.surface) {
@@ -192,7 +190,6 @@ impl State {
                     geometric: normal,
                     facing: None,
                     texture: None,
-                    step,
                 });
             }
             (
@@ -252,14 +249,13 @@ impl State {
             Event::Refraction {
                 eta_i,
                 eta_r,
-                cos_theta_i,
                 radicand,
+                ..
             } => {
                 if let Some(ray) = self.ray_mut() {
                     ray.refraction = Some(CurrentRefraction {
                         eta_i,
                         eta_r,
-                        cos_theta_i,
                         radicand,
                         step,
                     });
@@ -340,8 +336,8 @@ impl Fold<ray_tracing::Event> for State {
         match event {
             Event::PreparedScene(_) => {}
             Event::Primary(event) => self.color_pixel(step, event),
-            Event::Visible(event) => self.look(step, event),
-            Event::Surface(event) => self.meet_surface(step, event),
+            Event::Visible(event) => self.look(event),
+            Event::Surface(event) => self.meet_surface(event),
             Event::Illumination(event) => CurrentPoint::light(&mut self.point, step, event),
             Event::Tree(event) => self.grow_tree(step, event),
         }
@@ -359,8 +355,8 @@ impl Fold<ray_casting::Event> for State {
             Event::PreparedScene(_) => {}
             Event::Primary(event) => self.color_pixel(step, event),
             Event::Ray { ray } => self.open_ray(RayKind::Primary, 1, *ray, step),
-            Event::Visible(event) => self.look(step, event),
-            Event::Surface(event) => self.meet_surface(step, event),
+            Event::Visible(event) => self.look(event),
+            Event::Surface(event) => self.meet_surface(event),
             Event::Illumination(event) => CurrentPoint::light(&mut self.point, step, event),
             Event::Local { local, .. } => self.set_local(*local),
             Event::Returned { color } => self.close_ray(*color, step),

@@ -122,15 +122,11 @@ impl State {
         }
     }
 
-    fn walk_stage(&mut self, step: usize, event: &prepared_scene::Event) {
+    fn find_polygon(&mut self, event: &prepared_scene::Event) {
         match *event {
-            prepared_scene::Event::Polygon { object, polygon } => {
+            prepared_scene::Event::Polygon { polygon, .. } => {
                 self.clear_polygon();
-                self.polygon = Some(CurrentPolygon {
-                    object,
-                    polygon,
-                    step,
-                });
+                self.polygon = Some(CurrentPolygon { polygon });
             }
             prepared_scene::Event::PolygonDone => {
                 self.clear_polygon();
@@ -165,12 +161,10 @@ impl State {
                 self.corners.clear();
                 self.edges.clear();
             }
-            Event::CornerPlaced { x, y, z, value, .. } => self.corners.push(CurrentCorner {
+            Event::CornerPlaced { x, y, value, .. } => self.corners.push(CurrentCorner {
                 x,
                 y,
-                z,
                 value: value.value(),
-                step,
             }),
             Event::EdgeEntered {
                 edge,
@@ -179,7 +173,7 @@ impl State {
                 first,
                 end,
                 slope,
-                step: value_step,
+                step,
             } => {
                 self.edges.push(ActiveEdge {
                     edge,
@@ -188,15 +182,14 @@ impl State {
                     first,
                     end,
                     slope,
-                    value_step: value_step.value(),
+                    value_step: step.value(),
                     cut: None,
-                    step,
                 });
             }
             Event::EdgeSkipped { .. } | Event::EdgeTableBuilt { .. } => {}
             Event::ScanLine { y, y_4 } => {
                 self.clear_scan_line();
-                self.scan_line = Some(CurrentRow { y, y_4, step });
+                self.scan_line = Some(CurrentRow { y, y_4 });
             }
             Event::ScanLineDone => self.clear_scan_line(),
             Event::Edge { edge, x_4, .. } => {
@@ -239,7 +232,6 @@ impl State {
                     first,
                     end,
                     ends: None,
-                    step,
                 });
             }
             Event::SpanEnds { left, right } => {
@@ -304,7 +296,7 @@ impl<E: ShadingEvent> Fold<E> for State {
             return;
         };
         match *event {
-            Event::PreparedScene(ref event) => self.walk_stage(step, event),
+            Event::PreparedScene(ref event) => self.find_polygon(event),
             Event::Middle { .. }
             | Event::VertexReady { .. }
             | Event::PixelPoint { .. }
@@ -321,7 +313,6 @@ impl<E: ShadingEvent> Fold<E> for State {
                     sum: DVec3::ZERO,
                     normal: None,
                     intensity: None,
-                    step,
                 });
             }
             Event::Normal(ref event) => self.find_normal(step, event),

@@ -44,7 +44,6 @@ pub struct CurrentSurface {
     /// N, toward the incoming ray; cos θ_i; whether the ray enters.
     pub facing: Option<(DVec3, f64, bool)>,
     pub texture: Option<(DVec2, Rgb)>,
-    pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +62,6 @@ pub struct Verdict {
 pub struct CurrentRefraction {
     pub eta_i: f64,
     pub eta_r: f64,
-    pub cos_theta_i: f64,
     /// cos²θ_r; negative at total internal reflection.
     pub radicand: f64,
     pub step: usize,
@@ -107,12 +105,10 @@ pub enum Outcome {
 /// The search for the nearest object so far.
 #[derive(Clone, Copy, Debug)]
 pub struct CurrentSearch {
-    pub objects: u32,
-    /// What was tested last: object (or light) and t, and whether it is nearer.
+    /// What was tested last: object (or light) and t.
     pub tested: Option<Tested>,
     /// The nearest so far.
     pub nearest: Option<Tested>,
-    pub step: usize,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -120,7 +116,6 @@ pub struct Tested {
     pub target: Target,
     /// Infinite where the ray misses.
     pub t: f64,
-    pub nearer: bool,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
