@@ -65,6 +65,9 @@
 //!
 //! `cargo bench --no-default-features --features parallel` with `--bench rays`, `lesson_frames`, `form_factors` or `radiosity`.
 
+#[macro_use]
+mod named;
+
 pub mod algorithms;
 #[cfg(feature = "gui")]
 pub mod app;

@@ -30,31 +30,15 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Where (u, v) come from.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Mapping {
-    /// From the point that the pixel shows.
-    #[default]
-    Perspective,
-    /// From the corners, linearly on the screen: a mistake worth looking at.
-    Linear,
-}
-
-impl Mapping {
-    pub const ALL: [Mapping; 2] = [Mapping::Perspective, Mapping::Linear];
-
-    /// As in lesson files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Mapping::Perspective => "perspective",
-            Mapping::Linear => "linear",
-        }
-    }
-
-    pub fn from_name(name: &str) -> Option<Self> {
-        Mapping::ALL
-            .into_iter()
-            .find(|mapping| mapping.name() == name)
+named! {
+    /// Where (u, v) come from.
+    #[derive(Default)]
+    pub enum Mapping {
+        /// From the point that the pixel shows.
+        #[default]
+        Perspective = "perspective",
+        /// From the corners, linearly on the screen: a mistake worth looking at.
+        Linear = "linear",
     }
 }
 

@@ -4,7 +4,7 @@ use super::session::{Command, Session};
 use super::strings;
 use super::style;
 use crate::algorithms::focus::Focus;
-use crate::language::{Language, Message};
+use crate::language::Language;
 use crate::panels::{Panel, TreeView, draw};
 use crate::picture::{Ink, Picture, Tag, Theme, draw_over, rasterize};
 use crate::record::Value;
@@ -113,7 +113,7 @@ impl PanelView {
             Sense::click()
         };
         let response = ui.interact(rect, ui.scope_id().with(panel.name()), sense);
-        let name = session.localize(title(panel));
+        let name = session.localize(panel.title());
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name));
         ui.ctx()
             .accesskit_node_builder(response.id, |node| node.set_description(spoken(self.alt())));
@@ -217,31 +217,6 @@ pub fn menu(session: &Session, tag: Option<Tag>, ui: &mut Ui) -> Option<Command>
 /// The part of the run that is looked at, in words.
 pub fn focus_words(session: &Session) -> String {
     crate::panels::strings::focus(session.focus(), session.look.language)
-}
-
-pub fn title(panel: Panel) -> Message {
-    match panel {
-        Panel::Image => strings::IMAGE,
-        Panel::ScanLine => strings::SCAN_LINE,
-        Panel::ActiveEdges => strings::ACTIVE_EDGES,
-        Panel::Vertex => strings::VERTEX,
-        Panel::RayTree => strings::RAY_TREE,
-        Panel::Vectors => strings::VECTORS,
-        Panel::Rays => strings::RAYS,
-        Panel::Illumination => strings::ILLUMINATION,
-        Panel::Radiosity => strings::RADIOSITY,
-        Panel::FormFactor => strings::FORM_FACTOR,
-        Panel::Matrix => strings::MATRIX,
-        Panel::Convergence => strings::CONVERGENCE,
-        Panel::Race => strings::RACE,
-        Panel::Comparison => strings::COMPARISON,
-        Panel::Difference => strings::DIFFERENCE,
-        Panel::Profile => strings::PROFILE,
-        Panel::Inspector => strings::INSPECTOR,
-        Panel::Code => strings::CODE,
-        Panel::Formula => strings::FORMULA,
-        Panel::TimeLine => strings::TIME_LINE,
-    }
 }
 
 /// Without the braces that only tell how a symbol is set.

@@ -162,7 +162,7 @@ impl Behavior<Panel> for Cards<'_> {
     }
 
     fn tab_title_for_pane(&mut self, panel: &Panel) -> WidgetText {
-        self.session.localize(panel_view::title(*panel)).into()
+        self.session.localize(panel.title()).into()
     }
 
     fn gap_width(&self, _: &egui::Style) -> f32 {
@@ -194,10 +194,7 @@ fn card_title(
             .max_rect(rect)
             .layout(egui::Layout::left_to_right(egui::Align::Center)),
     );
-    ui.label(style::strong(
-        session.localize(panel_view::title(panel)),
-        15.0,
-    ));
+    ui.label(style::strong(session.localize(panel.title()), 15.0));
     let muted = style::color(session.look.theme, Ink::Muted);
     ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
         if panel == Panel::RayTree {

@@ -126,22 +126,14 @@ pub trait Visitor: Sized {
 
 macro_rules! methods {
     ($($(#[$doc:meta])* $name:ident: $module:ident,)*) => {
-        /// A way to make a picture of a scene.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-        pub enum Method {
-            $($(#[$doc])* $name,)*
+        named! {
+            /// A way to make a picture of a scene.
+            pub enum Method {
+                $($(#[$doc])* $name = $module::$name::NAME,)*
+            }
         }
 
         impl Method {
-            pub const ALL: [Method; [$(Method::$name),*].len()] = [$(Method::$name),*];
-
-            /// As on the command line and in lesson files.
-            pub fn name(self) -> &'static str {
-                match self {
-                    $(Method::$name => $module::$name::NAME,)*
-                }
-            }
-
             pub fn family(self) -> Family {
                 match self {
                     $(Method::$name => $module::$name::FAMILY,)*
@@ -178,10 +170,6 @@ methods! {
 }
 
 impl Method {
-    pub fn from_name(name: &str) -> Option<Self> {
-        Method::ALL.into_iter().find(|method| method.name() == name)
-    }
-
     /// Whether it follows rays instead of converting polygons.
     pub fn follows_rays(self) -> bool {
         self.family() == Family::Rays

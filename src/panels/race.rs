@@ -5,8 +5,8 @@ use super::PanelInput;
 use super::labels::Labels;
 use super::message::{NO_PATCHES, message};
 use super::values::told_in_words;
+use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::{Lap, Race, Racer};
-use crate::algorithms::radiosity::{Solver, Unsolved};
 use crate::figure::LogAxes;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide};
@@ -201,7 +201,7 @@ impl Plot {
         for (head, solver) in heads {
             let style = Style::Bold.size(TEXT);
             let toward = Vec2::new(1.0, -0.4);
-            labels.put(picture, (head, 3.0), toward, letters(solver), style);
+            labels.put(picture, (head, 3.0), toward, solver.symbol(), style);
         }
     }
 }
@@ -216,21 +216,6 @@ fn stroke(number: usize) -> (Ink, Stroke) {
         _ => stroke.dotted(),
     };
     (ink, stroke)
-}
-
-/// As short as a label at a curve must be.
-fn letters(solver: Solver) -> &'static str {
-    match solver {
-        Solver::Auto => "auto",
-        Solver::Jacobi => "J",
-        Solver::GaussSeidel => "GS",
-        Solver::OverRelaxation => "SOR",
-        Solver::Shooting => "S",
-        Solver::Overshooting => "S+",
-        Solver::Chebyshev => "Ch",
-        Solver::ConjugateGradients => "CG",
-        Solver::Direct => "LU",
-    }
 }
 
 /// Under the fields, each solver with its line and how far it has come, unless that would take more than a third of the room.
@@ -267,7 +252,7 @@ fn standings(picture: &mut Picture, race: &Race, now: Now, whole: Rect, language
             x: cell.x + SAMPLE + 5.0,
             ..cell
         };
-        picture.text_in(name, letters(racer.solver), style);
+        picture.text_in(name, racer.solver.symbol(), style);
         let text = Rect {
             x: name.x + 30.0,
             ..cell
@@ -339,6 +324,7 @@ mod tests {
     use super::super::fixtures::{self, SIZES, assert_legible};
     use super::*;
     use crate::algorithms::focus::Focus;
+    use crate::algorithms::radiosity::Solver;
     use crate::picture::Shape;
     use crate::render::Method;
 

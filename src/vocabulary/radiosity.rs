@@ -2,11 +2,8 @@
 
 use super::Declared;
 use super::entry::{Formula, When, entry, if_finite, if_recorded, is, only};
-use crate::algorithms::radiosity::{
-    Event, Solver, SolverEvent as S, chebyshev, conjugate_gradients, direct, gauss_seidel, jacobi,
-    over_relaxation, shooting,
-};
-use crate::record::{self, Fields, Line, Listing};
+use crate::algorithms::radiosity::{Event, SolverEvent as S};
+use crate::record::{self, Fields, Line};
 
 vocabulary! {
     [] Event {
@@ -272,26 +269,13 @@ impl super::declare::Recorded for Bound {
     }
 }
 
-fn listing(solver: Solver) -> &'static Listing {
-    match solver {
-        Solver::Jacobi => &jacobi::PSEUDOCODE,
-        Solver::GaussSeidel => &gauss_seidel::PSEUDOCODE,
-        Solver::OverRelaxation => &over_relaxation::PSEUDOCODE,
-        Solver::Shooting => &shooting::SHOOTING,
-        Solver::Overshooting => &shooting::OVERSHOOTING,
-        Solver::Chebyshev => &chebyshev::PSEUDOCODE,
-        Solver::ConjugateGradients | Solver::Auto => &conjugate_gradients::PSEUDOCODE,
-        Solver::Direct => &direct::PSEUDOCODE,
-    }
-}
-
 impl record::Event for Event {
     fn kind(&self) -> &'static str {
         Declared::kind(self).name
     }
 
     fn line(&self) -> Line {
-        listing(self.solver).line(self.label())
+        self.solver.listing().line(self.label())
     }
 
     fn holds_on(&self) -> bool {

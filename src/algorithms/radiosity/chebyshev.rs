@@ -4,10 +4,13 @@
 //! By default the interval is [−μ, μ], μ = max_i ρ_i Σ_j F_ij, which bounds the spectral radius. An interval that leaves part of
 //! the spectrum out makes the residual grow, and that is what is said then.
 
-use super::event::SolverEvent;
+use super::Solver;
+use super::event::{Event, SolverEvent};
 use super::iterate::Method;
-use super::outcome::Unsolved;
-use super::record_filter::Followed;
+use super::outcome::{Solution, Stop, Unsolved};
+use super::record_filter::{Followed, RecordFilter};
+use super::singularity_check::refuse_endless_light;
+use super::solver::{Problem, Properties};
 use super::system::System;
 use crate::record::{Listing, Recorder};
 
@@ -30,6 +33,35 @@ pub static PSEUDOCODE: Listing = Listing {
         ("", "  B_before ← B;  B ← B'"),
     ],
 };
+
+pub(super) const SOLVER: Properties = Properties::new("chebyshev", "Ch", &PSEUDOCODE);
+
+pub(super) fn solve<R: Recorder<Event>>(
+    problem: &Problem,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    let gain = problem.system.gain();
+    let method = Chebyshev::new(problem.system, [-gain, gain])?;
+    problem.run(Solver::Chebyshev, method, recorder)
+}
+
+/// On an interval of one's own, below 1, which ought to hold the spectrum of ρF.
+pub fn chebyshev_on<R: Recorder<Event>>(
+    system: &System,
+    interval: [f64; 2],
+    stop: Stop,
+    filter: &RecordFilter,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    refuse_endless_light(system)?;
+    let problem = Problem {
+        system: *system,
+        stop,
+        filter,
+    };
+    let method = Chebyshev::new(*system, interval)?;
+    problem.run(Solver::Chebyshev, method, recorder)
+}
 
 pub(super) struct Chebyshev<'a> {
     system: System<'a>,

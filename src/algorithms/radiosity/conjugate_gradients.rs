@@ -4,10 +4,12 @@
 //!
 //! A patch that reflects nothing has B_i = E_i from the start, and its row is left out: w_i = 0.
 
-use super::event::SolverEvent;
+use super::Solver;
+use super::event::{Event, SolverEvent};
 use super::iterate::Method;
-use super::outcome::Unsolved;
+use super::outcome::{Solution, Unsolved};
 use super::record_filter::Followed;
+use super::solver::{Problem, Properties};
 use super::system::{System, gather};
 use crate::record::{Listing, Recorder, Unrecorded};
 use std::iter::zip;
@@ -30,6 +32,16 @@ pub static PSEUDOCODE: Listing = Listing {
         ("", "  p ← M⁻¹s + β p"),
     ],
 };
+
+pub(super) const SOLVER: Properties = Properties::new("conjugate-gradients", "CG", &PSEUDOCODE);
+
+pub(super) fn solve<R: Recorder<Event>>(
+    problem: &Problem,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    let method = ConjugateGradients::new(problem.system);
+    problem.run(Solver::ConjugateGradients, method, recorder)
+}
 
 pub(super) struct ConjugateGradients<'a> {
     system: System<'a>,

@@ -1,10 +1,12 @@
 //! Elimination: (I − ρF) is factorised once, P(I − ρF) = LU with partial pivoting, and solved for the residual; a second
 //! iteration, should one be needed, refines the result (Golub & Van Loan, "Matrix Computations", §3.4 and §3.5.3).
 
-use super::event::SolverEvent;
+use super::Solver;
+use super::event::{Event, SolverEvent};
 use super::iterate::Method;
-use super::outcome::Unsolved;
+use super::outcome::{Solution, Unsolved};
 use super::record_filter::Followed;
+use super::solver::{Problem, Properties};
 use super::system::System;
 use crate::numeric::Lu;
 use crate::record::{Listing, Recorder};
@@ -21,6 +23,19 @@ pub static PSEUDOCODE: Listing = Listing {
         ("updated", "  B ← B + d"),
     ],
 };
+
+pub(super) const SOLVER: Properties = Properties {
+    multiplications: |n| n * n * n / 3.0,
+    ..Properties::new("direct", "LU", &PSEUDOCODE)
+};
+
+pub(super) fn solve<R: Recorder<Event>>(
+    problem: &Problem,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    let method = Direct::new(problem.system);
+    problem.run(Solver::Direct, method, recorder)
+}
 
 pub(super) struct Direct<'a> {
     system: System<'a>,

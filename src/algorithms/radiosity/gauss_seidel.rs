@@ -1,9 +1,12 @@
 //! Gauss–Seidel's iteration: each patch gathers the newest light there is (Seidel 1874; Cohen & Greenberg 1985). About half as many
 //! iterations as Jacobi's.
 
-use super::event::SolverEvent;
-use super::gathering::{Light, Sweep};
+use super::Solver;
+use super::event::{Event, SolverEvent};
+use super::gathering::{Gathering, Light, Sweep};
+use super::outcome::{Solution, Unsolved};
 use super::record_filter::Followed;
+use super::solver::{Problem, Properties};
 use crate::record::{Listing, Recorder};
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -20,6 +23,16 @@ pub static PSEUDOCODE: Listing = Listing {
         ("gathered", "    B_i ← E_i + ρ_i sum"),
     ],
 };
+
+pub(super) const SOLVER: Properties = Properties::new("gauss-seidel", "GS", &PSEUDOCODE);
+
+pub(super) fn solve<R: Recorder<Event>>(
+    problem: &Problem,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    let method = Gathering::new(problem.system, GaussSeidel);
+    problem.run(Solver::GaussSeidel, method, recorder)
+}
 
 pub(super) struct GaussSeidel;
 

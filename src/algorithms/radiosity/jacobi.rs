@@ -1,9 +1,12 @@
 //! Jacobi's iteration: all patches gather the light of the iteration before (Jacobi 1845; Goral et al. 1984). After k iterations B holds the
 //! light of at most k reflections.
 
-use super::event::SolverEvent;
-use super::gathering::{Light, Sweep};
+use super::Solver;
+use super::event::{Event, SolverEvent};
+use super::gathering::{Gathering, Light, Sweep};
+use super::outcome::{Solution, Unsolved};
 use super::record_filter::Followed;
+use super::solver::{Problem, Properties};
 use crate::record::{Listing, Recorder};
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -21,6 +24,16 @@ pub static PSEUDOCODE: Listing = Listing {
         ("", "  B ← B'"),
     ],
 };
+
+pub(super) const SOLVER: Properties = Properties::new("jacobi", "J", &PSEUDOCODE);
+
+pub(super) fn solve<R: Recorder<Event>>(
+    problem: &Problem,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    let method = Gathering::new(problem.system, Jacobi::default());
+    problem.run(Solver::Jacobi, method, recorder)
+}
 
 /// The light of the iteration before.
 #[derive(Default)]

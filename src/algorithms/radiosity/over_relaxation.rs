@@ -1,8 +1,11 @@
 //! Successive over-relaxation: Gauss–Seidel's step, ω times as far (Young 1954).
 
-use super::event::SolverEvent;
-use super::gathering::{Light, Sweep};
+use super::Solver;
+use super::event::{Event, SolverEvent};
+use super::gathering::{Gathering, Light, Sweep};
+use super::outcome::{Solution, Unsolved};
 use super::record_filter::Followed;
+use super::solver::{Problem, Properties};
 use crate::record::{Listing, Recorder};
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -20,8 +23,19 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-pub(super) struct OverRelaxation {
-    pub omega: f64,
+pub(super) const SOLVER: Properties = Properties::new("over-relaxation", "SOR", &PSEUDOCODE);
+
+pub(super) fn solve<R: Recorder<Event>>(
+    problem: &Problem,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    let omega = youngs_omega(problem.system.gain());
+    let method = Gathering::new(problem.system, OverRelaxation { omega });
+    problem.run(Solver::OverRelaxation, method, recorder)
+}
+
+struct OverRelaxation {
+    omega: f64,
 }
 
 impl Sweep for OverRelaxation {
@@ -44,7 +58,7 @@ impl Sweep for OverRelaxation {
 }
 
 /// Young's ω = 2 / (1 + √(1 − μ²)) for the bound μ = max_i ρ_i Σ_j F_ij on the spectral radius; 1 where μ is no bound below 1.
-pub(super) fn youngs_omega(gain: f64) -> f64 {
+fn youngs_omega(gain: f64) -> f64 {
     if gain < 1.0 {
         2.0 / (1.0 + (1.0 - gain * gain).sqrt())
     } else {

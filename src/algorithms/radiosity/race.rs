@@ -3,10 +3,11 @@
 //! Each runs from its own start to the same tolerance, as everywhere else, and is told to a stopwatch that keeps laps.
 //! The exact solution is taken from the default solver at [`REFERENCE`].
 
+use super::Solver;
 use super::event::{Event, SolverEvent};
 use super::outcome::{Stop, Unsolved};
 use super::record_filter::RecordFilter;
-use super::solver::{Solver, solve};
+use super::solver::solve;
 use super::system::System;
 use crate::record::{Recorder, Unrecorded};
 use std::iter::zip;
@@ -70,12 +71,12 @@ impl Race {
         let reference = solve(system, Solver::Auto, exactly, &filter, &mut Unrecorded)?.radiosity;
         let patches = reference.len();
         let solvers = Solver::ALL.into_iter().filter(|&solver| {
-            solver != Solver::Auto && multiplications(solver, patches) <= PATIENCE
+            solver != Solver::Auto && solver.multiplications(patches) <= PATIENCE
         });
         let racers = solvers.map(|solver| {
             let stop = Stop {
                 tolerance,
-                max_iterations: (PATIENCE / multiplications(solver, patches)) as u32,
+                max_iterations: (PATIENCE / solver.multiplications(patches)) as u32,
             };
             // A first few iterations untimed: whoever runs first would else fetch the matrix from memory for all.
             let warm_up = Stop {
@@ -111,16 +112,6 @@ impl Racer {
             true => count / patches as f64,
             false => count,
         }
-    }
-}
-
-/// Of one iteration, for n patches.
-fn multiplications(solver: Solver, patches: usize) -> f64 {
-    let n = patches as f64;
-    match solver {
-        Solver::Shooting | Solver::Overshooting => n,
-        Solver::Direct => n * n * n / 3.0,
-        _ => n * n,
     }
 }
 

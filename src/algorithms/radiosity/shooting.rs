@@ -1,18 +1,21 @@
 //! Shooting: the patch with the most unshot light sends it to all others, F_ji by reciprocity from its own row
 //! (progressive refinement: Cohen, Chen, Wallace & Greenberg 1988; the relaxation is Southwell's 1946).
-//! Overshooting sends, beside its unshot light, what it will come to have in the mean (Feda & Purgathofer 1992).
+//! [`super::overshooting`] shares the body.
 //!
-//! Only the row of the patch that shoots is asked for, so no matrix need be stored: only at the end all rows, for the exact residual.
+//! A shot needs only the row of its patch, so no matrix need be stored; the exact residual at the end takes all rows.
 
-use super::event::SolverEvent;
+use super::Solver;
+use super::event::{Event, SolverEvent};
 use super::iterate::Method;
-use super::outcome::Unsolved;
-use super::record_filter::Followed;
-use super::system::{Patches, Rows, residual};
+use super::iterate::{TaggingRecorder, run};
+use super::outcome::{Solution, Stop, Unsolved};
+use super::record_filter::{Followed, RecordFilter};
+use super::solver::{Problem, Properties};
+use super::system::{Patches, Rows, System, residual};
 use crate::record::{Listing, Recorder};
 use std::iter::zip;
 
-pub static SHOOTING: Listing = Listing {
+pub static PSEUDOCODE: Listing = Listing {
     name: "shooting",
     lines: &[
         ("start started", "B ← 0;  unshot ← E"),
@@ -28,33 +31,58 @@ pub static SHOOTING: Listing = Listing {
     ],
 };
 
-pub static OVERSHOOTING: Listing = Listing {
-    name: "overshooting",
-    lines: &[
-        ("start started", "B ← 0;  unshot ← E"),
-        ("iteration", "for k = 0, 1, 2, … until ‖unshot‖ ≤ ε‖E‖"),
-        (
-            "ambient",
-            "  ambient ← ⟨ρ⟩⟨unshot⟩ / (1 − ⟨ρ⟩), means by area",
-        ),
-        (
-            "shooting",
-            "  i ← the patch of largest |unshot_i + ambient| A_i",
-        ),
-        ("", "  for each patch j"),
-        ("", "    F_ji ← F_ij A_i / A_j"),
-        (
-            "received",
-            "    unshot_j ← unshot_j + ρ_j F_ji (unshot_i + ambient)",
-        ),
-        (
-            "shot",
-            "  B_i ← B_i + unshot_i + ambient;  unshot_i ← −ambient + what it received",
-        ),
-    ],
+pub(super) const SOLVER: Properties = Properties {
+    multiplications: |n| n,
+    shoots: true,
+    ..Properties::new("shooting", "S", &PSEUDOCODE)
 };
 
-pub(super) struct Shooter<'a, F> {
+pub(super) fn solve<R: Recorder<Event>>(
+    problem: &Problem,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    shoot_by(Solver::Shooting, problem, recorder)
+}
+
+/// Shooting or overshooting, with the rows of the stored matrix.
+pub(super) fn shoot_by<R: Recorder<Event>>(
+    solver: Solver,
+    problem: &Problem,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    let System {
+        matrix, patches, ..
+    } = problem.system;
+    let gain = Some(problem.system.gain());
+    let method = Shooter::new(matrix, patches, solver == Solver::Overshooting, gain);
+    problem.run(solver, method, recorder)
+}
+
+/// Shooting, or overshooting, with no matrix stored: each shot computes its row, and the residual at the end all of them. No bound on the error is known, since that takes the sums of all rows.
+pub fn shoot<F: Rows, R: Recorder<Event>>(
+    rows: F,
+    patches: &Patches,
+    overshoots: bool,
+    stop: Stop,
+    filter: &RecordFilter,
+    recorder: &mut R,
+) -> Result<Solution, Unsolved> {
+    let solver = if overshoots {
+        Solver::Overshooting
+    } else {
+        Solver::Shooting
+    };
+    let method = Shooter::new(rows, *patches, overshoots, None);
+    run(
+        method,
+        patches,
+        stop,
+        filter,
+        &mut TaggingRecorder { solver, recorder },
+    )
+}
+
+struct Shooter<'a, F> {
     rows: F,
     patches: Patches<'a>,
     overshoots: bool,

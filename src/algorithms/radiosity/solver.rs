@@ -1,75 +1,117 @@
-//! The solvers by name, and one channel solved by one of them.
+//! What a solver is: a value of [`Solver`], its properties, and how it solves one channel.
 
-use super::chebyshev::Chebyshev;
-use super::conjugate_gradients::ConjugateGradients;
-use super::direct::Direct;
+use super::Solver;
 use super::event::Event;
-use super::gathering::Gathering;
-use super::gauss_seidel::GaussSeidel;
-use super::iterate::{TaggingRecorder, run};
-use super::jacobi::Jacobi;
+use super::iterate::{Method, TaggingRecorder, run};
 use super::outcome::{Solution, Stop, Unsolved};
-use super::over_relaxation::{OverRelaxation, youngs_omega};
 use super::record_filter::RecordFilter;
-use super::shooting::Shooter;
 use super::singularity_check::refuse_endless_light;
-use super::system::{Patches, Rows, System};
-use crate::record::Recorder;
+use super::system::{Patches, System};
+use crate::record::{Listing, Recorder};
 
-/// A way to solve the radiosity system.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Solver {
-    /// Conjugate gradients: few iterations however little light is lost. Where they fail, because the matrix given is too far from
-    /// reciprocal, elimination.
-    #[default]
-    Auto,
-    Jacobi,
-    GaussSeidel,
-    /// With Young's ω for the bound max_i ρ_i Σ_j F_ij on the spectral radius.
-    OverRelaxation,
-    Shooting,
-    Overshooting,
-    /// On [−μ, μ], μ = max_i ρ_i Σ_j F_ij.
-    Chebyshev,
-    ConjugateGradients,
-    Direct,
+/// What is known of a solver without running it.
+#[derive(Clone, Copy)]
+pub(super) struct Properties {
+    /// As on the command line and in lesson files.
+    pub name: &'static str,
+    /// As short as a label at a curve must be.
+    pub symbol: &'static str,
+    pub listing: &'static Listing,
+    /// Of one iteration, for n patches.
+    pub multiplications: fn(f64) -> f64,
+    /// Whether an iteration is a shot of one patch, which needs one row of form factors and so no stored matrix.
+    pub shoots: bool,
+}
+
+impl Properties {
+    /// Those of a solver each of whose iterations takes the whole matrix.
+    pub const fn new(name: &'static str, symbol: &'static str, listing: &'static Listing) -> Self {
+        Properties {
+            name,
+            symbol,
+            listing,
+            multiplications: |n| n * n,
+            shoots: false,
+        }
+    }
+}
+
+/// One channel to be solved.
+#[derive(Clone, Copy)]
+pub(super) struct Problem<'a> {
+    pub system: System<'a>,
+    pub stop: Stop,
+    pub filter: &'a RecordFilter,
+}
+
+impl Problem<'_> {
+    /// Runs `method` to its end, as `solver`.
+    pub fn run<R: Recorder<Event>>(
+        &self,
+        solver: Solver,
+        method: impl Method,
+        recorder: &mut R,
+    ) -> Result<Solution, Unsolved> {
+        let recorder = &mut TaggingRecorder { solver, recorder };
+        run(
+            method,
+            &self.system.patches,
+            self.stop,
+            self.filter,
+            recorder,
+        )
+    }
+}
+
+/// Declares the solvers: each has its file, with its `SOLVER` properties and `solve`.
+macro_rules! solvers {
+    ($($(#[$about:meta])* $solver:ident: $module:ident,)*) => {
+        named! {
+            /// A way to solve the radiosity system.
+            #[derive(Default)]
+            pub enum Solver {
+                $($(#[$about])* $solver = $module::SOLVER.name,)*
+            }
+        }
+
+        impl Solver {
+            fn properties(self) -> solver::Properties {
+                match self {
+                    $(Solver::$solver => $module::SOLVER,)*
+                }
+            }
+
+            fn solve<R: Recorder<Event>>(
+                self,
+                problem: &solver::Problem,
+                recorder: &mut R,
+            ) -> Result<Solution, Unsolved> {
+                match self {
+                    $(Solver::$solver => $module::solve(problem, recorder),)*
+                }
+            }
+        }
+    };
 }
 
 impl Solver {
-    pub const ALL: [Solver; 9] = [
-        Solver::Auto,
-        Solver::Jacobi,
-        Solver::GaussSeidel,
-        Solver::OverRelaxation,
-        Solver::Shooting,
-        Solver::Overshooting,
-        Solver::Chebyshev,
-        Solver::ConjugateGradients,
-        Solver::Direct,
-    ];
-
-    /// As on the command line and in lesson files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Solver::Auto => "auto",
-            Solver::Jacobi => "jacobi",
-            Solver::GaussSeidel => "gauss-seidel",
-            Solver::OverRelaxation => "over-relaxation",
-            Solver::Shooting => "shooting",
-            Solver::Overshooting => "overshooting",
-            Solver::Chebyshev => "chebyshev",
-            Solver::ConjugateGradients => "conjugate-gradients",
-            Solver::Direct => "direct",
-        }
+    /// As short as a label at a curve must be.
+    pub fn symbol(self) -> &'static str {
+        self.properties().symbol
     }
 
-    /// Whether it needs one row of form factors at a time, and so no stored matrix.
+    pub fn listing(self) -> &'static Listing {
+        self.properties().listing
+    }
+
+    /// Of one iteration, for so many patches.
+    pub(super) fn multiplications(self, patches: usize) -> f64 {
+        (self.properties().multiplications)(patches as f64)
+    }
+
+    /// Whether an iteration is a shot of one patch, which needs one row of form factors and so no stored matrix.
     pub fn shoots(self) -> bool {
-        matches!(self, Solver::Shooting | Solver::Overshooting)
-    }
-
-    pub fn from_name(name: &str) -> Option<Self> {
-        Solver::ALL.into_iter().find(|solver| solver.name() == name)
+        self.properties().shoots
     }
 }
 
@@ -84,111 +126,14 @@ pub fn solve<R: Recorder<Event>>(
     recorder: &mut R,
 ) -> Result<Solution, Unsolved> {
     refuse_endless_light(system)?;
-    let (system, patches, gain) = (*system, system.patches, system.gain());
-    let mut by = TaggingRecorder { solver, recorder };
-    let by = &mut by;
-    let solution = match solver {
-        Solver::Auto => {
-            let fast = solve(
-                &system,
-                Solver::ConjugateGradients,
-                stop,
-                filter,
-                by.recorder,
-            );
-            return match fast {
-                Err(
-                    Unsolved::NotConverged { .. }
-                    | Unsolved::GainsLight
-                    | Unsolved::Diverges { .. },
-                ) => solve(&system, Solver::Direct, stop, filter, by.recorder),
-                done => done,
-            };
-        }
-        Solver::Jacobi => run(
-            Gathering::new(system, Jacobi::default()),
-            &patches,
-            stop,
-            filter,
-            by,
-        ),
-        Solver::GaussSeidel => run(
-            Gathering::new(system, GaussSeidel),
-            &patches,
-            stop,
-            filter,
-            by,
-        ),
-        Solver::OverRelaxation => {
-            let method = Gathering::new(
-                system,
-                OverRelaxation {
-                    omega: youngs_omega(gain),
-                },
-            );
-            run(method, &patches, stop, filter, by)
-        }
-        Solver::Shooting | Solver::Overshooting => {
-            let overshoots = solver == Solver::Overshooting;
-            let method = Shooter::new(system.matrix, patches, overshoots, Some(gain));
-            run(method, &patches, stop, filter, by)
-        }
-        Solver::Chebyshev => {
-            let method = Chebyshev::new(system, [-gain, gain])?;
-            run(method, &patches, stop, filter, by)
-        }
-        Solver::ConjugateGradients => {
-            run(ConjugateGradients::new(system), &patches, stop, filter, by)
-        }
-        Solver::Direct => run(Direct::new(system), &patches, stop, filter, by),
-    }?;
-    refuse_negative_light(&patches, &solution)?;
-    Ok(solution)
-}
-
-/// Chebyshev's iteration on an interval of one's own, below 1, which ought to hold the spectrum of ρF.
-pub fn chebyshev_on<R: Recorder<Event>>(
-    system: &System,
-    interval: [f64; 2],
-    stop: Stop,
-    filter: &RecordFilter,
-    recorder: &mut R,
-) -> Result<Solution, Unsolved> {
-    refuse_endless_light(system)?;
-    let solver = Solver::Chebyshev;
-    let method = Chebyshev::new(*system, interval)?;
-    run(
-        method,
-        &system.patches,
+    let problem = Problem {
+        system: *system,
         stop,
         filter,
-        &mut TaggingRecorder { solver, recorder },
-    )
-}
-
-/// Shooting, or overshooting, with no matrix stored: rows are asked for shot by shot, and all of them once at the end, for the
-/// residual. No bound on the error is known, since that takes the sums of all rows.
-pub fn shoot<F: Rows, R: Recorder<Event>>(
-    rows: F,
-    patches: &Patches,
-    overshoots: bool,
-    stop: Stop,
-    filter: &RecordFilter,
-    recorder: &mut R,
-) -> Result<Solution, Unsolved> {
-    let solver = if overshoots {
-        Solver::Overshooting
-    } else {
-        Solver::Shooting
     };
-    let method = Shooter::new(rows, *patches, overshoots, None);
-    run(
-        method,
-        patches,
-        stop,
-        filter,
-        &mut TaggingRecorder { solver, recorder },
-    )
+    let solution = solver.solve(&problem, recorder)?;
+    refuse_negative_light(&system.patches, &solution)?;
+    Ok(solution)
 }
 
 /// Light that is emitted and reflected is nowhere negative (Perron & Frobenius), unless reflections gain light.

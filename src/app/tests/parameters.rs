@@ -37,7 +37,7 @@ fn lights(screen: &Screen) -> [DVec3; 2] {
 fn place(screen: &Screen, light: usize) -> egui::Pos2 {
     let panel = screen
         .harness
-        .get_by_role_and_label(Role::Image, strings::RAYS.text(Language::English));
+        .get_by_role_and_label(Role::Image, Panel::Rays.title().text(Language::English));
     let rect = panel.rect();
     let size = glam::Vec2::new(rect.width(), rect.height());
     let picture = draw(Panel::Rays, &screen.session().panel_input(), size);
@@ -124,7 +124,7 @@ fn the_eye_is_dragged_by_its_vector_and_stays_as_far_away() {
     let mut screen = screen("illumination-model", [1280, 800], 1.0, narrated);
     let panel = screen
         .harness
-        .get_by_role_and_label(Role::Image, strings::VECTORS.text(Language::English));
+        .get_by_role_and_label(Role::Image, Panel::Vectors.title().text(Language::English));
     let rect = panel.rect();
     let size = glam::Vec2::new(rect.width(), rect.height());
     let places =

@@ -21,7 +21,7 @@ fn tree_screen() -> Screen {
 fn panel(screen: &Screen) -> egui::Rect {
     let images = screen
         .harness
-        .get_all_by_label(strings::RAY_TREE.text(Language::English));
+        .get_all_by_label(Panel::RayTree.title().text(Language::English));
     let mut panel = images.filter(|node| node.accesskit_node().role() == egui::Role::Image);
     panel.next_back().expect("the panel").rect()
 }

@@ -1,61 +1,29 @@
 //! The parts of the work that a scene may not need.
 
-/// A part of the work that a scene may not need.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Part {
-    ReflectedRays,
-    TransmittedRays,
-    TextureCoordinates,
-    Highlights,
-    LightBalls,
-    PathAttenuation,
-    ShadowRays,
-    /// Of radiosity: a channel in which nothing emits.
-    DarkChannels,
-    /// A channel that is as one before it.
-    EqualChannels,
-    /// Equations of patches that reflect nothing: B = E.
-    BlackRows,
-    /// Integrals between patches that do not face each other: F = 0.
-    FacingAway,
-    /// Rays between patches that nothing can part.
-    SightTests,
+named! {
+    /// A part of the work that a scene may not need.
+    pub enum Part {
+        ReflectedRays = "reflected_rays",
+        TransmittedRays = "transmitted_rays",
+        TextureCoordinates = "texture_coordinates",
+        Highlights = "highlights",
+        LightBalls = "light_balls",
+        PathAttenuation = "path_attenuation",
+        ShadowRays = "shadow_rays",
+        /// Of radiosity: a channel in which nothing emits.
+        DarkChannels = "dark_channels",
+        /// A channel that is as one before it.
+        EqualChannels = "equal_channels",
+        /// Equations of patches that reflect nothing: B = E.
+        BlackRows = "black_rows",
+        /// Integrals between patches that do not face each other: F = 0.
+        FacingAway = "facing_away",
+        /// Rays between patches that nothing can part.
+        SightTests = "sight_tests",
+    }
 }
 
 impl Part {
-    pub const ALL: [Part; 12] = [
-        Part::ReflectedRays,
-        Part::TransmittedRays,
-        Part::TextureCoordinates,
-        Part::Highlights,
-        Part::LightBalls,
-        Part::PathAttenuation,
-        Part::ShadowRays,
-        Part::DarkChannels,
-        Part::EqualChannels,
-        Part::BlackRows,
-        Part::FacingAway,
-        Part::SightTests,
-    ];
-
-    /// As in the results of `needs` and `render --stats`.
-    pub fn name(self) -> &'static str {
-        match self {
-            Part::ReflectedRays => "reflected_rays",
-            Part::TransmittedRays => "transmitted_rays",
-            Part::TextureCoordinates => "texture_coordinates",
-            Part::Highlights => "highlights",
-            Part::LightBalls => "light_balls",
-            Part::PathAttenuation => "path_attenuation",
-            Part::ShadowRays => "shadow_rays",
-            Part::DarkChannels => "dark_channels",
-            Part::EqualChannels => "equal_channels",
-            Part::BlackRows => "black_rows",
-            Part::FacingAway => "facing_away",
-            Part::SightTests => "sight_tests",
-        }
-    }
-
     pub fn why(self) -> &'static str {
         match self {
             Part::ReflectedRays => "no surface has a `reflection` other than 0",
