@@ -26,8 +26,6 @@ pub struct Settings {
     pub smooth: bool,
     /// The most patches that a scene may be divided into.
     pub max_patches: u64,
-    /// What is done although the scene does not need it.
-    pub forced: Parts,
 }
 
 impl Default for Settings {
@@ -39,7 +37,6 @@ impl Default for Settings {
             stop: Stop::default(),
             smooth: false,
             max_patches: Limits::default().max_patches,
-            forced: Parts::NONE,
         }
     }
 }
@@ -50,6 +47,8 @@ pub struct Enclosure {
     pub patches: Patches,
     pub blockers: Blockers,
     pub settings: Settings,
+    /// What is done although the scene does not need it.
+    forced: Parts,
     /// By patch: ρ and E.
     pub reflectance: Vec<Rgb>,
     pub emission: Vec<Rgb>,
@@ -72,8 +71,8 @@ pub struct Light {
 }
 
 impl Enclosure {
-    /// Errors: planes, patches without area, too many patches.
-    pub fn of(scene: &Scene, settings: Settings) -> Result<Enclosure, PatchError> {
+    /// `forced` is done although the scene does not need it. Errors: planes, patches without area, too many patches.
+    pub fn of(scene: &Scene, settings: Settings, forced: Parts) -> Result<Enclosure, PatchError> {
         let patches = Patches::of(scene, settings.max_patches)?;
         let blockers = Blockers::of(scene, &patches);
         let primitives = PatchPrimitives::of(scene, &patches);
@@ -87,6 +86,7 @@ impl Enclosure {
             patches,
             blockers,
             settings,
+            forced,
             reflectance,
             emission,
             primitives,
@@ -105,7 +105,7 @@ impl Enclosure {
     pub fn form_factors(&self) -> FormFactors<'_> {
         let blockers = self.settings.visibility.then_some(&self.blockers);
         FormFactors::new(&self.patches, self.settings.form_factors, blockers)
-            .with_forced(self.settings.forced)
+            .with_forced(self.forced)
     }
 
     /// F, row-major, n×n for n patches; `make` makes it where it is not there yet.
@@ -217,7 +217,7 @@ impl Enclosure {
         let patches = self.patches.len() as u32;
         recorder.enter(|| tell(SolverEvent::Enclosure { patches }));
         let areas = self.patches.areas();
-        let forced = self.settings.forced;
+        let forced = self.forced;
         let solved = solve_channels(&areas, channels, solver, forced, recorder, solve);
         recorder.leave(|| tell(SolverEvent::RoomDone));
         let solutions = solved?;

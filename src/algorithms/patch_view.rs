@@ -5,17 +5,20 @@
 //! nothing, and is black; so is what lies beside the room.
 
 use super::enclosure::Enclosure;
-use super::prepared_scene::PreparedScene;
 use super::primary;
 use crate::color::Rgb;
 use crate::record::Unrecorded;
+use crate::scene::View;
 use crate::scene::primitives::Ray;
 use glam::DVec3;
 use std::collections::HashMap;
+use std::num::NonZeroU32;
 
 /// The picture of a room whose light is known.
 pub struct PatchView<'a> {
-    prepared: &'a PreparedScene,
+    view: &'a View,
+    /// n of the n×n samples of a pixel.
+    samples: NonZeroU32,
     enclosure: &'a Enclosure,
     radiosity: &'a [Rgb],
     /// By patch, the radiosity at the corners of its pieces in their order; none where patches are shown constant.
@@ -25,13 +28,15 @@ pub struct PatchView<'a> {
 impl<'a> PatchView<'a> {
     /// `radiosity` has one colour a patch. Whether they are interpolated is among the settings of the room.
     pub fn new(
-        prepared: &'a PreparedScene,
+        view: &'a View,
+        samples: NonZeroU32,
         enclosure: &'a Enclosure,
         radiosity: &'a [Rgb],
     ) -> Self {
         let smooth = enclosure.settings.smooth;
         PatchView {
-            prepared,
+            view,
+            samples,
             enclosure,
             radiosity,
             corners: smooth.then(|| corner_values(enclosure, radiosity)),
@@ -40,10 +45,9 @@ impl<'a> PatchView<'a> {
 
     /// The colour of pixel (x, y).
     pub fn pixel(&self, x: u32, y: u32) -> Rgb {
-        let samples = self.prepared.settings.samples;
         let mut untold = Unrecorded;
         let seen = |ray: &Ray, _: &mut Unrecorded| self.seen(ray);
-        primary::pixel::<primary::Event, _>(&self.prepared.view, samples, (x, y), &mut untold, seen)
+        primary::pixel::<primary::Event, _>(self.view, self.samples, (x, y), &mut untold, seen)
     }
 
     fn seen(&self, ray: &Ray) -> Rgb {

@@ -1,50 +1,33 @@
 //! A scene set in front of its camera: polygons in the camera frame and on the screen, ready for the scan-line methods.
 
-use super::enclosure::{self, Enclosure};
 use super::focus::{Focus, Region};
 use super::frame::Frame;
 use super::illumination::Lighting;
-use super::primary::Settings;
 use super::texture::Mapping;
 use crate::color::Rgb;
-use crate::scene::patches::PatchError;
 use crate::scene::primitives::{self, Primitives};
 use crate::scene::{
-    Light, Material, Mesh, Needs, Part, Parts, Scene, Tessellation, View, has_highlights,
+    Light, Material, Mesh, Part, Parts, Scene, Tessellation, Texture, View, has_highlights,
 };
 use glam::{DVec2, DVec3};
 use std::sync::OnceLock;
 
-/// Everything that stays the same from one focus to the next.
+/// A scene with its polygons, as its camera sees them.
 #[derive(Clone, Debug)]
 pub struct PreparedScene {
     pub scene: Scene,
     pub tessellation: Tessellation,
     pub view: View,
-    /// How far the ray methods go.
-    pub settings: Settings,
-    /// How the light of the room is found.
-    pub radiosity: enclosure::Settings,
-    /// Where the textures of converted polygons are looked up.
+    /// Where the textures of polygons are looked up.
     pub mapping: Mapping,
-    /// What is done although the scene does not need it.
-    forced: Parts,
-    has_highlights: bool,
+    /// What polygons without a texture of their own take.
+    texture: Option<Texture>,
+    /// Whether highlights are lit.
+    specular: bool,
     /// By object, then by vertex of its mesh.
     vertices: Vec<Vec<PreparedVertex>>,
     /// Made when the first ray asks for them.
     primitives: OnceLock<Primitives>,
-    needs: OnceLock<Needs>,
-    enclosure: OnceLock<Result<Enclosure, PatchError>>,
-}
-
-/// Something that is looked at, but is not there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{value}: there are {count} {what}, counted from 0")]
-pub struct Outside {
-    pub what: &'static str,
-    pub value: usize,
-    pub count: usize,
 }
 
 /// A vertex as the camera sees it.
@@ -66,7 +49,7 @@ impl PreparedVertex {
     }
 }
 
-/// One polygon of the stage.
+/// One polygon of the scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Polygon<'a> {
     pub object: usize,
@@ -76,6 +59,7 @@ pub struct Polygon<'a> {
     pub number: usize,
     pub mesh: &'a Mesh,
     pub material: &'a Material,
+    pub texture: Option<Texture>,
     vertices: &'a [PreparedVertex],
 }
 
@@ -85,7 +69,7 @@ impl PreparedScene {
     /// camera's target was put.
     pub fn new(scene: Scene, mut view: View) -> Self {
         let tessellation = Tessellation::of(&scene);
-        let has_highlights = has_highlights(&scene);
+        let specular = has_highlights(&scene);
         let vertices: Vec<Vec<PreparedVertex>> = tessellation
             .meshes
             .iter()
@@ -111,108 +95,42 @@ impl PreparedScene {
             scene,
             tessellation,
             view,
-            settings: Settings::default(),
-            radiosity: enclosure::Settings::default(),
             mapping: Mapping::default(),
-            forced: Parts::NONE,
-            has_highlights,
+            texture: None,
+            specular,
             vertices,
             primitives: OnceLock::new(),
-            needs: OnceLock::new(),
-            enclosure: OnceLock::new(),
         }
     }
 
-    /// The same stage, on which the ray methods go so far.
-    pub fn with_settings(self, settings: Settings) -> Self {
-        PreparedScene { settings, ..self }
-    }
-
-    /// The same stage, whose light is found so.
-    pub fn with_radiosity(self, radiosity: enclosure::Settings) -> Self {
-        PreparedScene {
-            radiosity,
-            enclosure: OnceLock::new(),
-            ..self
-        }
-    }
-
-    /// The same stage, whose polygons take their textures so.
+    /// The same, with textures taken so.
     pub fn with_mapping(self, mapping: Mapping) -> Self {
         PreparedScene { mapping, ..self }
     }
 
-    /// The same stage under other lights.
+    /// The same under other lights.
     pub fn with_lights(self, lights: Vec<Light>) -> Self {
         let scene = Scene {
             lights,
             ..self.scene
         };
+        PreparedScene { scene, ..self }
+    }
+
+    /// The same, with those parts done although the scene does not need them, and no others.
+    pub fn with_forced(self, forced: Parts) -> Self {
+        let white = forced.has(Part::TextureCoordinates);
         PreparedScene {
-            scene,
-            needs: OnceLock::new(),
+            texture: white.then_some(Texture::WHITE),
+            specular: forced.has(Part::Highlights) || has_highlights(&self.scene),
             ..self
         }
-    }
-
-    /// The same stage, on which those parts are done although the scene does not need them.
-    pub fn with_forced(self, forced: Parts) -> Self {
-        let radiosity = enclosure::Settings {
-            forced,
-            ..self.radiosity
-        };
-        PreparedScene {
-            forced,
-            needs: OnceLock::new(),
-            ..self.with_radiosity(radiosity)
-        }
-    }
-
-    /// What is done although the scene does not need it.
-    pub fn forced(&self) -> Parts {
-        self.forced
     }
 
     /// The objects as rays meet them.
     pub fn primitives(&self) -> &Primitives {
         self.primitives
             .get_or_init(|| Primitives::of(&self.scene, &self.tessellation))
-    }
-
-    /// The scene divided into patches. Errors: what cannot be divided.
-    pub fn enclosure(&self) -> Result<&Enclosure, &PatchError> {
-        let enclosure = self
-            .enclosure
-            .get_or_init(|| Enclosure::of(&self.scene, self.radiosity));
-        enclosure.as_ref()
-    }
-
-    /// Whether the stage has what `focus` looks at. Errors: what it has instead.
-    pub fn check(&self, focus: Focus) -> Result<(), Outside> {
-        let within = |what, value: usize, count: usize| match value < count {
-            true => Ok(()),
-            false => Err(Outside { what, value, count }),
-        };
-        let View { width, height, .. } = self.view;
-        let patches = || {
-            self.enclosure()
-                .map_or(0, |enclosure| enclosure.patches.len())
-        };
-        match focus {
-            Focus::Frame | Focus::Iterations { .. } => Ok(()),
-            Focus::Polygon(number) => within("polygons", number, self.tessellation.polygon_count()),
-            Focus::ScanLine(y) => within("rows", y as usize, height as usize),
-            Focus::Pixel { x, y } => within("columns", x as usize, width as usize)
-                .and_then(|()| within("rows", y as usize, height as usize)),
-            Focus::Patch(number) => within("patches", number as usize, patches()),
-            Focus::FormFactor { i, j } => within("patches", i.max(j) as usize, patches()),
-        }
-    }
-
-    /// What rays need of the scene.
-    pub fn needs(&self) -> &Needs {
-        self.needs
-            .get_or_init(|| Needs::of(&self.scene).with_forced(self.forced))
     }
 
     pub fn entered(&self) -> Event {
@@ -233,19 +151,21 @@ impl PreparedScene {
         Lighting {
             ambient: self.scene.ambient,
             lights: &self.scene.lights,
-            specular: self.has_highlights || self.forced.has(Part::Highlights),
+            specular: self.specular,
         }
     }
 
     /// Polygon `number`, counted from 0 over all objects.
     pub fn polygon(&self, number: usize) -> Option<Polygon<'_>> {
         let (object, face) = self.tessellation.locate(number)?;
+        let material = &self.scene.materials[self.scene.objects[object].material];
         Some(Polygon {
             object,
             face,
             number,
             mesh: &self.tessellation.meshes[object],
-            material: &self.scene.materials[self.scene.objects[object].material],
+            material,
+            texture: material.texture.or(self.texture),
             vertices: &self.vertices[object],
         })
     }
@@ -278,7 +198,7 @@ fn least_depth(tessellation: &Tessellation, view: &View, edge_on: f64) -> f64 {
     cos_theta * nearest.fold(f64::INFINITY, f64::min)
 }
 
-/// How every scan-line method walks the stage.
+/// How every scan-line method walks the scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
     /// Opens the frame; `ambient` is A, the ambient light of the scene.

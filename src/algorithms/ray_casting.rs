@@ -7,7 +7,7 @@ use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{self, Lighting, illuminate};
 use super::prepared_scene::{self, PreparedScene};
-use super::primary::{self, for_each_pixel};
+use super::primary::{self, Settings, for_each_pixel};
 use super::surface::{self, face, without_object};
 use super::visible::{self, Intersection, Search, visible};
 use crate::color::Rgb;
@@ -39,6 +39,7 @@ pub static PSEUDOCODE: Listing = Listing {
 #[derive(Clone, Copy)]
 pub struct RayCaster<'a, S> {
     pub prepared: &'a PreparedScene,
+    pub settings: Settings,
     pub needs: &'a Needs,
     pub search: S,
 }
@@ -56,9 +57,15 @@ pub fn ray_casting<S: Search, R: Recorder<Event>>(
 }
 
 impl<'a, S: Search> RayCaster<'a, S> {
-    pub fn new(prepared: &'a PreparedScene, needs: &'a Needs, search: S) -> Self {
+    pub fn new(
+        prepared: &'a PreparedScene,
+        settings: Settings,
+        needs: &'a Needs,
+        search: S,
+    ) -> Self {
         RayCaster {
             prepared,
+            settings,
             needs,
             search,
         }
@@ -66,7 +73,7 @@ impl<'a, S: Search> RayCaster<'a, S> {
 
     /// The colour of pixel (x, y).
     pub fn pixel<R: Recorder<Event>>(&self, x: u32, y: u32, recorder: &mut R) -> Rgb {
-        let samples = self.prepared.settings.samples;
+        let samples = self.settings.samples;
         let view = &self.prepared.view;
         primary::pixel(view, samples, (x, y), recorder, |ray, recorder| {
             self.cast(ray, recorder)

@@ -12,7 +12,7 @@ use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{self, Lighting, ToLight, illuminate};
 use super::prepared_scene::{self, PreparedScene};
-use super::primary::{self, for_each_pixel};
+use super::primary::{self, Settings, for_each_pixel};
 use super::ray_tree::{self, Branch, RayKind};
 use super::surface::{self, SurfaceInteraction, face, without_object};
 use super::visible::{self, Intersection, Search, visible};
@@ -56,6 +56,7 @@ pub static PSEUDOCODE: Listing = Listing {
 #[derive(Clone)]
 pub struct RayTracer<'a, S> {
     pub prepared: &'a PreparedScene,
+    pub settings: Settings,
     pub needs: &'a Needs,
     pub search: S,
     /// The closed transparent objects that contain the eye, outermost first.
@@ -78,9 +79,15 @@ pub fn ray_tracing<S: Search, R: Recorder<Event>>(
 }
 
 impl<'a, S: Search> RayTracer<'a, S> {
-    pub fn new(prepared: &'a PreparedScene, needs: &'a Needs, search: S) -> Self {
+    pub fn new(
+        prepared: &'a PreparedScene,
+        settings: Settings,
+        needs: &'a Needs,
+        search: S,
+    ) -> Self {
         let mut tracer = RayTracer {
             prepared,
+            settings,
             needs,
             search,
             around_eye: Media::new(),
@@ -95,7 +102,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
 
     /// The colour of pixel (x, y).
     pub fn pixel<R: Recorder<Event>>(&self, x: u32, y: u32, recorder: &mut R) -> Rgb {
-        let samples = self.prepared.settings.samples;
+        let samples = self.settings.samples;
         let view = &self.prepared.view;
         primary::pixel(view, samples, (x, y), recorder, |ray, recorder| {
             let (color, _) = self.trace(RayKind::Primary, ray, 1, &self.around_eye, recorder);
@@ -260,7 +267,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
             direction,
         } = branch;
         recorder.step(|| ray_tree::Event::Branched { branch: *branch }.into());
-        if level >= self.prepared.settings.depth.get() {
+        if level >= self.settings.depth.get() {
             recorder.step(|| ray_tree::Event::too_deep(kind).into());
             return sum;
         }

@@ -9,8 +9,8 @@ use super::intensity::Intensity;
 use super::prepared_scene::{Polygon, PreparedScene};
 use crate::color::Rgb;
 use crate::record::{Listing, Recorder};
+use crate::scene::Texture;
 use crate::scene::primitives::FaceChart;
-use crate::scene::{Part, Texture};
 use glam::{DVec2, DVec3};
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -50,11 +50,9 @@ pub struct PolygonTexture<'a> {
 }
 
 impl<'a> PolygonTexture<'a> {
-    /// None where the polygon's material has no texture, unless looking up textures is forced.
+    /// None where the polygon has no texture.
     pub fn of(prepared: &'a PreparedScene, polygon: &Polygon<'a>) -> Option<Self> {
-        let white = prepared.forced().has(Part::TextureCoordinates);
-        let texture = polygon.material.texture;
-        let texture = texture.or(white.then_some(Texture::WHITE))?;
+        let texture = polygon.texture?;
         let shape = &prepared.scene.objects[polygon.object].shape;
         Some(PolygonTexture {
             texture,

@@ -83,7 +83,7 @@ fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui:
         }
     }
     if session.is_unsaid() {
-        let [why, again] = match session.prepared().forced().is_empty() {
+        let [why, again] = match session.setup().forced().is_empty() {
             true => [strings::UNSAID, strings::PUT_BACK],
             false => [strings::UNSAID_ANYWAY, strings::LEAVE_OUT_AGAIN],
         };

@@ -57,7 +57,7 @@ fn list(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         let name = &session.prepared().scene.objects[object].name;
         ui.label(format!("{name}: {}", session.localize(PLANE)));
     }
-    if !session.prepared().forced().is_empty() {
+    if !session.setup().forced().is_empty() {
         ui.separator();
         ui.label(times(session));
     }
@@ -71,7 +71,7 @@ fn entry(
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) {
-    let mut forced = session.prepared().forced().has(part);
+    let mut forced = session.setup().forced().has(part);
     let [what, why] = words_of(part);
     let name = style::strong(session.localize(what), 14.0);
     if ui.checkbox(&mut forced, name).clicked() {

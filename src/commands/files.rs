@@ -2,11 +2,9 @@
 
 use super::failure::{Failure, note};
 use super::{interrupt, progress};
-use crate::algorithms::enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::primary::Settings;
 use crate::lesson::{Lesson, builtin};
-use crate::render::Method;
+use crate::methods::{Method, Settings};
 use crate::scene::{self, Limits, Scene, Tessellation, View, document};
 use serde::Deserialize;
 use serde::de::IgnoredAny;
@@ -62,14 +60,11 @@ pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
     })
 }
 
-/// Reads a scene file, or the scene of a lesson file, how far ray methods go in it, and how its light is found.
-pub fn scene(
-    path: &Path,
-    limits: &Limits,
-) -> Result<(Scene, Settings, enclosure::Settings), Failure> {
+/// Reads a scene file, or the scene of a lesson file with its settings.
+pub fn scene(path: &Path, limits: &Limits) -> Result<(Scene, Settings), Failure> {
     match document(path, limits)? {
-        Document::Scene(scene) => Ok((*scene, Settings::default(), enclosure::Settings::default())),
-        Document::Lesson(lesson) => Ok((lesson.scene, lesson.settings, lesson.radiosity)),
+        Document::Scene(scene) => Ok((*scene, Settings::default())),
+        Document::Lesson(lesson) => Ok((lesson.scene, lesson.settings)),
     }
 }
 

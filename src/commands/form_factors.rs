@@ -7,6 +7,7 @@ use super::progress::{Progress, named};
 use crate::algorithms::enclosure::{Enclosure, Settings};
 use crate::algorithms::form_factor::{Method, Report};
 use crate::render;
+use crate::scene::Parts;
 use crate::scene::Scene;
 use crate::scene::patches::Patches;
 use clap::builder::PossibleValuesParser;
@@ -91,7 +92,7 @@ pub fn settings(
 /// A scene's patches, or what is wrong with them.
 pub fn enclosure(scene: &Scene, path: &Path, settings: Settings) -> Result<Enclosure, Failure> {
     named("dividing the scene into patches", || {
-        Enclosure::of(scene, settings)
+        Enclosure::of(scene, settings, Parts::NONE)
     })
     .map_err(|error| files::wrong(&path.display(), &error))
 }

@@ -73,13 +73,13 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     };
     let threads = std::thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
     let rendering = Progress::new("rendering");
-    let picture = render(&open.prepared, open.lesson.method, threads, &|done, all| {
+    let picture = render(&open.setup, open.lesson.method, threads, &|done, all| {
         rendering.show(done, all)
     });
     drop(rendering);
-    let mut finished = Finished::new(picture, &open.prepared.scene.lights);
+    let mut finished = Finished::new(picture, &open.setup.prepared.scene.lights);
     if panels.contains(&Panel::Race) {
-        finished.race = race(&open.prepared);
+        finished.race = race(&open.setup);
     }
     let methods = open
         .lesson
@@ -87,7 +87,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         .iter()
         .filter(|_| panels.iter().any(|panel| panel.compares()));
     finished.compared = methods
-        .map(|&method| compare(&open.prepared, method))
+        .map(|&method| compare(&open.setup, method))
         .collect();
 
     std::fs::create_dir_all(&arguments.out)
@@ -103,7 +103,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             narrated: &narrated,
             breakpoints: &[],
             tree: TreeView::whole(),
-            smooth: open.prepared.radiosity.smooth.then_some(smooth_patches),
+            smooth: open
+                .setup
+                .settings
+                .radiosity
+                .smooth
+                .then_some(smooth_patches),
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

@@ -5,8 +5,7 @@ use super::failure::Failure;
 use super::progress::Progress;
 use super::radiosity::SolutionArguments;
 use super::{files, form_factors};
-use crate::algorithms::prepared_scene::PreparedScene;
-use crate::render::{self, Method};
+use crate::methods::{Method, Settings, Setup};
 use crate::scene::{Camera, LeftOut, Part, Scene};
 use crate::study::ablation::{Ablation, Ablations, Measured, Sameness, Steps, ablations};
 use crate::study::timing::Patience;
@@ -51,21 +50,25 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         None => Method::RayTracing,
     };
     let path = &arguments.scene;
-    let (scene, settings, radiosity) = files::scene(path, &arguments.limits.into())?;
+    let (scene, settings) = files::scene(path, &arguments.limits.into())?;
     let has_camera = scene.camera.is_some();
-    let settings = arguments.rays.or(settings);
-    let radiosity = arguments.solution.or(radiosity, arguments.limits)?;
+    let settings = Settings {
+        rays: arguments.rays.or(settings.rays),
+        radiosity: arguments
+            .solution
+            .or(settings.radiosity, arguments.limits)?,
+        ..Settings::default()
+    };
     if method == Method::Radiosity {
-        form_factors::enclosure(&scene, path, radiosity)?;
+        form_factors::enclosure(&scene, path, settings.radiosity)?;
     }
-    let prepared = files::prepared(with_camera(scene), SIZE, method, &path.display())?
-        .with_settings(settings)
-        .with_radiosity(radiosity);
-    let skipped = render::skipped(&prepared, method);
+    let prepared = files::prepared(with_camera(scene), SIZE, method, &path.display())?;
+    let setup = Setup::new(prepared, settings);
+    let skipped = setup.skipped(method);
     // The light of a room is the same for every camera.
     let measured = (has_camera || method == Method::Radiosity).then(|| {
         let progress = Progress::new("measuring what is saved");
-        ablations(&prepared, method, PATIENCE, &|done, all| {
+        ablations(&setup, method, PATIENCE, &|done, all| {
             progress.show(done, all)
         })
     });
@@ -75,7 +78,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             "scene": path.display().to_string(),
             "method": method.name(),
             "needed": needed(method, &skipped).map(Part::name).collect::<Vec<_>>(),
-            "left_out": self::skipped(&prepared, method),
+            "left_out": self::skipped(&setup, method),
             "size": SIZE,
             "saved": measured.map(|measured| measured.map_or_else(|why| json!({ "error": why }), |ablations| saved(&ablations))),
         });
@@ -83,7 +86,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         return Ok(());
     }
     writeln!(out, "{} of {}", method.name(), path.display())?;
-    tell_list(&prepared, method, &skipped, &mut out)?;
+    tell_list(&setup, method, &skipped, &mut out)?;
     match measured {
         Some(Ok(ablations)) => print_ablations(&ablations, method, &mut out),
         Some(Err(why)) => Ok(writeln!(out, "not measured: {why}")?),
@@ -112,7 +115,7 @@ fn needed(method: Method, skipped: &[LeftOut]) -> impl Iterator<Item = Part> {
 }
 
 fn tell_list(
-    prepared: &PreparedScene,
+    setup: &Setup,
     method: Method,
     skipped: &[LeftOut],
     out: &mut impl Write,
@@ -128,7 +131,7 @@ fn tell_list(
         let (name, why) = (part.name(), part.why());
         writeln!(out, "  left out  {name}{share}: {place}: {why}")?;
     }
-    for object in infinite(prepared, method) {
+    for object in infinite(setup, method) {
         writeln!(out, "  left out  object \"{object}\": {INFINITE}")?;
     }
     Ok(())
@@ -137,14 +140,14 @@ fn tell_list(
 const INFINITE: &str = "an infinite plane has no polygons";
 
 /// The names of objects that the method cannot draw.
-fn infinite(prepared: &PreparedScene, method: Method) -> impl Iterator<Item = &str> {
-    let planes = prepared.tessellation.skipped.iter();
-    let names = planes.map(|&object| prepared.scene.objects[object].name.as_str());
+fn infinite(setup: &Setup, method: Method) -> impl Iterator<Item = &str> {
+    let planes = setup.prepared.tessellation.skipped.iter();
+    let names = planes.map(|&object| setup.prepared.scene.objects[object].name.as_str());
     names.filter(move |_| method.converts_polygons())
 }
 
 /// What was left out of a picture, for `render --stats`.
-pub fn skipped(prepared: &PreparedScene, method: Method) -> Vec<Json> {
+pub fn skipped(setup: &Setup, method: Method) -> Vec<Json> {
     let recorded = |skipped: LeftOut| {
         let LeftOut { part, place, share } = skipped;
         let mut recorded = json!({ "what": part.name(), "place": place, "why": part.why() });
@@ -153,8 +156,8 @@ pub fn skipped(prepared: &PreparedScene, method: Method) -> Vec<Json> {
         }
         recorded
     };
-    let parts = render::skipped(prepared, method).into_iter().map(recorded);
-    let planes = infinite(prepared, method).map(
+    let parts = setup.skipped(method).into_iter().map(recorded);
+    let planes = infinite(setup, method).map(
         |object| json!({ "what": "object", "object": object, "place": "objects", "why": INFINITE }),
     );
     parts.chain(planes).collect()

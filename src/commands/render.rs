@@ -6,10 +6,10 @@ use super::form_factors::MemoryArgument;
 use super::progress::Progress;
 use super::radiosity::{SolutionArguments, light};
 use super::{files, needs};
-use crate::algorithms::enclosure::Settings;
-use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::enclosure;
 use crate::color::{Rgb, pfm, png_rgb8};
-use crate::render::{Method, RayCounts, render, render_counted};
+use crate::methods::{Method, Settings, Setup};
+use crate::render::{RayCounts, render, render_counted};
 use std::fmt::Display;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -78,18 +78,23 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     files::check_output(out)?;
 
     let start = Instant::now();
-    let (scene, settings, radiosity) = files::scene(&arguments.scene, &arguments.limits.into())?;
+    let (scene, settings) = files::scene(&arguments.scene, &arguments.limits.into())?;
     let read = start.elapsed();
-    let settings = arguments.rays.or(settings);
-    let prepared = files::prepared(scene, arguments.size, method, &arguments.scene.display())?
-        .with_settings(settings)
-        .with_radiosity(Settings {
+    let settings = Settings {
+        rays: arguments.rays.or(settings.rays),
+        radiosity: enclosure::Settings {
             smooth: arguments.smooth,
-            ..arguments.solution.or(radiosity, arguments.limits)?
-        });
+            ..arguments
+                .solution
+                .or(settings.radiosity, arguments.limits)?
+        },
+        ..Settings::default()
+    };
+    let prepared = files::prepared(scene, arguments.size, method, &arguments.scene.display())?;
+    let setup = Setup::new(prepared, settings);
     let staged = start.elapsed();
     if method == Method::Radiosity {
-        solve(&prepared, &arguments)?;
+        solve(&setup, &arguments)?;
     }
     let solved = start.elapsed();
     let threads = match arguments.threads {
@@ -99,11 +104,8 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let progress = Progress::new("rendering");
     let show = |done, all| progress.show(done, all);
     let (frame, rays) = match arguments.stats {
-        true => render_counted(&prepared, method, prepared.needs(), threads, &show),
-        false => (
-            render(&prepared, method, threads, &show),
-            RayCounts::default(),
-        ),
+        true => render_counted(&setup, method, setup.needs(), threads, &show),
+        false => (render(&setup, method, threads, &show), RayCounts::default()),
     };
     drop(progress);
     let rendered = start.elapsed();
@@ -123,7 +125,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let written = start.elapsed();
 
     if arguments.stats {
-        let skipped = needs::skipped(&prepared, method);
+        let skipped = needs::skipped(&setup, method);
         let stats = serde_json::json!({
             "method": method.name(),
             "size": [width, height],
@@ -135,7 +137,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
                 "render": (rendered - solved).as_secs_f64(),
                 "write": (written - rendered).as_secs_f64(),
             },
-            "polygons": prepared.tessellation.polygon_count(),
+            "polygons": setup.prepared.tessellation.polygon_count(),
             "rays": {
                 "primary": rays.primary,
                 "shadow": rays.shadow,
@@ -152,9 +154,9 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 }
 
 /// Finds the light of the scene's room, or says why there is none.
-fn solve(prepared: &PreparedScene, arguments: &Arguments) -> Result<(), Failure> {
+fn solve(setup: &Setup, arguments: &Arguments) -> Result<(), Failure> {
     let wrong = |error: &dyn Display| files::wrong(&arguments.scene.display(), error);
-    let enclosure = prepared.enclosure().map_err(|error| wrong(error))?;
+    let enclosure = setup.enclosure().map_err(|error| wrong(error))?;
     if let Some(refusal) = arguments.memory.refusal(enclosure) {
         return Err(wrong(&refusal));
     }

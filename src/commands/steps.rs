@@ -7,12 +7,9 @@ use super::failure::{Failure, note};
 use super::files::{self, Document};
 use super::progress::{self, Progress};
 use super::radiosity::SolutionArguments;
-use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
-use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::primary::Settings;
+use crate::methods::{Method, Settings, Setup};
 use crate::record::{RecordingLimit, Value};
-use crate::render::Method;
 use crate::replay::{Run, Walk};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Value as Json, json};
@@ -140,6 +137,16 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     }
 }
 
+impl Arguments {
+    fn settings(&self, unless: Settings) -> Result<Settings, Failure> {
+        Ok(Settings {
+            rays: self.rays.or(unless.rays),
+            radiosity: self.solution.or(unless.radiosity, self.limits)?,
+            ..unless
+        })
+    }
+}
+
 fn record(arguments: &Arguments) -> Result<Run, Failure> {
     let wrong = |message: &str| Failure::Wrong(message.to_owned());
     let focus = arguments.focus.focus();
@@ -160,13 +167,10 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
         Document::Lesson(lesson) => {
             let method = method.unwrap_or(lesson.method);
             let size = arguments.size.unwrap_or(lesson.size);
-            let radiosity = arguments.solution.or(lesson.radiosity, arguments.limits)?;
-            let prepared = files::prepared(lesson.scene, size, method, &arguments.name)?
-                .with_settings(arguments.rays.or(lesson.settings))
-                .with_radiosity(radiosity)
-                .with_mapping(lesson.mapping);
+            let settings = arguments.settings(lesson.settings)?;
+            let prepared = files::prepared(lesson.scene, size, method, &arguments.name)?;
             record_on(
-                prepared,
+                Setup::new(prepared, settings),
                 method,
                 focus.unwrap_or(lesson.focus),
                 &arguments.name,
@@ -177,12 +181,10 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
                 wrong("--method is missing: a scene can be drawn in several ways")
             })?;
             let size = arguments.size.unwrap_or([640, 480]);
-            let unless = enclosure::Settings::default();
-            let prepared = files::prepared(*scene, size, method, &arguments.name)?
-                .with_settings(arguments.rays.or(Settings::default()))
-                .with_radiosity(arguments.solution.or(unless, arguments.limits)?);
+            let settings = arguments.settings(Settings::default())?;
+            let prepared = files::prepared(*scene, size, method, &arguments.name)?;
             record_on(
-                prepared,
+                Setup::new(prepared, settings),
                 method,
                 focus.unwrap_or(Focus::Frame),
                 &arguments.name,
@@ -191,16 +193,10 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
     }
 }
 
-fn record_on(
-    prepared: PreparedScene,
-    method: Method,
-    focus: Focus,
-    name: &str,
-) -> Result<Run, Failure> {
-    if method == Method::Radiosity {
-        let wrong = |error: &_| files::wrong(&name, error);
-        prepared.enclosure().map_err(|error| wrong(&error))?;
-    }
+fn record_on(setup: Setup, method: Method, focus: Focus, name: &str) -> Result<Run, Failure> {
+    setup
+        .check_for(method)
+        .map_err(|error| files::wrong(&name, error))?;
     let option = match focus {
         Focus::Frame => "",
         Focus::Polygon(_) => "--polygon",
@@ -210,7 +206,7 @@ fn record_on(
         Focus::Patch(_) => "--patch",
         Focus::FormFactor { .. } => "--form-factor",
     };
-    if !method.tells_of(focus) {
+    if !method.records(focus) {
         let does = if method.converts_polygons() {
             "goes polygon by polygon; choose --pixel, --scan-line or --polygon"
         } else if method.follows_rays() {
@@ -223,11 +219,11 @@ fn record_on(
             method.name()
         )));
     }
-    prepared
+    setup
         .check(focus)
         .map_err(|outside| Failure::Wrong(format!("{option} {outside}")))?;
     Ok(progress::named("recording", || {
-        Run::record(Arc::new(prepared), method, focus, RecordingLimit::default())
+        Run::record(Arc::new(setup), method, focus, RecordingLimit::default())
     }))
 }
 

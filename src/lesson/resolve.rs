@@ -6,14 +6,12 @@ use super::narrate::narrate;
 use super::narrated::Narrated;
 use super::parameters::{Parameter, parameters};
 use super::settings::{compare, mapping, radiosity, rays};
-use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::primary::Settings;
-use crate::algorithms::texture::Mapping;
+use crate::methods::{Method, Settings, Setup};
 use crate::panels::Panel;
 use crate::record::RecordingLimit;
-use crate::render::{MAX_PIXELS, MAX_SIDE, Method};
+use crate::render::{MAX_PIXELS, MAX_SIDE};
 use crate::replay::Run;
 use crate::scene::document::{self, Keyed, Problem};
 use crate::scene::{self, Limits, Scene, View};
@@ -31,14 +29,9 @@ pub struct Lesson {
     pub method: Method,
     /// Pixels, width and height.
     pub size: [u32; 2],
-    /// How far the ray methods go.
     pub settings: Settings,
-    /// How the light of a room is found.
-    pub radiosity: enclosure::Settings,
     /// Methods whose pictures are compared, the last one the reference.
     pub compare: Vec<Method>,
-    /// Where the textures of polygons are looked up.
-    pub mapping: Mapping,
     pub focus: Focus,
     /// What may be changed while one looks.
     pub parameters: Vec<Parameter>,
@@ -49,7 +42,7 @@ pub struct Lesson {
 /// A lesson that was run, with every narrated step found in the run.
 pub struct OpenLesson {
     pub lesson: Lesson,
-    pub prepared: Arc<PreparedScene>,
+    pub setup: Arc<Setup>,
     pub run: Run,
     /// In the order of their steps.
     pub narrated: Vec<Narrated>,
@@ -116,7 +109,7 @@ impl Lesson {
             FocusFile::Patch(number) => Focus::Patch(number),
             FocusFile::FormFactor([i, j]) => Focus::FormFactor { i, j },
         };
-        if let Some(method) = method.filter(|method| !method.tells_of(focus)) {
+        if let Some(method) = method.filter(|method| !method.records(focus)) {
             let allowed = if method.converts_polygons() {
                 "allowed are `frame`, `polygon`, `scan_line` and `pixel`"
             } else if method.follows_rays() {
@@ -130,10 +123,12 @@ impl Lesson {
             );
             problems.push(problem("focus", message));
         }
-        let settings = rays(&file, &mut problems);
-        let radiosity = radiosity(&file, &mut problems);
+        let settings = Settings {
+            rays: rays(&file, &mut problems),
+            radiosity: radiosity(&file, &mut problems),
+            mapping: mapping(&file, &mut problems),
+        };
         let compare = compare(&file, &mut problems);
-        let mapping = mapping(&file, &mut problems);
 
         match (scene, method) {
             (Some(scene), Some(method)) if problems.is_empty() => Ok(Lesson {
@@ -146,9 +141,7 @@ impl Lesson {
                 method,
                 size: file.size,
                 settings,
-                radiosity,
                 compare,
-                mapping,
                 focus,
                 parameters,
                 panels,
@@ -160,18 +153,16 @@ impl Lesson {
 
     /// Runs the lesson and finds its narrated steps. Errors: every anchor, value and answer that is not in the run.
     pub fn open(self) -> Result<OpenLesson, LessonError> {
-        let prepared = Arc::new(
-            self.prepared(self.scene.clone())
+        let setup = Arc::new(
+            self.setup(self.scene.clone())
                 .ok_or_else(|| problem("scene.camera", "the key is missing"))?,
         );
-        if self.method == Method::Radiosity {
-            let wrong = |error: &_| problem("scene", format!("{error}"));
-            prepared.enclosure().map_err(wrong)?;
-        }
+        let wrong = |error: &_| problem("scene", format!("{error}"));
+        setup.check_for(self.method).map_err(wrong)?;
         let outside = |outside| problem("focus", format!("found {outside}"));
-        prepared.check(self.focus).map_err(outside)?;
+        setup.check(self.focus).map_err(outside)?;
         let run = Run::record(
-            prepared.clone(),
+            setup.clone(),
             self.method,
             self.focus,
             RecordingLimit::default(),
@@ -179,23 +170,18 @@ impl Lesson {
         let narrated = self.narrate(&run)?;
         Ok(OpenLesson {
             lesson: self,
-            prepared,
+            setup,
             run,
             narrated,
         })
     }
 
     /// The lesson's scene, as it is or changed, in front of its camera. None without a camera.
-    pub fn prepared(&self, scene: Scene) -> Option<PreparedScene> {
+    pub fn setup(&self, scene: Scene) -> Option<Setup> {
         let [width, height] = self.size;
         let view = View::new(scene.camera.as_ref()?, width, height);
         let prepared = PreparedScene::new(scene, view);
-        Some(
-            prepared
-                .with_settings(self.settings)
-                .with_radiosity(self.radiosity)
-                .with_mapping(self.mapping),
-        )
+        Some(Setup::new(prepared, self.settings))
     }
 
     /// What is said in a run of the lesson's own part. Errors: every anchor, value and answer that is not in the run.

@@ -48,7 +48,7 @@ pub fn compare(file: &LessonFile, problems: &mut Vec<Problem>) -> Vec<Picture> {
     let allowed = || {
         Picture::ALL
             .into_iter()
-            .filter(|&method| method != Picture::Radiosity)
+            .filter(|method| method.draws_pixels())
     };
     for (index, name) in names.iter().enumerate() {
         let place = format!("compare[{index}]");

@@ -2,38 +2,25 @@
 
 use super::file::{StepFile, Text};
 use super::resolve::Lesson;
-use crate::algorithms::focus::Focus;
-use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::primary::Settings;
+use crate::methods::{Method, Setup};
 use crate::panels::Panel;
-use crate::render::Method;
 use crate::replay::Query;
 
 impl Lesson {
     /// The number of a lesson that stands in no list.
     pub const UNNUMBERED: u32 = 0;
 
-    /// A lesson about the middle of a picture of the stage. `title` is the same in both languages, `say` is by language; in
-    /// neither may there be braces. `method` draws pictures of its own: it is not radiosity.
+    /// A lesson about the middle of a picture. `title` is the same in both languages, `say` is by language; in
+    /// neither may there be braces.
     pub fn of_picture(
         title: String,
         say: [String; 2],
-        prepared: &PreparedScene,
+        setup: &Setup,
         method: Method,
-        settings: Settings,
     ) -> Lesson {
+        let prepared = &setup.prepared;
         let size = [prepared.view.width, prepared.view.height];
-        let [x, y] = size.map(|side| side / 2);
-        let (focus, panels) = match method.follows_rays() {
-            true => (
-                Focus::Pixel { x, y },
-                vec![Panel::Image, Panel::RayTree, Panel::Rays],
-            ),
-            false => (
-                Focus::ScanLine(y),
-                vec![Panel::Image, Panel::ScanLine, Panel::Inspector],
-            ),
-        };
+        let panels = method.panels().iter();
         let [en, id] = say;
         let say = Text { en, id };
         Lesson {
@@ -48,13 +35,11 @@ impl Lesson {
             scene: prepared.scene.clone(),
             method,
             size,
-            settings,
-            radiosity: prepared.radiosity,
+            settings: setup.settings,
             compare: Vec::new(),
-            mapping: prepared.mapping,
-            focus,
+            focus: method.family().focus(size),
             parameters: Vec::new(),
-            panels,
+            panels: panels.filter_map(|name| Panel::from_name(name)).collect(),
             steps: vec![StepFile {
                 at: Query::default(),
                 say,

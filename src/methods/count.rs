@@ -1,12 +1,12 @@
 //! What a whole run of a method does, counted by kinds of events, of which none is kept.
 
+use super::radiosity;
 use super::ray_casting::RayCasting;
 use super::ray_tracing::RayTracing;
 use super::wireframe::Wireframe;
-use super::{Draw, Method, ShadingMethod, Visitor};
+use super::{Draw, Method, Setup, ShadingMethod, Visitor};
+use crate::algorithms;
 use crate::algorithms::focus::Focus;
-use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::radiosity::{self, RecordFilter};
 use crate::algorithms::visible::Bvh;
 use crate::record::Counter;
 
@@ -19,20 +19,20 @@ pub struct Counted {
 
 impl Method {
     /// Counts the events of the whole frame, or of the solution of the room; none where the room has no patches.
-    pub fn count(self, prepared: &PreparedScene) -> Counted {
-        self.visit(Count { prepared })
+    pub fn count(self, setup: &Setup) -> Counted {
+        self.visit(Count { setup })
     }
 }
 
 struct Count<'a> {
-    prepared: &'a PreparedScene,
+    setup: &'a Setup,
 }
 
 impl Count<'_> {
     fn frame<M: Draw>(self) -> Counted {
         let mut events = Counter::default();
-        let frame = &mut self.prepared.empty_frame();
-        M::draw(self.prepared, Focus::Frame, frame, Bvh, &mut events);
+        let frame = &mut self.setup.prepared.empty_frame();
+        M::draw(self.setup, Focus::Frame, frame, Bvh, &mut events);
         Counted {
             events,
             event_size: size_of::<M::Event>(),
@@ -61,14 +61,14 @@ impl Visitor for Count<'_> {
 
     fn radiosity(self) -> Counted {
         let mut events = Counter::default();
-        if let Ok(enclosure) = self.prepared.enclosure() {
+        if let Ok(enclosure) = self.setup.enclosure() {
             let matrix = enclosure.matrix_or(|| enclosure.form_factors().matrix());
             // Why there is no solution, whoever needs one hears from `Enclosure::solve`.
-            let _ = enclosure.solve(matrix, &RecordFilter::default(), &mut events);
+            let _ = radiosity::solve(enclosure, matrix, Focus::Frame, &mut events);
         }
         Counted {
             events,
-            event_size: size_of::<radiosity::Event>(),
+            event_size: size_of::<algorithms::radiosity::Event>(),
         }
     }
 }

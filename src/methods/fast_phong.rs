@@ -1,10 +1,9 @@
 //! Fast Phong shading: the cosines as Taylor series over a triangle.
 
-use super::{Draw, Family, Properties, ShadingEvent, ShadingMethod, Visitor};
+use super::{Draw, Family, Properties, Setup, ShadingEvent, ShadingMethod, Visitor};
 use crate::algorithms::fast_phong::{self as algorithm, fast_phong};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::shading;
 use crate::algorithms::visible::Search;
 use crate::record::Recorder;
@@ -15,6 +14,7 @@ pub enum FastPhong {}
 impl Properties for FastPhong {
     const NAME: &'static str = "fast-phong";
     const FAMILY: Family = Family::Polygons;
+    const PANELS: &'static [&'static str] = &["image", "scan-line", "inspector"];
 
     /// Its series of the highlight goes along whatever the material.
     fn does(part: Part) -> bool {
@@ -30,13 +30,13 @@ impl Draw for FastPhong {
     type Event = algorithm::Event;
 
     fn draw<R: Recorder<Self::Event>>(
-        prepared: &PreparedScene,
+        setup: &Setup,
         focus: Focus,
         frame: &mut Frame,
         _: impl Search,
         recorder: &mut R,
     ) {
-        fast_phong(prepared, focus, frame, recorder);
+        fast_phong(&setup.prepared, focus, frame, recorder);
     }
 }
 

@@ -1,10 +1,9 @@
 //! Flat shading: one intensity a polygon.
 
-use super::{Draw, Family, Properties, ShadingMethod, Visitor};
+use super::{Draw, Family, Properties, Setup, ShadingMethod, Visitor};
 use crate::algorithms::flat::{self as algorithm, flat};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::visible::Search;
 use crate::record::Recorder;
 use crate::scene::Part;
@@ -14,6 +13,7 @@ pub enum Flat {}
 impl Properties for Flat {
     const NAME: &'static str = "flat";
     const FAMILY: Family = Family::Polygons;
+    const PANELS: &'static [&'static str] = &["image", "scan-line", "inspector"];
 
     fn does(part: Part) -> bool {
         matches!(part, Part::TextureCoordinates | Part::Highlights)
@@ -28,13 +28,13 @@ impl Draw for Flat {
     type Event = algorithm::Event;
 
     fn draw<R: Recorder<Self::Event>>(
-        prepared: &PreparedScene,
+        setup: &Setup,
         focus: Focus,
         frame: &mut Frame,
         _: impl Search,
         recorder: &mut R,
     ) {
-        flat(prepared, focus, frame, recorder);
+        flat(&setup.prepared, focus, frame, recorder);
     }
 }
 

@@ -12,11 +12,11 @@ pub mod phong;
 pub mod radiosity;
 pub mod ray_casting;
 pub mod ray_tracing;
+mod setup;
 pub mod wireframe;
 
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::shading::{self, Shading};
 use crate::algorithms::visible::Search;
 use crate::color::Rgb;
@@ -25,6 +25,7 @@ use crate::scene::{Needs, Part};
 use crate::vocabulary::Declared;
 
 pub use count::Counted;
+pub use setup::{Outside, Settings, Setup};
 
 /// What a method works on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +39,16 @@ pub enum Family {
 }
 
 impl Family {
+    /// What a lesson looks at that is made in the program, in a picture of that size.
+    pub fn focus(self, size: [u32; 2]) -> Focus {
+        let [x, y] = size.map(|side| side / 2);
+        match self {
+            Family::Polygons => Focus::ScanLine(y),
+            Family::Rays => Focus::Pixel { x, y },
+            Family::Exchange => Focus::Frame,
+        }
+    }
+
     fn records(self, focus: Focus) -> bool {
         match focus {
             Focus::Frame => true,
@@ -55,6 +66,8 @@ pub trait Properties {
     /// As on the command line and in lesson files.
     const NAME: &'static str;
     const FAMILY: Family;
+    /// By name: what a lesson shows that is made in the program.
+    const PANELS: &'static [&'static str];
 
     /// Whether it does that part of the work, where the scene needs it.
     fn does(part: Part) -> bool;
@@ -69,7 +82,7 @@ pub trait Draw {
 
     /// Draws what `focus` takes of the frame. `search` finds what a ray meets, where the method follows rays.
     fn draw<R: Recorder<Self::Event>>(
-        prepared: &PreparedScene,
+        setup: &Setup,
         focus: Focus,
         frame: &mut Frame,
         search: impl Search,
@@ -100,7 +113,7 @@ pub trait RayMethod: Draw {
     type Tracer<'a, S: Search + Sync + 'a>: Sync;
 
     fn tracer<'a, S: Search + Sync>(
-        prepared: &'a PreparedScene,
+        setup: &'a Setup,
         needs: &'a Needs,
         search: S,
     ) -> Self::Tracer<'a, S>;
@@ -134,6 +147,13 @@ macro_rules! methods {
         }
 
         impl Method {
+            /// By name: what a lesson shows that is made in the program.
+            pub fn panels(self) -> &'static [&'static str] {
+                match self {
+                    $(Method::$name => $module::$name::PANELS,)*
+                }
+            }
+
             pub fn family(self) -> Family {
                 match self {
                     $(Method::$name => $module::$name::FAMILY,)*
@@ -180,8 +200,13 @@ impl Method {
         self.family() == Family::Polygons
     }
 
-    /// Whether a run of it can be told of that part.
-    pub fn tells_of(self, focus: Focus) -> bool {
+    /// Whether its runs draw pixel by pixel.
+    pub fn draws_pixels(self) -> bool {
+        self.family() != Family::Exchange
+    }
+
+    /// Whether that part of a run can be recorded.
+    pub fn records(self, focus: Focus) -> bool {
         self.family().records(focus)
     }
 }

@@ -1,10 +1,9 @@
 //! Phong shading: the normal interpolated from the vertices, lit at every pixel.
 
-use super::{Draw, Family, Properties, ShadingMethod, Visitor};
+use super::{Draw, Family, Properties, Setup, ShadingMethod, Visitor};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::phong::{self as algorithm, phong};
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::visible::Search;
 use crate::record::Recorder;
 use crate::scene::Part;
@@ -14,6 +13,7 @@ pub enum Phong {}
 impl Properties for Phong {
     const NAME: &'static str = "phong";
     const FAMILY: Family = Family::Polygons;
+    const PANELS: &'static [&'static str] = &["image", "scan-line", "inspector"];
 
     fn does(part: Part) -> bool {
         matches!(part, Part::TextureCoordinates | Part::Highlights)
@@ -28,13 +28,13 @@ impl Draw for Phong {
     type Event = algorithm::Event;
 
     fn draw<R: Recorder<Self::Event>>(
-        prepared: &PreparedScene,
+        setup: &Setup,
         focus: Focus,
         frame: &mut Frame,
         _: impl Search,
         recorder: &mut R,
     ) {
-        phong(prepared, focus, frame, recorder);
+        phong(&setup.prepared, focus, frame, recorder);
     }
 }
 

@@ -1,6 +1,11 @@
-//! Radiosity: the light that the patches of a room exchange, seen from the camera.
+//! Radiosity: the light that the patches of an enclosure exchange, seen from the camera.
 
 use super::{Family, Properties, Visitor};
+use crate::algorithms::enclosure::{Enclosure, Light};
+use crate::algorithms::focus::Focus;
+use crate::algorithms::form_factor::{self, FormFactors};
+use crate::algorithms::radiosity::{ChannelUnsolved, Event, RecordFilter};
+use crate::record::{Recorder, Unrecorded};
 use crate::scene::Part;
 
 pub enum Radiosity {}
@@ -8,6 +13,7 @@ pub enum Radiosity {}
 impl Properties for Radiosity {
     const NAME: &'static str = "radiosity";
     const FAMILY: Family = Family::Exchange;
+    const PANELS: &'static [&'static str] = &["radiosity", "matrix", "convergence"];
 
     fn does(part: Part) -> bool {
         part.concerns_patches()
@@ -16,4 +22,38 @@ impl Properties for Radiosity {
     fn visit<V: Visitor>(visitor: V) -> V::Output {
         visitor.radiosity()
     }
+}
+
+/// Solves for the light of the enclosure, of which what `focus` selects is recorded. Errors: why there is no solution, which the
+/// last event says too.
+pub fn solve<R: Recorder<Event>>(
+    enclosure: &Enclosure,
+    matrix: &[f64],
+    focus: Focus,
+    recorder: &mut R,
+) -> Result<Light, ChannelUnsolved> {
+    let mut filter = RecordFilter::default();
+    match focus {
+        Focus::Iterations { start, end } => filter.iterations = Some(start..end),
+        Focus::Patch(patch) => filter.patch = Some(patch),
+        _ => {}
+    }
+    enclosure.solve(matrix, &filter, recorder)
+}
+
+/// How exact the form factor is that others are compared with.
+const REFERENCE: form_factor::Method = form_factor::Method::Contour { tolerance: 1e-10 };
+
+/// Finds the form factor from patch i to patch j, after the one that it is compared with.
+pub fn form_factor<R: Recorder<form_factor::Event>>(
+    enclosure: &Enclosure,
+    [i, j]: [u32; 2],
+    recorder: &mut R,
+) {
+    let [i, j] = [i as usize, j as usize];
+    let blockers = enclosure.settings.visibility.then_some(&enclosure.blockers);
+    let reference = FormFactors::new(&enclosure.patches, REFERENCE, blockers);
+    let f = reference.pair(i, j, &mut Unrecorded);
+    recorder.step(|| form_factor::Event::Reference { f });
+    enclosure.form_factors().pair(i, j, recorder);
 }

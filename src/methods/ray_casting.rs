@@ -1,9 +1,8 @@
 //! Ray casting: the visible surface of each pixel, lit.
 
-use super::{Draw, Family, Properties, RayMethod, Visitor};
+use super::{Draw, Family, Properties, RayMethod, Setup, Visitor};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::ray_casting::{self as algorithm, RayCaster, ray_casting};
 use crate::algorithms::visible::Search;
 use crate::color::Rgb;
@@ -15,6 +14,7 @@ pub enum RayCasting {}
 impl Properties for RayCasting {
     const NAME: &'static str = "ray-casting";
     const FAMILY: Family = Family::Rays;
+    const PANELS: &'static [&'static str] = &["image", "ray-tree", "rays"];
 
     fn does(part: Part) -> bool {
         part.concerns_primary_rays()
@@ -29,13 +29,13 @@ impl Draw for RayCasting {
     type Event = algorithm::Event;
 
     fn draw<R: Recorder<Self::Event>>(
-        prepared: &PreparedScene,
+        setup: &Setup,
         focus: Focus,
         frame: &mut Frame,
         search: impl Search,
         recorder: &mut R,
     ) {
-        let tracer = RayCaster::new(prepared, prepared.needs(), search);
+        let tracer = RayCaster::new(&setup.prepared, setup.settings.rays, setup.needs(), search);
         ray_casting(&tracer, focus, frame, recorder);
     }
 }
@@ -44,11 +44,11 @@ impl RayMethod for RayCasting {
     type Tracer<'a, S: Search + Sync + 'a> = RayCaster<'a, S>;
 
     fn tracer<'a, S: Search + Sync>(
-        prepared: &'a PreparedScene,
+        setup: &'a Setup,
         needs: &'a Needs,
         search: S,
     ) -> RayCaster<'a, S> {
-        RayCaster::new(prepared, needs, search)
+        RayCaster::new(&setup.prepared, setup.settings.rays, needs, search)
     }
 
     fn pixel<S: Search + Sync, R: Recorder<Self::Event>>(

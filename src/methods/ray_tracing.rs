@@ -1,9 +1,8 @@
 //! Ray tracing: shadows, reflection and refraction.
 
-use super::{Draw, Family, Properties, RayMethod, Visitor};
+use super::{Draw, Family, Properties, RayMethod, Setup, Visitor};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::ray_tracing::{self as algorithm, RayTracer, ray_tracing};
 use crate::algorithms::visible::Search;
 use crate::color::Rgb;
@@ -15,6 +14,7 @@ pub enum RayTracing {}
 impl Properties for RayTracing {
     const NAME: &'static str = "ray-tracing";
     const FAMILY: Family = Family::Rays;
+    const PANELS: &'static [&'static str] = &["image", "ray-tree", "rays"];
 
     fn does(part: Part) -> bool {
         !part.concerns_patches()
@@ -29,13 +29,13 @@ impl Draw for RayTracing {
     type Event = algorithm::Event;
 
     fn draw<R: Recorder<Self::Event>>(
-        prepared: &PreparedScene,
+        setup: &Setup,
         focus: Focus,
         frame: &mut Frame,
         search: impl Search,
         recorder: &mut R,
     ) {
-        let tracer = RayTracer::new(prepared, prepared.needs(), search);
+        let tracer = RayTracer::new(&setup.prepared, setup.settings.rays, setup.needs(), search);
         ray_tracing(&tracer, focus, frame, recorder);
     }
 }
@@ -44,11 +44,11 @@ impl RayMethod for RayTracing {
     type Tracer<'a, S: Search + Sync + 'a> = RayTracer<'a, S>;
 
     fn tracer<'a, S: Search + Sync>(
-        prepared: &'a PreparedScene,
+        setup: &'a Setup,
         needs: &'a Needs,
         search: S,
     ) -> RayTracer<'a, S> {
-        RayTracer::new(prepared, needs, search)
+        RayTracer::new(&setup.prepared, setup.settings.rays, needs, search)
     }
 
     fn pixel<S: Search + Sync, R: Recorder<Self::Event>>(

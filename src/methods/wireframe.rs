@@ -1,9 +1,8 @@
 //! The edges alone: nothing is lit, so nothing of a surface matters.
 
-use super::{Draw, Family, Properties, Visitor};
+use super::{Draw, Family, Properties, Setup, Visitor};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::visible::Search;
 use crate::algorithms::wireframe::{self as algorithm, wireframe};
 use crate::record::Recorder;
@@ -14,6 +13,7 @@ pub enum Wireframe {}
 impl Properties for Wireframe {
     const NAME: &'static str = "wireframe";
     const FAMILY: Family = Family::Polygons;
+    const PANELS: &'static [&'static str] = &["image", "scan-line", "inspector"];
 
     fn does(_: Part) -> bool {
         false
@@ -28,12 +28,12 @@ impl Draw for Wireframe {
     type Event = algorithm::Event;
 
     fn draw<R: Recorder<Self::Event>>(
-        prepared: &PreparedScene,
+        setup: &Setup,
         focus: Focus,
         frame: &mut Frame,
         _: impl Search,
         recorder: &mut R,
     ) {
-        wireframe(prepared, focus, frame, recorder);
+        wireframe(&setup.prepared, focus, frame, recorder);
     }
 }

@@ -5,7 +5,6 @@ use super::labels::Labels;
 use super::message::{NO_PATCHES, message};
 use super::values::told_in_words;
 use crate::algorithms::focus::Focus;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message, power_of_ten};
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, elide};
 use crate::replay::Run;
@@ -39,7 +38,7 @@ const CHANNELS: [(&str, &str, Ink); 3] = [
 ];
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
-    let Run::Radiosity(prepared, replay) = input.run else {
+    let Run::Radiosity(setup, replay) = input.run else {
         return message(NO_PATCHES, input.language, size);
     };
     let state = replay.state();
@@ -54,12 +53,17 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         },
         input.language,
     );
-    let axes = Axes::new(prepared, state, input.focus, whole);
+    let axes = Axes::new(
+        setup.settings.radiosity.stop.tolerance,
+        state,
+        input.focus,
+        whole,
+    );
     axes.draw(&mut picture, input.language);
     let mut labels = Labels::new(axes.place.grown(2.0));
     let name = axes.tolerance(
         &mut picture,
-        prepared.radiosity.stop.tolerance,
+        setup.settings.radiosity.stop.tolerance,
         input.language,
     );
     if let Some(name) = name {
@@ -136,9 +140,9 @@ struct Axes {
 
 impl Axes {
     /// As far as the finished solution goes, where there is one, so that the axes stay as they are from step to step.
-    fn new(prepared: &PreparedScene, state: &State, focus: Focus, whole: Rect) -> Self {
+    fn new(tolerance: f64, state: &State, focus: Focus, whole: Rect) -> Self {
         let ends = state.solved.as_ref().map_or(&[][..], |solved| &solved.ends);
-        let mut values = vec![prepared.radiosity.stop.tolerance, 1.0];
+        let mut values = vec![tolerance, 1.0];
         let mut last = ends.iter().map(|&(iterations, _)| iterations).max();
         last = last.map(|iterations| iterations.saturating_sub(1));
         let first = match focus {

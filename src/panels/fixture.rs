@@ -9,6 +9,7 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
 use crate::color::Rgb;
+use crate::methods::Setup;
 use crate::record::RecordingLimit;
 use crate::render::{Finished, Method, render};
 use crate::replay::Run;
@@ -67,10 +68,10 @@ impl Fixture {
             depth: NonZeroU32::new(depth).expect("a depth is at least 1"),
             ..Settings::default()
         };
-        let prepared = prepared(scene, (640, 480)).with_settings(settings);
+        let setup = Setup::new(prepared(scene, (640, 480)), settings);
         let focus = Focus::Pixel { x, y };
-        let picture = prepared.empty_frame();
-        Fixture::recorded(prepared, picture, method, focus)
+        let picture = setup.prepared.empty_frame();
+        Fixture::recorded(setup, picture, method, focus)
     }
 
     /// A red ball over a white floor under a lamp, 64 patches, whose light `solver` finds; 640×480 pixels, none finished.
@@ -89,9 +90,9 @@ impl Fixture {
             solver,
             ..enclosure::Settings::default()
         };
-        let prepared = prepared(scene, (640, 480)).with_radiosity(settings);
-        let picture = prepared.empty_frame();
-        Fixture::recorded(prepared, picture, Method::Radiosity, focus)
+        let setup = Setup::new(prepared(scene, (640, 480)), settings);
+        let picture = setup.prepared.empty_frame();
+        Fixture::recorded(setup, picture, Method::Radiosity, focus)
     }
 
     pub fn of(scene: Scene, method: Method, focus: Focus, size: (u32, u32)) -> Self {
@@ -105,22 +106,22 @@ impl Fixture {
         size: (u32, u32),
         settings: Settings,
     ) -> Self {
-        let prepared = prepared(scene, size).with_settings(settings);
-        Fixture::rendered(prepared, method, focus)
+        let setup = Setup::new(prepared(scene, size), settings);
+        Fixture::rendered(setup, method, focus)
     }
 
     /// A run of `method`, with its finished picture.
-    pub fn rendered(prepared: PreparedScene, method: Method, focus: Focus) -> Self {
-        let picture = render(&prepared, method, NonZeroUsize::MIN, &|_, _| {});
-        Fixture::recorded(prepared, picture, method, focus)
+    pub fn rendered(setup: Setup, method: Method, focus: Focus) -> Self {
+        let picture = render(&setup, method, NonZeroUsize::MIN, &|_, _| {});
+        Fixture::recorded(setup, picture, method, focus)
     }
 
     /// A run of `method` with another finished picture.
-    pub fn recorded(prepared: PreparedScene, picture: Frame, method: Method, focus: Focus) -> Self {
-        let finished = Finished::new(picture, &prepared.scene.lights);
+    pub fn recorded(setup: Setup, picture: Frame, method: Method, focus: Focus) -> Self {
+        let finished = Finished::new(picture, &setup.prepared.scene.lights);
         let limit = RecordingLimit::default();
         Fixture {
-            run: Run::record(Arc::new(prepared), method, focus, limit),
+            run: Run::record(Arc::new(setup), method, focus, limit),
             finished,
             focus,
         }

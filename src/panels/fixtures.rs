@@ -12,6 +12,7 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::texture::Mapping;
 use crate::color::Rgb;
+use crate::methods::Setup;
 use crate::picture::{Picture, Rect, Shape as Drawn};
 use crate::record::RecordingLimit;
 use crate::render::Method;
@@ -20,6 +21,7 @@ use crate::scene::{Camera, Highlight, Light, Material, Mesh, Object, Scene, Shap
 use glam::{DVec3, Vec2};
 use std::collections::HashMap;
 use std::num::NonZeroU32;
+use std::sync::Arc;
 
 /// Sizes at which panels are checked: the smallest, as in the window, low and wide, tall, large.
 pub const SIZES: [Vec2; 6] = [
@@ -204,8 +206,8 @@ pub fn textured(method: Method, mapping: Mapping) -> Fixture {
         vec![lamp(Rgb::WHITE)],
     );
     let camera = scene.camera.expect("it has one");
-    let prepared = PreparedScene::new(scene, View::new(&camera, 16, 12)).with_mapping(mapping);
-    Fixture::rendered(prepared, method, Focus::Frame)
+    let prepared = PreparedScene::new(scene, View::new(&camera, 16, 12));
+    Fixture::rendered(Setup::new(prepared, mapping), method, Focus::Frame)
 }
 
 /// Every kind of step of the ray methods: objects met, missed and hidden, a light ball, blocked lights, glass with total
@@ -280,8 +282,13 @@ pub fn rays(method: Method, samples: u32) -> Fixture {
 /// A run with no steps: there is no room to record any.
 pub fn nothing() -> Fixture {
     let mut fixture = fixtures(Method::Gouraud);
-    let prepared = fixture.run.prepared().clone();
-    fixture.run = Run::record(prepared, Method::Gouraud, Focus::Frame, RecordingLimit(0));
+    let setup = Setup::new(fixture.run.prepared().clone(), Settings::default());
+    fixture.run = Run::record(
+        Arc::new(setup),
+        Method::Gouraud,
+        Focus::Frame,
+        RecordingLimit(0),
+    );
     fixture
 }
 

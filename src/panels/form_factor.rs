@@ -38,8 +38,8 @@ struct Layout<'a> {
 }
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
-    let (prepared, replay) = match input.run {
-        Run::FormFactor(prepared, replay) => (prepared, replay),
+    let (setup, replay) = match input.run {
+        Run::FormFactor(setup, replay) => (setup, replay),
         Run::Radiosity(..) => return message(NO_PAIR, input.language, size),
         _ => return message(NO_PATCHES, input.language, size),
     };
@@ -51,7 +51,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     };
     let layout = Layout {
         input,
-        prepared,
+        prepared: &setup.prepared,
         room,
         state: replay.state(),
         i: i as usize,

@@ -63,8 +63,8 @@ impl Hand {
 }
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
-    let (prepared, replay) = match input.run {
-        Run::Radiosity(prepared, replay) => (prepared, replay),
+    let (setup, replay) = match input.run {
+        Run::Radiosity(setup, replay) => (setup, replay),
         Run::FormFactor(..) => return message(NO_MATRIX, input.language, size),
         _ => return message(NO_PATCHES, input.language, size),
     };
@@ -79,7 +79,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         return message(NO_STEPS, input.language, size);
     }
     let layout = Layout {
-        prepared,
+        prepared: &setup.prepared,
         room,
         matrix,
         n: room.patches.len(),

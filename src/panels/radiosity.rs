@@ -47,9 +47,10 @@ const CHANNELS: [(&str, Message); 3] = [
 ];
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
-    let (Run::Radiosity(prepared, _) | Run::FormFactor(prepared, _)) = input.run else {
+    let (Run::Radiosity(setup, _) | Run::FormFactor(setup, _)) = input.run else {
         return message(NO_PATCHES, input.language, size);
     };
+    let prepared = &setup.prepared;
     let Some(room) = input.run.enclosure() else {
         return message(NO_ROOM, input.language, size);
     };

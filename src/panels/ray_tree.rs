@@ -311,7 +311,7 @@ fn said_of_tree(
         return said;
     }
     let level = describer.state.ray().map_or(0, |ray| ray.level);
-    let deepest = describer.state.prepared.settings.depth;
+    let deepest = describer.state.depth;
     format!(
         "{said} · {} {level} {} {deepest}",
         describer.localize(LEVEL),

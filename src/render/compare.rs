@@ -2,8 +2,8 @@
 
 use super::{Method, render};
 use crate::algorithms::frame::Frame;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
+use crate::methods::Setup;
 use crate::numeric::perceived;
 use std::iter::zip;
 use std::num::NonZeroUsize;
@@ -101,18 +101,14 @@ pub struct Operations {
 }
 
 /// Draws the scene's whole picture by `method`; on the clock of this machine.
-pub fn compare(prepared: &PreparedScene, method: Method) -> Compared {
+pub fn compare(setup: &Setup, method: Method) -> Compared {
     let start = Instant::now();
-    compare_on(prepared, method, || start.elapsed().as_secs_f64())
+    compare_on(setup, method, || start.elapsed().as_secs_f64())
 }
 
 /// As [`compare`], timed by `clock`, in seconds.
-pub fn compare_on(
-    prepared: &PreparedScene,
-    method: Method,
-    mut clock: impl FnMut() -> f64,
-) -> Compared {
-    let draw = || render(prepared, method, NonZeroUsize::MIN, &|_, _| {});
+pub fn compare_on(setup: &Setup, method: Method, mut clock: impl FnMut() -> f64) -> Compared {
+    let draw = || render(setup, method, NonZeroUsize::MIN, &|_, _| {});
     // The first one warms up.
     let frame = draw();
     let mut times = [0.0; REPEATS].map(|_: f64| {
@@ -132,16 +128,16 @@ pub fn compare_on(
         perceived: rows.flat_map(|row| perceived(&luminance(row))).collect(),
         frame,
         seconds: times[REPEATS / 2],
-        operations: operations(prepared, method),
+        operations: operations(setup, method),
     }
 }
 
 /// Counted in a recorded run of which no event is kept. Those of radiosity are about patches, not pixels.
-fn operations(prepared: &PreparedScene, method: Method) -> Operations {
-    if method == Method::Radiosity {
+fn operations(setup: &Setup, method: Method) -> Operations {
+    if !method.draws_pixels() {
         return Operations::default();
     }
-    let counter = method.count(prepared).events;
+    let counter = method.count(setup).events;
     let sum = |kinds: &[&str]| kinds.iter().map(|kind| counter.of(kind)).sum();
     Operations {
         pixels: sum(&["PixelColored", "PixelPlotted"]),

@@ -2,9 +2,9 @@
 
 use super::thread_pool::ThreadPool;
 use crate::algorithms::enclosure::{Enclosure, Light};
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::radiosity::race::Race;
 use crate::algorithms::radiosity::{ChannelUnsolved, Unsolved};
+use crate::methods::Setup;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use web_time::Instant;
@@ -24,9 +24,9 @@ pub fn matrix<'a, E: Send>(
 }
 
 /// How all solvers do on the scene's enclosure, one after the other on one thread; none where it has no matrix yet.
-pub fn race(prepared: &PreparedScene) -> Option<Result<Race, Unsolved>> {
+pub fn race(setup: &Setup) -> Option<Result<Race, Unsolved>> {
     let start = Instant::now();
-    let enclosure = prepared.enclosure().ok()?;
+    let enclosure = setup.enclosure().ok()?;
     Some(enclosure.race(enclosure.matrix()?, || start.elapsed().as_secs_f64()))
 }
 

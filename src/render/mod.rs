@@ -7,7 +7,6 @@ mod finished;
 mod light;
 mod painter;
 mod pixels;
-mod skipped;
 mod smooth;
 mod tally;
 mod thread_pool;
@@ -15,13 +14,12 @@ mod thread_pool;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::patch_view::PatchView;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::visible::Bvh;
 use crate::color::Rgb;
 use crate::methods::ray_casting::RayCasting;
 use crate::methods::ray_tracing::RayTracing;
 use crate::methods::wireframe::Wireframe;
-use crate::methods::{Draw, RayMethod, ShadingMethod, Visitor};
+use crate::methods::{Draw, RayMethod, Setup, ShadingMethod, Visitor};
 use crate::record::{Recorder, Unrecorded};
 use crate::scene::Needs;
 use std::convert::Infallible;
@@ -32,7 +30,6 @@ pub use crate::methods::Method;
 pub use finished::Finished;
 pub use light::{matrix, race};
 pub use painter::Painter;
-pub use skipped::skipped;
 pub use smooth::{DrawPatches, smooth_patches};
 pub use tally::RayCounts;
 
@@ -47,11 +44,11 @@ pub const MAX_PIXELS: u64 = 1 << 26;
 #[error("the picture was called off")]
 pub struct Cancelled;
 
-/// Draws the whole picture of `prepared` on `threads` threads; without the feature `parallel`, on one.
+/// Draws the whole picture of `setup` on `threads` threads; without the feature `parallel`, on one.
 ///
 /// The picture is the same, bit for bit, for any number of threads. `progress` hears how many of how many parts are done.
 pub fn render(
-    prepared: &PreparedScene,
+    setup: &Setup,
     method: Method,
     threads: NonZeroUsize,
     progress: &(impl Fn(usize, usize) + Sync),
@@ -60,14 +57,14 @@ pub fn render(
         progress(done, all);
         Ok::<(), Infallible>(())
     };
-    let painter = Painter::new(prepared, threads, progress);
-    let Ok(frame) = draw(prepared, method, prepared.needs(), None, painter);
+    let painter = Painter::new(&setup.prepared, threads, progress);
+    let Ok(frame) = draw(setup, method, setup.needs(), None, painter);
     frame
 }
 
 /// Draws the picture of [`render`] with what `needs` says is needed, and counts its rays. The scan-line methods have none.
 pub fn render_counted(
-    prepared: &PreparedScene,
+    setup: &Setup,
     method: Method,
     needs: &Needs,
     threads: NonZeroUsize,
@@ -78,8 +75,8 @@ pub fn render_counted(
         Ok::<(), Infallible>(())
     };
     let totals = Totals::default();
-    let painter = Painter::new(prepared, threads, progress);
-    let Ok(frame) = draw(prepared, method, needs, Some(&totals), painter);
+    let painter = Painter::new(&setup.prepared, threads, progress);
+    let Ok(frame) = draw(setup, method, needs, Some(&totals), painter);
     (frame, totals.sum())
 }
 
@@ -88,25 +85,25 @@ pub fn render_counted(
 /// `progress` is heard at least every few milliseconds where pixels are coloured one by one, else after each band of rows.
 /// Errors: those of `progress`, which end the work.
 pub fn preview(
-    prepared: &PreparedScene,
+    setup: &Setup,
     method: Method,
     threads: NonZeroUsize,
     progress: impl Fn(usize, usize) -> Result<(), Cancelled> + Sync,
     show: &mut dyn FnMut(&Frame),
 ) -> Result<Frame, Cancelled> {
-    let painter = Painter::new(prepared, threads, progress).coarse_first(show);
-    draw(prepared, method, prepared.needs(), None, painter)
+    let painter = Painter::new(&setup.prepared, threads, progress).coarse_first(show);
+    draw(setup, method, setup.needs(), None, painter)
 }
 
 fn draw<E: Send>(
-    prepared: &PreparedScene,
+    setup: &Setup,
     method: Method,
     needs: &Needs,
     totals: Option<&Totals>,
     painter: Painter<impl Fn(usize, usize) -> Result<(), E> + Sync>,
 ) -> Result<Frame, E> {
     method.visit(Paint {
-        prepared,
+        setup,
         needs,
         totals,
         painter,
@@ -115,7 +112,7 @@ fn draw<E: Send>(
 
 /// Paints a picture by the method that it visits.
 struct Paint<'a, 'b, P> {
-    prepared: &'a PreparedScene,
+    setup: &'a Setup,
     needs: &'a Needs,
     totals: Option<&'a Totals>,
     painter: Painter<'b, P>,
@@ -123,16 +120,16 @@ struct Paint<'a, 'b, P> {
 
 impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Paint<'_, '_, P> {
     fn bands<M: Draw>(self) -> Result<Frame, E> {
-        let prepared = self.prepared;
+        let setup = self.setup;
         self.painter
-            .bands(|band| M::draw(prepared, Focus::Frame, band, Bvh, &mut Unrecorded))
+            .bands(|band| M::draw(setup, Focus::Frame, band, Bvh, &mut Unrecorded))
     }
 
     fn rays<M: RayMethod>(self) -> Result<Frame, E>
     where
         RayCounts: Recorder<M::Event>,
     {
-        let tracer = M::tracer(self.prepared, self.needs, Bvh);
+        let tracer = M::tracer(self.setup, self.needs, Bvh);
         match self.totals {
             None => self
                 .painter
@@ -163,12 +160,10 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Visitor for Paint<'_,
         self.rays::<RayTracing>()
     }
 
-    /// A room that cannot be divided or solved gives off no light: `PreparedScene::enclosure` and `Enclosure::solve` say why.
+    /// A room that cannot be divided or solved gives off no light: `Setup::enclosure` and `Enclosure::solve` say why.
     fn radiosity(self) -> Self::Output {
-        let Paint {
-            prepared, painter, ..
-        } = self;
-        let light = match prepared.enclosure() {
+        let Paint { setup, painter, .. } = self;
+        let light = match setup.enclosure() {
             Ok(enclosure) => light::light(enclosure, &painter.thread_pool, &painter.progress)?
                 .ok()
                 .map(|light| (enclosure, light)),
@@ -176,7 +171,8 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Visitor for Paint<'_,
         };
         match &light {
             Some((enclosure, light)) => {
-                let view = PatchView::new(prepared, enclosure, &light.radiosity);
+                let (view, samples) = (&setup.prepared.view, setup.settings.rays.samples);
+                let view = PatchView::new(view, samples, enclosure, &light.radiosity);
                 painter.pixels(|x, y| view.pixel(x, y))
             }
             None => painter.pixels(|_, _| Rgb::BLACK),

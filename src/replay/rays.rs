@@ -19,14 +19,18 @@ use crate::algorithms::ray_tree::{self, RayKind};
 use crate::algorithms::visible;
 use crate::algorithms::{primary, ray_casting, ray_tracing, surface};
 use crate::color::Rgb;
+use crate::methods::Setup;
 use crate::scene::primitives::Ray;
 use glam::DVec2;
+use std::num::NonZeroU32;
 use std::sync::Arc;
 
 #[derive(Clone, Debug)]
 pub struct State {
     /// What does not change from step to step.
     pub prepared: Arc<PreparedScene>,
+    /// The last level that is shaded.
+    pub depth: NonZeroU32,
     /// The transparent objects that the eye is inside, outermost first.
     around_eye: Arc<[u32]>,
     pub canvas: Canvas<Dot>,
@@ -47,8 +51,10 @@ pub struct State {
 
 impl State {
     /// Before the first step: an empty picture.
-    pub fn new(prepared: Arc<PreparedScene>) -> Self {
+    pub fn new(setup: &Setup) -> Self {
+        let prepared = setup.prepared.clone();
         State {
+            depth: setup.settings.rays.depth,
             canvas: Canvas::blank(&prepared),
             around_eye: media::around_eye(&prepared).into(),
             prepared,

@@ -5,16 +5,15 @@ use super::radiosity::Solved;
 use super::{Fold, Replay, Timeline, Walk, form_factor, radiosity, rays, shading, wireframe};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
-use crate::algorithms::form_factor::{FormFactors, Method as Integration};
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::radiosity::RecordFilter;
 use crate::algorithms::shading::Shading;
 use crate::algorithms::visible::BruteForce;
+use crate::methods;
 use crate::methods::ray_casting::RayCasting;
 use crate::methods::ray_tracing::RayTracing;
 use crate::methods::wireframe::Wireframe;
-use crate::methods::{Draw, Method, ShadingEvent, ShadingMethod, Visitor};
-use crate::record::{Event, Recorder, Recording, RecordingLimit, Unrecorded};
+use crate::methods::{Draw, Method, Setup, ShadingEvent, ShadingMethod, Visitor};
+use crate::record::{Event, Recording, RecordingLimit};
 use crate::render::matrix;
 use crate::vocabulary::Declared;
 use std::convert::Infallible;
@@ -28,11 +27,11 @@ pub enum Run {
     Shading(Method, Box<dyn WalkOf<shading::State>>),
     Rays(Method, Box<dyn WalkOf<rays::State>>),
     Radiosity(
-        Arc<PreparedScene>,
+        Arc<Setup>,
         Box<Replay<crate::algorithms::radiosity::Event, radiosity::State>>,
     ),
     FormFactor(
-        Arc<PreparedScene>,
+        Arc<Setup>,
         Box<Replay<crate::algorithms::form_factor::Event, form_factor::State>>,
     ),
 }
@@ -48,19 +47,11 @@ impl<E: Event + Declared, S: Fold<E> + Send + Sync> WalkOf<S> for Replay<E, S> {
     }
 }
 
-/// How exact the form factor is that others are compared with.
-const REFERENCE: Integration = Integration::Contour { tolerance: 1e-10 };
-
 impl Run {
     /// Records what `method` does within `focus`, up to `limit` steps.
-    pub fn record(
-        prepared: Arc<PreparedScene>,
-        method: Method,
-        focus: Focus,
-        limit: RecordingLimit,
-    ) -> Run {
+    pub fn record(setup: Arc<Setup>, method: Method, focus: Focus, limit: RecordingLimit) -> Run {
         method.visit(Record {
-            prepared,
+            setup,
             method,
             focus,
             limit,
@@ -81,7 +72,7 @@ impl Run {
             Run::Wireframe(replay) => &replay.state().prepared,
             Run::Shading(_, replay) => &replay.state().prepared,
             Run::Rays(_, replay) => &replay.state().prepared,
-            Run::Radiosity(prepared, _) | Run::FormFactor(prepared, _) => prepared,
+            Run::Radiosity(setup, _) | Run::FormFactor(setup, _) => &setup.prepared,
         }
     }
 
@@ -114,7 +105,7 @@ impl Run {
     /// The patches of the scene, where the run exchanges light between them.
     pub fn enclosure(&self) -> Option<&Enclosure> {
         match self {
-            Run::Radiosity(prepared, _) | Run::FormFactor(prepared, _) => prepared.enclosure().ok(),
+            Run::Radiosity(setup, _) | Run::FormFactor(setup, _) => setup.enclosure().ok(),
             _ => None,
         }
     }
@@ -151,7 +142,7 @@ impl Run {
 
 /// Records a run of the method that it visits.
 struct Record {
-    prepared: Arc<PreparedScene>,
+    setup: Arc<Setup>,
     method: Method,
     focus: Focus,
     limit: RecordingLimit,
@@ -160,18 +151,12 @@ struct Record {
 impl Record {
     fn frame<M: Draw, S: Fold<M::Event>>(
         &self,
-        initial: fn(Arc<PreparedScene>) -> S,
+        initial: impl FnOnce(&Setup) -> S,
     ) -> Box<Replay<M::Event, S>> {
         let mut recording = Recording::new(self.limit);
-        let frame = &mut self.prepared.empty_frame();
-        M::draw(
-            &self.prepared,
-            self.focus,
-            frame,
-            BruteForce,
-            &mut recording,
-        );
-        let initial = initial(self.prepared.clone());
+        let frame = &mut self.setup.prepared.empty_frame();
+        M::draw(&self.setup, self.focus, frame, BruteForce, &mut recording);
+        let initial = initial(&self.setup);
         Box::new(Replay::new(Timeline::new(recording, initial)))
     }
 }
@@ -180,12 +165,16 @@ impl Visitor for Record {
     type Output = Run;
 
     fn wireframe(self) -> Run {
-        Run::Wireframe(self.frame::<Wireframe, _>(wireframe::State::new))
+        Run::Wireframe(
+            self.frame::<Wireframe, _>(|setup| wireframe::State::new(setup.prepared.clone())),
+        )
     }
 
     fn shading<M: ShadingMethod>(self) -> Run {
         type Recorded<E> = <<E as ShadingEvent>::Shading as Shading>::Recorded;
-        let replay = self.frame::<M, _>(shading::State::new::<Recorded<M::Event>>);
+        let replay = self.frame::<M, _>(|setup| {
+            shading::State::new::<Recorded<M::Event>>(setup.prepared.clone())
+        });
         Run::Shading(self.method, replay)
     }
 
@@ -199,44 +188,37 @@ impl Visitor for Record {
 
     fn radiosity(self) -> Run {
         let Record {
-            prepared,
+            setup,
             focus,
             limit,
             ..
         } = self;
         match focus {
             Focus::FormFactor { i, j } => {
-                let run = form_factor_run(&prepared, i as usize, j as usize, limit);
-                Run::FormFactor(prepared, run)
+                let run = form_factor_run(&setup, [i, j], limit);
+                Run::FormFactor(setup, run)
             }
             _ => {
-                let run = radiosity_run(&prepared, focus, limit);
-                Run::Radiosity(prepared, run)
+                let run = radiosity_run(&setup, focus, limit);
+                Run::Radiosity(setup, run)
             }
         }
     }
 }
 
-/// The solution of the enclosure. Nothing is recorded of a scene that cannot be divided: `PreparedScene::enclosure` says why.
+/// The solution of the enclosure. Nothing is recorded of a scene that cannot be divided: `Setup::enclosure` says why.
 fn radiosity_run(
-    prepared: &Arc<PreparedScene>,
+    setup: &Setup,
     focus: Focus,
     limit: RecordingLimit,
 ) -> Box<Replay<crate::algorithms::radiosity::Event, radiosity::State>> {
     let mut recording = Recording::new(limit);
     let mut solved = None;
-    if let Ok(enclosure) = prepared.enclosure() {
+    if let Ok(enclosure) = setup.enclosure() {
         let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
         let Ok(matrix) = matrix(enclosure, threads, &|_, _| Ok::<(), Infallible>(()));
-        let mut filter = RecordFilter::default();
-        match focus {
-            Focus::Iterations { start, end } => filter.iterations = Some(start..end),
-            Focus::Patch(patch) => filter.patch = Some(patch),
-            _ => {}
-        }
-        let light = enclosure.solve(matrix, &filter, &mut recording);
+        let light = methods::radiosity::solve(enclosure, matrix, focus, &mut recording);
         solved = Some(Solved::new(enclosure, matrix, light.as_ref().ok()));
-        // Why there is no solution, the last event says.
         let _ = enclosure.light_or(|| light);
     }
     Box::new(Replay::new(Timeline::new(
@@ -247,18 +229,13 @@ fn radiosity_run(
 
 /// One form factor, and what it is compared with.
 fn form_factor_run(
-    prepared: &Arc<PreparedScene>,
-    i: usize,
-    j: usize,
+    setup: &Setup,
+    pair: [u32; 2],
     limit: RecordingLimit,
 ) -> Box<Replay<crate::algorithms::form_factor::Event, form_factor::State>> {
     let mut recording = Recording::new(limit);
-    if let Ok(enclosure) = prepared.enclosure() {
-        let blockers = enclosure.settings.visibility.then_some(&enclosure.blockers);
-        let reference = FormFactors::new(&enclosure.patches, REFERENCE, blockers);
-        let f = reference.pair(i, j, &mut Unrecorded);
-        recording.step(|| crate::algorithms::form_factor::Event::Reference { f });
-        enclosure.form_factors().pair(i, j, &mut recording);
+    if let Ok(enclosure) = setup.enclosure() {
+        methods::radiosity::form_factor(enclosure, pair, &mut recording);
     }
     Box::new(Replay::new(Timeline::new(
         recording,

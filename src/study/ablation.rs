@@ -4,10 +4,10 @@
 use super::form::{Setting, Values};
 use super::timing::{Patience, Timing, time};
 use crate::algorithms::enclosure::Enclosure;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::radiosity::RecordFilter;
+use crate::methods::Setup;
 use crate::record::Unrecorded;
-use crate::render::{Method, render, skipped};
+use crate::render::{Method, render};
 use crate::scene::{LeftOut, Part, Parts};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -76,15 +76,15 @@ impl Sameness {
 
 /// Measures every part that the scene does not need. Errors: why there is nothing to measure against.
 pub fn ablations(
-    prepared: &PreparedScene,
+    setup: &Setup,
     method: Method,
     patience: Patience,
     progress: &dyn Fn(usize, usize),
 ) -> Result<Ablations, String> {
     // What no run need make again.
-    let prepared = prepared.clone().with_forced(Parts::NONE);
-    prepared.primitives();
-    let all = skipped(&prepared, method);
+    let setup = setup.with_forced(Parts::NONE);
+    setup.prepared.primitives();
+    let all = setup.skipped(method);
     let is_left_out = |&part: &Part| all.iter().any(|skipped| skipped.part == part);
     let parts = Part::ALL.into_iter().filter(is_left_out);
     let mut runs: Vec<Option<Part>> = parts.map(Some).collect();
@@ -93,12 +93,12 @@ pub fn ablations(
     }
     let forced = |run: &Option<Part>| run.map_or(Parts::ALL, Parts::from);
     let stages = std::iter::once(Parts::NONE).chain(runs.iter().map(forced));
-    let stages: Vec<Arc<PreparedScene>> = stages
-        .map(|parts| Arc::new(prepared.clone().with_forced(parts)))
+    let stages: Vec<Arc<Setup>> = stages
+        .map(|parts| Arc::new(setup.with_forced(parts)))
         .collect();
     let sweep_settings: Vec<Setting> = stages
         .iter()
-        .map(|prepared| sweep_setting(prepared.clone(), method))
+        .map(|setup| sweep_setting(setup.clone(), method))
         .collect();
     let curves: Vec<&[Setting]> = sweep_settings.iter().map(std::slice::from_ref).collect();
     let heard = |done, all| {
@@ -109,20 +109,20 @@ pub fn ablations(
     let mut timed = timed.into_iter();
     let (values, time) = timed.next().ok_or("nothing was run")??;
     let without = values.numbers();
-    let measured = |prepared: &PreparedScene, (values, time): (Values, Timing)| Measured {
+    let measured = |setup: &Setup, (values, time): (Values, Timing)| Measured {
         time,
-        steps: steps(prepared, method),
+        steps: steps(setup, method),
         sameness: Sameness::of(&without, &values.numbers()),
     };
     let parts = runs.into_iter().zip(&stages[1..]).zip(timed);
-    let ablation = |((part, prepared), timed): ((Option<Part>, &Arc<PreparedScene>), _)| Ablation {
+    let ablation = |((part, setup), timed): ((Option<Part>, &Arc<Setup>), _)| Ablation {
         part,
         skipped: all
             .iter()
             .filter(|skipped| Some(skipped.part) == part)
             .cloned()
             .collect(),
-        measured: Result::map(timed, |timed| measured(prepared, timed)),
+        measured: Result::map(timed, |timed| measured(setup, timed)),
     };
     Ok(Ablations {
         time,
@@ -133,14 +133,10 @@ pub fn ablations(
 
 /// What the run takes with all left out that the scene does not need, and with what this stage does all the same. Errors: why one of
 /// the two is not timed.
-pub fn both(
-    prepared: &PreparedScene,
-    method: Method,
-    patience: Patience,
-) -> Result<[Timing; 2], String> {
-    prepared.primitives();
-    let sweep_settings = [Parts::NONE, prepared.forced()]
-        .map(|parts| sweep_setting(Arc::new(prepared.clone().with_forced(parts)), method));
+pub fn both(setup: &Setup, method: Method, patience: Patience) -> Result<[Timing; 2], String> {
+    setup.prepared.primitives();
+    let sweep_settings = [Parts::NONE, setup.forced()]
+        .map(|parts| sweep_setting(Arc::new(setup.with_forced(parts)), method));
     let curves = sweep_settings.each_ref().map(std::slice::from_ref);
     let timed = time(&curves, patience, &|_, _| Ok(())).map_err(|off| off.to_string())?;
     let mut timed = timed.into_iter();
@@ -151,7 +147,7 @@ pub fn both(
     Ok([next()?, next()?])
 }
 
-fn sweep_setting(prepared: Arc<PreparedScene>, method: Method) -> Setting {
+fn sweep_setting(setup: Arc<Setup>, method: Method) -> Setting {
     Setting {
         setting: String::new(),
         size: 1.0,
@@ -160,11 +156,11 @@ fn sweep_setting(prepared: Arc<PreparedScene>, method: Method) -> Setting {
         drawn: None,
         truth: None,
         run: Box::new(move || match method {
-            Method::Radiosity => light(prepared.enclosure().map_err(|error| error.to_string())?),
+            Method::Radiosity => light(setup.enclosure().map_err(|error| error.to_string())?),
             _ => {
                 // What belongs to the scene alone is found once.
-                prepared.needs();
-                let frame = render(&prepared, method, NonZeroUsize::MIN, &|_, _| {});
+                setup.needs();
+                let frame = render(&setup, method, NonZeroUsize::MIN, &|_, _| {});
                 Ok(Values::Picture(frame))
             }
         }),
@@ -183,8 +179,8 @@ fn light(enclosure: &Enclosure) -> Result<Values, String> {
 }
 
 /// Counts the steps of the whole run.
-fn steps(prepared: &PreparedScene, method: Method) -> Steps {
-    let counted = method.count(prepared);
+fn steps(setup: &Setup, method: Method) -> Steps {
+    let counted = method.count(setup);
     let count = counted.events.all();
     Steps {
         count,

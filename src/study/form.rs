@@ -2,13 +2,12 @@
 
 use super::fit::Law;
 use crate::algorithms::frame::Frame;
-use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::primary::Settings;
 use crate::language::Message;
+use crate::methods::Setup;
 use crate::render::Method;
 use crate::scene::Scene;
 use std::rc::Rc;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::Arc;
 
 /// A question about the algorithms that measuring answers.
 pub struct Study {
@@ -126,26 +125,8 @@ pub struct Setting {
 /// A picture that a setting draws, so that it can be walked through.
 #[derive(Clone, Debug)]
 pub struct Drawn {
-    pub prepared: Shared,
+    pub setup: Arc<Setup>,
     pub method: Method,
-    /// Those of the setting; the stage's own are those of whoever used it last.
-    pub settings: Settings,
-}
-
-/// A stage that many settings share, each with ray settings of its own.
-#[derive(Clone, Debug)]
-pub struct Shared(Arc<Mutex<PreparedScene>>);
-
-impl Shared {
-    pub fn new(prepared: PreparedScene) -> Self {
-        Shared(Arc::new(Mutex::new(prepared)))
-    }
-
-    /// The stage, for one at a time.
-    pub fn lock(&self) -> MutexGuard<'_, PreparedScene> {
-        // Whoever panicked had changed its settings at most, and everybody sets those first.
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
-    }
 }
 
 pub type Run = dyn Fn() -> Result<Values, String>;

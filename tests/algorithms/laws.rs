@@ -1,20 +1,14 @@
 //! Laws that hold for every scan-line method, on a scene with everything in it.
 
-use crate::common::{TEAPOT, prepared};
-use lightwalk::algorithms::exact::exact;
-use lightwalk::algorithms::fast_phong::fast_phong;
-use lightwalk::algorithms::flat::flat;
+use crate::common::{TEAPOT, setup};
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
-use lightwalk::algorithms::gouraud::gouraud;
-use lightwalk::algorithms::phong::phong;
-use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::algorithms::visible::BruteForce;
 use lightwalk::methods::ray_casting::RayCasting;
 use lightwalk::methods::ray_tracing::RayTracing;
 use lightwalk::methods::wireframe::Wireframe;
-use lightwalk::methods::{Draw, ShadingMethod, Visitor};
-use lightwalk::record::{Recording, RecordingLimit, Unrecorded};
+use lightwalk::methods::{Draw, Setup, ShadingMethod, Visitor};
+use lightwalk::record::{Recording, RecordingLimit};
 use lightwalk::render::{Cancelled, Method, preview, render};
 use lightwalk::replay::{Run, Walk};
 use std::num::NonZeroUsize;
@@ -22,8 +16,8 @@ use std::sync::Arc;
 
 const ONE: NonZeroUsize = NonZeroUsize::MIN;
 
-fn unrecorded(prepared: &PreparedScene, method: Method) -> Frame {
-    render(prepared, method, ONE, &|_, _| {})
+fn unrecorded(setup: &Setup, method: Method) -> Frame {
+    render(setup, method, ONE, &|_, _| {})
 }
 
 /// The methods that draw pixels.
@@ -38,37 +32,29 @@ const PIXEL_BY_PIXEL: [Method; 8] = [
     Method::RayTracing,
 ];
 
-/// The frame that a recorded run draws, how many steps it kept, and whether it met its limit.
+/// The frame that a recorded run draws, one focus after the other; how many steps it kept, and whether it met its limit.
 fn recorded(
-    prepared: &PreparedScene,
+    setup: &Setup,
     method: Method,
-    focus: Focus,
+    foci: &[Focus],
     limit: RecordingLimit,
 ) -> (Frame, usize, bool) {
-    method.visit(Recorded {
-        prepared,
-        focus,
-        limit,
-    })
+    method.visit(Recorded { setup, foci, limit })
 }
 
 struct Recorded<'a> {
-    prepared: &'a PreparedScene,
-    focus: Focus,
+    setup: &'a Setup,
+    foci: &'a [Focus],
     limit: RecordingLimit,
 }
 
 impl Recorded<'_> {
     fn draw<M: Draw>(self) -> (Frame, usize, bool) {
         let mut recording = Recording::new(self.limit);
-        let mut frame = self.prepared.empty_frame();
-        M::draw(
-            self.prepared,
-            self.focus,
-            &mut frame,
-            BruteForce,
-            &mut recording,
-        );
+        let mut frame = self.setup.prepared.empty_frame();
+        for &focus in self.foci {
+            M::draw(self.setup, focus, &mut frame, BruteForce, &mut recording);
+        }
         (frame, recording.len(), recording.truncated())
     }
 }
@@ -113,11 +99,11 @@ const TILES: &str = r#"{ "schema": 1, "background": [0.1, 0.2, 0.3],
 
 #[test]
 fn a_recorded_frame_is_the_unrecorded_one_bit_for_bit() {
-    for prepared in [prepared(TEAPOT, 160, 120), prepared(TILES, 160, 120)] {
+    for setup in [setup(TEAPOT, 160, 120), setup(TILES, 160, 120)] {
         for method in PIXEL_BY_PIXEL {
             let (frame, steps, truncated) =
-                recorded(&prepared, method, Focus::Frame, RecordingLimit::default());
-            assert!(frame == unrecorded(&prepared, method), "{}", method.name());
+                recorded(&setup, method, &[Focus::Frame], RecordingLimit::default());
+            assert!(frame == unrecorded(&setup, method), "{}", method.name());
             assert!(steps > 2_000 && !truncated);
         }
     }
@@ -125,33 +111,33 @@ fn a_recorded_frame_is_the_unrecorded_one_bit_for_bit() {
 
 #[test]
 fn a_truncated_recording_still_draws_the_right_picture() {
-    let prepared = prepared(TEAPOT, 160, 120);
+    let setup = setup(TEAPOT, 160, 120);
     for method in PIXEL_BY_PIXEL {
         let (frame, steps, truncated) =
-            recorded(&prepared, method, Focus::Frame, RecordingLimit(100_000));
-        assert!(frame == unrecorded(&prepared, method), "{}", method.name());
+            recorded(&setup, method, &[Focus::Frame], RecordingLimit(100_000));
+        assert!(frame == unrecorded(&setup, method), "{}", method.name());
         assert!(truncated && steps <= 100_000 / 32);
     }
 }
 
 #[test]
 fn any_number_of_threads_draws_the_same_picture() {
-    let prepared = prepared(TEAPOT, 97, 61);
+    let setup = setup(TEAPOT, 97, 61);
     for method in PIXEL_BY_PIXEL {
-        let one = unrecorded(&prepared, method);
+        let one = unrecorded(&setup, method);
         for threads in [2, 3, 16] {
             let many = render(
-                &prepared,
+                &setup,
                 method,
                 NonZeroUsize::new(threads).unwrap(),
                 &|_, _| {},
             );
             assert!(many == one, "{} on {threads} threads", method.name());
             let threads = NonZeroUsize::new(threads).unwrap();
-            let grown = preview(&prepared, method, threads, |_, _| Ok(()), &mut |_| {});
+            let grown = preview(&setup, method, threads, |_, _| Ok(()), &mut |_| {});
             assert!(grown == Ok(one.clone()), "preview: {}", method.name());
             let called_off = |_, _| Err(Cancelled);
-            let nothing = preview(&prepared, method, threads, called_off, &mut |_| {});
+            let nothing = preview(&setup, method, threads, called_off, &mut |_| {});
             assert_eq!(nothing, Err(Cancelled));
         }
     }
@@ -159,14 +145,14 @@ fn any_number_of_threads_draws_the_same_picture() {
 
 #[test]
 fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
-    let prepared = prepared(TEAPOT, 120, 90);
+    let setup = setup(TEAPOT, 120, 90);
     for method in PIXEL_BY_PIXEL {
-        let whole = unrecorded(&prepared, method);
+        let whole = unrecorded(&setup, method);
         for y in [0, 20, 45, 46, 89] {
             let (frame, ..) = recorded(
-                &prepared,
+                &setup,
                 method,
-                Focus::ScanLine(y),
+                &[Focus::ScanLine(y)],
                 RecordingLimit::default(),
             );
             for row in 0..90 {
@@ -174,7 +160,7 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
                     let expected = if row == y {
                         whole.pixel(x, row)
                     } else {
-                        prepared.scene.background
+                        setup.prepared.scene.background
                     };
                     assert_eq!(
                         frame.pixel(x, row),
@@ -187,9 +173,9 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
         }
         for (x, y) in [(0, 0), (60, 45), (61, 45), (30, 60), (119, 89), (80, 10)] {
             let (frame, ..) = recorded(
-                &prepared,
+                &setup,
                 method,
-                Focus::Pixel { x, y },
+                &[Focus::Pixel { x, y }],
                 RecordingLimit::default(),
             );
             assert_eq!(
@@ -201,7 +187,7 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
             let others = frame
                 .color
                 .iter()
-                .filter(|&&color| color != prepared.scene.background)
+                .filter(|&&color| color != setup.prepared.scene.background)
                 .count();
             assert!(
                 others <= 1,
@@ -214,20 +200,12 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
 
 #[test]
 fn the_polygons_drawn_one_by_one_make_the_frame() {
-    let prepared = prepared(TEAPOT, 64, 48);
+    let setup = setup(TEAPOT, 64, 48);
     for method in PIXEL_BY_PIXEL[1..6].iter().copied() {
-        let mut frame = Frame::new(64, 0..48, prepared.scene.background);
-        for number in 0..prepared.tessellation.polygon_count() {
-            let focus = Focus::Polygon(number);
-            match method {
-                Method::Flat => flat(&prepared, focus, &mut frame, &mut Unrecorded),
-                Method::Gouraud => gouraud(&prepared, focus, &mut frame, &mut Unrecorded),
-                Method::Exact => exact(&prepared, focus, &mut frame, &mut Unrecorded),
-                Method::Phong => phong(&prepared, focus, &mut frame, &mut Unrecorded),
-                _ => fast_phong(&prepared, focus, &mut frame, &mut Unrecorded),
-            }
-        }
-        assert!(frame == unrecorded(&prepared, method), "{}", method.name());
+        let polygons = 0..setup.prepared.tessellation.polygon_count();
+        let foci: Vec<Focus> = polygons.map(Focus::Polygon).collect();
+        let (frame, ..) = recorded(&setup, method, &foci, RecordingLimit::default());
+        assert!(frame == unrecorded(&setup, method), "{}", method.name());
     }
 }
 
@@ -238,10 +216,10 @@ fn canvas_of(run: &Run) -> Vec<lightwalk::color::Rgb> {
 
 #[test]
 fn the_replayed_picture_is_the_rendered_one() {
-    let prepared = Arc::new(prepared(TEAPOT, 96, 72));
+    let setup = Arc::new(setup(TEAPOT, 96, 72));
     for method in PIXEL_BY_PIXEL {
         let mut run = Run::record(
-            prepared.clone(),
+            setup.clone(),
             method,
             Focus::Frame,
             RecordingLimit::default(),
@@ -249,7 +227,7 @@ fn the_replayed_picture_is_the_rendered_one() {
         let last = run.walk().len() - 1;
         run.walk_mut().seek(last);
         assert!(
-            canvas_of(&run) == unrecorded(&prepared, method).color,
+            canvas_of(&run) == unrecorded(&setup, method).color,
             "{}",
             method.name()
         );
@@ -258,21 +236,21 @@ fn the_replayed_picture_is_the_rendered_one() {
         assert!(
             canvas_of(&run)
                 .iter()
-                .all(|&color| color == prepared.scene.background)
+                .all(|&color| color == setup.prepared.scene.background)
         );
     }
 }
 
 #[test]
 fn how_far_away_the_target_is_changes_nothing() {
-    let near = unrecorded(&prepared(TEAPOT, 64, 48), Method::Gouraud);
+    let near = unrecorded(&setup(TEAPOT, 64, 48), Method::Gouraud);
     // The same direction of view: eye (14, 20, 44), target a hundred million times as far behind (0, −0.6, 0)
     let far = TEAPOT.replace(
         "\"target\": [0, -0.6, 0]",
         "\"target\": [-1399999986, -2059999980, -4399999956]",
     );
     assert_ne!(far, TEAPOT);
-    let far = unrecorded(&prepared(&far, 64, 48), Method::Gouraud);
+    let far = unrecorded(&setup(&far, 64, 48), Method::Gouraud);
     let differing = near
         .color
         .iter()
@@ -287,10 +265,10 @@ fn how_far_away_the_target_is_changes_nothing() {
 
 #[test]
 fn every_scope_closes_and_every_step_has_a_line() {
-    let prepared = Arc::new(prepared(TEAPOT, 32, 24));
+    let setup = Arc::new(setup(TEAPOT, 32, 24));
     for method in PIXEL_BY_PIXEL {
         let run = Run::record(
-            prepared.clone(),
+            setup.clone(),
             method,
             Focus::Frame,
             RecordingLimit::default(),
@@ -314,9 +292,9 @@ fn every_scope_closes_and_every_step_has_a_line() {
 
 #[test]
 fn gourauds_values_are_called_as_on_the_slide() {
-    let prepared = Arc::new(prepared(TEAPOT, 64, 48));
+    let setup = Arc::new(setup(TEAPOT, 64, 48));
     let run = Run::record(
-        prepared,
+        setup,
         Method::Gouraud,
         Focus::Pixel { x: 32, y: 24 },
         RecordingLimit::default(),

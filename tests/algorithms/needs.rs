@@ -1,10 +1,10 @@
 //! What scenes do not need is left out, and nothing changes by it but the time.
 
-use crate::common::{TEAPOT, prepared};
+use crate::common::{TEAPOT, setup};
 use lightwalk::algorithms::enclosure::Settings;
-use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::algorithms::radiosity::Solver;
-use lightwalk::render::{Method, render, skipped};
+use lightwalk::methods::{Method, Setup};
+use lightwalk::render::render;
 use lightwalk::scene::{Part, Parts};
 use lightwalk::study::ablation::{Ablations, Sameness, ablations};
 use lightwalk::study::timing::Patience;
@@ -12,15 +12,15 @@ use std::num::NonZeroUsize;
 use std::process::Command;
 use std::time::Duration;
 
-fn lesson_scene(name: &str) -> PreparedScene {
+fn lesson_scene(name: &str) -> Setup {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/lessons/scenes/");
     let json = std::fs::read_to_string(format!("{folder}{name}.json")).unwrap();
-    prepared(&json, 48, 36)
+    setup(&json, 48, 36)
 }
 
 /// Each part once, and for how many of how many where it does not concern all.
-fn recorded(prepared: &PreparedScene, method: Method) -> Vec<(Part, Option<[usize; 2]>)> {
-    let skipped = skipped(prepared, method);
+fn recorded(setup: &Setup, method: Method) -> Vec<(Part, Option<[usize; 2]>)> {
+    let skipped = setup.skipped(method);
     let mut recorded: Vec<_> = skipped.iter().map(|one| (one.part, one.share)).collect();
     recorded.dedup();
     recorded
@@ -80,19 +80,19 @@ fn the_scenes_of_the_lesson_need_what_they_say() {
     }
 }
 
-fn measured(prepared: &PreparedScene, method: Method) -> Ablations {
+fn measured(setup: &Setup, method: Method) -> Ablations {
     let hasty = Patience {
         shortest: Duration::ZERO,
         longest: Duration::from_secs(3600),
         whole: Duration::ZERO,
         most_rounds: 5,
     };
-    ablations(prepared, method, hasty, &|_, _| {}).expect("a run")
+    ablations(setup, method, hasty, &|_, _| {}).expect("a run")
 }
 
 /// That every part, done all the same, gives the same bits, or the same to the tolerance for `rounded` ones.
-fn assert_same(prepared: &PreparedScene, method: Method, rounded: &[Part]) {
-    let ablations = measured(prepared, method);
+fn assert_same(setup: &Setup, method: Method, rounded: &[Part]) {
+    let ablations = measured(setup, method);
     assert!(!ablations.parts.is_empty(), "{}", method.name());
     for ablation in &ablations.parts {
         let measured = ablation.measured.as_ref().expect("a run");
@@ -128,17 +128,17 @@ fn polygons_without_textures_and_highlights_stay_the_same() {
     let matt = TEAPOT
         .replace("\"specular\": 0.5, ", "")
         .replace("\"specular\": 0.1, ", "");
-    let prepared = prepared(&matt, 48, 36);
+    let setup = setup(&matt, 48, 36);
     assert_eq!(
-        recorded(&prepared, Method::Phong),
+        recorded(&setup, Method::Phong),
         [(Part::TextureCoordinates, None), (Part::Highlights, None)]
     );
     // A texture takes the diffuse part of an interpolated intensity out and puts it back in.
     let rounded = [Part::TextureCoordinates];
-    assert_same(&prepared, Method::Flat, &rounded);
-    assert_same(&prepared, Method::Gouraud, &rounded);
-    assert_same(&prepared, Method::Phong, &[]);
-    assert_same(&prepared, Method::FastPhong, &rounded);
+    assert_same(&setup, Method::Flat, &rounded);
+    assert_same(&setup, Method::Gouraud, &rounded);
+    assert_same(&setup, Method::Phong, &[]);
+    assert_same(&setup, Method::FastPhong, &rounded);
 }
 
 #[test]
@@ -153,19 +153,19 @@ fn the_light_of_a_room_stays_the_same() {
             solver,
             ..Settings::default()
         };
-        let prepared = lesson_scene(name).with_radiosity(settings);
+        let setup = Setup::new(lesson_scene(name).prepared, settings);
         // What is in a plane is so but for rounding; LU and over-relaxation of fewer unknowns round otherwise.
         let rounded = [Part::FacingAway, Part::BlackRows];
-        assert_same(&prepared, Method::Radiosity, &rounded);
+        assert_same(&setup, Method::Radiosity, &rounded);
     }
 }
 
 #[test]
 fn rays_between_patches_that_nothing_can_part_are_never_blocked() {
-    let prepared = lesson_scene("cornell-box");
+    let setup = lesson_scene("cornell-box");
     let matrix = |parts| {
-        let prepared = prepared.clone().with_forced(parts);
-        let enclosure = prepared.enclosure().expect("patches");
+        let setup = setup.with_forced(parts);
+        let enclosure = setup.enclosure().expect("patches");
         enclosure.form_factors().matrix()
     };
     assert!(matrix(Parts::NONE) == matrix(Parts::from(Part::SightTests)));
@@ -173,15 +173,13 @@ fn rays_between_patches_that_nothing_can_part_are_never_blocked() {
 
 #[test]
 fn a_stage_that_does_everything_draws_the_same_picture() {
-    let prepared = lesson_scene("open-scene");
-    let picture = |prepared: &PreparedScene| {
-        render(prepared, Method::RayTracing, NonZeroUsize::MIN, &|_, _| {})
-    };
-    let everything = prepared.clone().with_forced(Parts::ALL);
+    let setup = lesson_scene("open-scene");
+    let picture = |setup: &Setup| render(setup, Method::RayTracing, NonZeroUsize::MIN, &|_, _| {});
+    let everything = setup.with_forced(Parts::ALL);
     assert_eq!(everything.forced(), Parts::ALL);
-    assert!(picture(&prepared) == picture(&everything));
+    assert!(picture(&setup) == picture(&everything));
     let leaves_out = everything.with_forced(Parts::NONE);
-    assert_eq!(leaves_out.needs(), prepared.needs());
+    assert_eq!(leaves_out.needs(), setup.needs());
 }
 
 #[test]

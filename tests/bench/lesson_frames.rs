@@ -3,6 +3,7 @@
 
 use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::lesson::builtins;
+use lightwalk::methods::Setup;
 use lightwalk::render::preview;
 use lightwalk::scene::View;
 use lightwalk::study::timing::Timing;
@@ -20,13 +21,13 @@ fn main() {
         let settings = lesson.settings;
         let camera = lesson.scene.camera.expect("a camera");
         let view = View::new(&camera, 640, 480);
-        let prepared = PreparedScene::new(lesson.scene, view).with_settings(settings);
+        let setup = Setup::new(PreparedScene::new(lesson.scene, view), settings);
         let (mut coarse, mut whole) = (Vec::new(), Vec::new());
         for round in 0..=ROUNDS {
             let start = Instant::now();
             let mut first = None;
             let mut show = |_: &_| first = first.or(Some(start.elapsed()));
-            preview(&prepared, lesson.method, threads, |_, _| Ok(()), &mut show)
+            preview(&setup, lesson.method, threads, |_, _| Ok(()), &mut show)
                 .expect("it is never cancelled");
             let all = start.elapsed();
             // The first run makes the hierarchies.

@@ -9,7 +9,7 @@ mod common;
 mod no_recorder;
 mod race;
 
-use common::{TEAPOT, prepared};
+use common::{TEAPOT, setup};
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::gouraud::{Event, gouraud};
@@ -61,7 +61,8 @@ fn compare(what: &str, rounds: usize, a: &mut dyn FnMut(), b: &mut dyn FnMut()) 
 }
 
 fn main() {
-    let prepared = Arc::new(prepared(TEAPOT, WIDTH, HEIGHT));
+    let setup = Arc::new(setup(TEAPOT, WIDTH, HEIGHT));
+    let prepared = setup.prepared.clone();
     let arguments: Vec<String> = std::env::args().collect();
     if let Some(at) = arguments.iter().position(|argument| argument == "--count") {
         let draw = match arguments.get(at + 1).map(String::as_str) {
@@ -100,7 +101,7 @@ fn main() {
     ] {
         let record = || {
             Run::record(
-                prepared.clone(),
+                setup.clone(),
                 Method::Gouraud,
                 focus,
                 RecordingLimit::default(),

@@ -1,6 +1,7 @@
 //! Scenes that several tests use.
 
 use lightwalk::algorithms::prepared_scene::PreparedScene;
+use lightwalk::methods::{Settings, Setup};
 use lightwalk::scene::{self, Limits, View};
 
 /// The scene of a JSON text, whose meshes are files of the repository's lessons, in front of its camera.
@@ -16,6 +17,11 @@ pub fn prepared(json: &str, width: u32, height: u32) -> PreparedScene {
         height,
     );
     PreparedScene::new(scene, view)
+}
+
+/// As [`prepared`], with the settings that methods have where nothing is said.
+pub fn setup(json: &str, width: u32, height: u32) -> Setup {
+    Setup::new(prepared(json, width, height), Settings::default())
 }
 
 /// The teapot, with a quadrilateral that cuts through it, two lights and a sphere behind the eye.

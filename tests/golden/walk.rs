@@ -18,7 +18,7 @@ impl Walk {
     pub fn of(lesson: &str) -> Walk {
         let open = builtin(lesson).unwrap().read().unwrap().open().unwrap();
         let picture = render(
-            &open.prepared,
+            &open.setup,
             open.lesson.method,
             NonZeroUsize::MIN,
             &|_, _| {},
@@ -29,14 +29,14 @@ impl Walk {
             ticks += 1e-5;
             ticks
         };
-        let mut finished = Finished::new(picture, &open.prepared.scene.lights);
+        let mut finished = Finished::new(picture, &open.setup.prepared.scene.lights);
         if open.lesson.panels.contains(&Panel::Race) {
-            let enclosure = open.prepared.enclosure().unwrap();
+            let enclosure = open.setup.enclosure().unwrap();
             finished.race = Some(enclosure.race(enclosure.matrix().unwrap(), &mut clock));
         }
         let methods = open.lesson.compare.iter();
         finished.compared = methods
-            .map(|&method| compare_on(&open.prepared, method, &mut clock))
+            .map(|&method| compare_on(&open.setup, method, &mut clock))
             .collect();
         let narrated = open.narrated.iter().map(|narrated| narrated.step).collect();
         Walk {
@@ -72,7 +72,8 @@ impl Walk {
             tree: TreeView::whole(),
             smooth: self
                 .open
-                .prepared
+                .setup
+                .settings
                 .radiosity
                 .smooth
                 .then_some(smooth_patches),

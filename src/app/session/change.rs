@@ -11,7 +11,7 @@ impl Session {
     /// Whether a parameter has another value than the lesson gives it.
     pub fn is_changed(&self) -> bool {
         let lesson = &self.open.lesson;
-        let (now, opened) = (&self.open.prepared.scene, &lesson.scene);
+        let (now, opened) = (&self.open.setup.prepared.scene, &lesson.scene);
         let mut parameters = lesson.parameters.iter();
         parameters.any(|parameter| parameter.value(now) != parameter.value(opened))
     }
@@ -31,10 +31,10 @@ impl Session {
         if let Some(strings) = self.cannot_change(change.parameter()) {
             return Err(strings.into());
         }
-        if change.parameter().value(&self.open.prepared.scene) == Some(change) {
+        if change.parameter().value(&self.open.setup.prepared.scene) == Some(change) {
             return Ok(());
         }
-        let mut scene = self.open.prepared.scene.clone();
+        let mut scene = self.open.setup.prepared.scene.clone();
         let made = change.make(&mut scene, &self.open.lesson.scene);
         made.map_err(|why| match why {
             NotAllowed::TooFar => strings::TOO_FAR,
@@ -51,23 +51,23 @@ impl Session {
 
     /// Shows another scene. Where only its lights differ, what was prepared of the rest stays.
     fn set_up(&mut self, scene: Scene) {
-        let old = &self.open.prepared;
+        let old = &self.open.setup;
         let lit = Scene {
             lights: scene.lights.clone(),
-            ..old.scene.clone()
+            ..old.prepared.scene.clone()
         };
-        let prepared = if lit == scene {
-            Some((**old).clone().with_lights(scene.lights))
+        let setup = if lit == scene {
+            Some(old.with_lights(scene.lights))
         } else {
-            self.open.lesson.prepared(scene)
+            self.open.lesson.setup(scene)
         };
         // A lesson that was opened has a camera.
-        let Some(prepared) = prepared.map(Arc::new) else {
+        let Some(setup) = setup.map(Arc::new) else {
             return;
         };
         self.preview
-            .begin_anew(prepared.clone(), super::methods(&self.open));
-        self.open.prepared = prepared;
+            .begin_anew(setup.clone(), super::methods(&self.open));
+        self.open.setup = setup;
         self.look_again();
     }
 }

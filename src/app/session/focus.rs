@@ -17,8 +17,8 @@ impl Session {
     /// Records another part of the frame, and goes to the step that is most like the present one; the lesson's own part
     /// goes on where it was left, so that no way around leads past a question.
     pub(super) fn look_at(&mut self, focus: Focus) -> Result<(), Refused> {
-        let recorded = self.open.lesson.method.tells_of(focus);
-        if !recorded || self.open.prepared.check(focus).is_err() {
+        let recorded = self.open.lesson.method.records(focus);
+        if !recorded || self.open.setup.check(focus).is_err() {
             return Err(strings::OUTSIDE.into());
         }
         if focus == self.focus {
@@ -108,7 +108,7 @@ impl Session {
 
     fn record(&self, focus: Focus) -> Run {
         Run::record(
-            self.open.prepared.clone(),
+            self.open.setup.clone(),
             self.open.lesson.method,
             focus,
             RecordingLimit::default(),

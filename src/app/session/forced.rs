@@ -5,14 +5,13 @@ use super::preview::Times;
 use super::{Refused, Session};
 use crate::app::strings;
 use crate::language::Message;
-use crate::render::skipped;
 use crate::scene::{LeftOut, Part, Parts};
 use std::sync::Arc;
 
 impl Session {
     /// What the lesson's method does not need for the scene, forced or not.
     pub fn skipped(&self) -> Vec<LeftOut> {
-        skipped(self.prepared(), self.lesson().method)
+        self.setup().skipped(self.lesson().method)
     }
 
     /// Run times without and with what is forced; none before they are measured, or where nothing is forced.
@@ -31,7 +30,7 @@ impl Session {
         match self.cannot_leave_out(part) {
             Some(strings) => Err(strings.into()),
             None => {
-                self.run_with_forced(self.prepared().forced().toggled(part));
+                self.run_with_forced(self.setup().forced().toggled(part));
                 Ok(())
             }
         }
@@ -42,10 +41,10 @@ impl Session {
     }
 
     fn run_with_forced(&mut self, forced: Parts) {
-        let prepared = Arc::new((*self.open.prepared).clone().with_forced(forced));
+        let setup = Arc::new(self.open.setup.with_forced(forced));
         self.preview
-            .begin_anew(prepared.clone(), super::methods(&self.open));
-        self.open.prepared = prepared;
+            .begin_anew(setup.clone(), super::methods(&self.open));
+        self.open.setup = setup;
         self.look_again();
     }
 }
@@ -97,7 +96,7 @@ mod tests {
             assert_eq!(session.allows(&command), Err(strings::IS_NEEDED.into()));
             assert_eq!(session.update(command), Err(strings::IS_NEEDED.into()));
         }
-        assert!(session.prepared().forced().is_empty());
+        assert!(session.setup().forced().is_empty());
     }
 
     #[test]
@@ -107,7 +106,7 @@ mod tests {
         session.update(Command::Force(Part::ShadowRays)).unwrap();
         assert!(session.walk().len() > steps);
         session.update(Command::Reset).unwrap();
-        assert!(session.prepared().forced().is_empty());
+        assert!(session.setup().forced().is_empty());
         assert_eq!(session.walk().len(), steps);
     }
 }

@@ -24,6 +24,7 @@ use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
 use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson, builtins};
+use crate::methods::Setup;
 use crate::panels::{Panel, PanelInput, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::render::smooth_patches;
@@ -148,7 +149,7 @@ impl Session {
             left_at: 0,
             narrated: Vec::new(),
             standings: Vec::new(),
-            preview: Preview::new(open.prepared.clone(), methods(&open)),
+            preview: Preview::new(open.setup.clone(), methods(&open)),
             pictures: 0,
             recording: 0,
             breakpoints: HashMap::new(),
@@ -173,7 +174,7 @@ impl Session {
     /// Puts another lesson in place of this one; what belongs to the user (language, theme, speed) stays.
     fn replace(&mut self, lesson: Lesson) -> Result<(), LessonError> {
         let open = lesson.open()?;
-        self.preview = Preview::new(open.prepared.clone(), methods(&open));
+        self.preview = Preview::new(open.setup.clone(), methods(&open));
         self.focus = open.lesson.focus;
         self.open = open;
         self.start_over();
@@ -183,7 +184,7 @@ impl Session {
     fn start_over(&mut self) {
         self.recording += 1;
         self.look.inspector = self.open.lesson.panels.contains(&Panel::Inspector);
-        self.look.smooth = self.open.prepared.radiosity.smooth;
+        self.look.smooth = self.open.setup.settings.radiosity.smooth;
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
         self.standings = vec![Standing::Open; self.narrated.len()];
         self.breakpoints.clear();
@@ -197,7 +198,11 @@ impl Session {
 
     /// The scene in front of its camera.
     pub fn prepared(&self) -> &PreparedScene {
-        &self.open.prepared
+        &self.open.setup.prepared
+    }
+
+    pub fn setup(&self) -> &Setup {
+        &self.open.setup
     }
 
     pub fn lesson(&self) -> &Lesson {
@@ -350,7 +355,7 @@ impl Session {
             Err(super::strings::SHARE_NO_STUDY)
         } else if !self.follows_lesson() {
             Err(super::strings::SHARE_LESSON_ONLY)
-        } else if !self.prepared().forced().is_empty() {
+        } else if !self.setup().forced().is_empty() {
             Err(super::strings::SHARE_AS_LEFT_OUT_ONLY)
         } else if self.is_changed() {
             Err(super::strings::SHARE_UNCHANGED_ONLY)

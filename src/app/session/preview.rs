@@ -2,9 +2,9 @@
 //! be cancelled at any time.
 
 use crate::algorithms::frame::Frame;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::Race;
+use crate::methods::Setup;
 use crate::render::compare::{Compared, compare};
 use crate::render::{Cancelled, Finished, Method, preview, race};
 use crate::study::ablation;
@@ -76,25 +76,25 @@ impl State {
 
 impl Preview {
     /// Begins the picture of the scene.
-    pub fn new(prepared: Arc<PreparedScene>, methods: Methods) -> Self {
-        Preview::over(prepared.empty_frame(), prepared, methods)
+    pub fn new(setup: Arc<Setup>, methods: Methods) -> Self {
+        Preview::over(setup.prepared.empty_frame(), setup, methods)
     }
 
     /// Begins anew with a scene of the same view; the old picture stays until the first pass arrives.
-    pub fn begin_anew(&mut self, prepared: Arc<PreparedScene>, methods: Methods) {
-        let nothing = Frame::new(0, 0..0, prepared.scene.background);
+    pub fn begin_anew(&mut self, setup: Arc<Setup>, methods: Methods) {
+        let nothing = Frame::new(0, 0..0, setup.prepared.scene.background);
         let frame = std::mem::replace(&mut self.finished.picture, nothing);
-        *self = Preview::over(frame, prepared, methods);
+        *self = Preview::over(frame, setup, methods);
     }
 
-    fn over(frame: Frame, prepared: Arc<PreparedScene>, methods: Methods) -> Self {
+    fn over(frame: Frame, setup: Arc<Setup>, methods: Methods) -> Self {
         let threads = thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
-        let finished = Finished::new(frame, &prepared.scene.lights);
+        let finished = Finished::new(frame, &setup.prepared.scene.lights);
         Preview::of(finished, move |state, passes| {
             let progress = |done, all| state.progress(done, all);
             // The receiver may be gone; then the pass is not needed.
             let show = &mut |pass: &Frame| drop(passes.send(Pass::Picture(pass.clone())));
-            let Ok(whole) = preview(&prepared, methods.picture, threads, progress, show) else {
+            let Ok(whole) = preview(&setup, methods.picture, threads, progress, show) else {
                 return;
             };
             drop(passes.send(Pass::Picture(whole)));
@@ -102,16 +102,16 @@ impl Preview {
                 if progress(1, 1).is_err() {
                     return;
                 }
-                drop(passes.send(Pass::Compared(compare(&prepared, method))));
+                drop(passes.send(Pass::Compared(compare(&setup, method))));
             }
             if methods.picture == Method::Radiosity
                 && progress(1, 1).is_ok()
-                && let Some(race) = race(&prepared)
+                && let Some(race) = race(&setup)
             {
                 drop(passes.send(Pass::Raced(race)));
             }
-            if !prepared.forced().is_empty() && progress(1, 1).is_ok() {
-                let times = ablation::both(&prepared, methods.picture, MEASURING);
+            if !setup.forced().is_empty() && progress(1, 1).is_ok() {
+                let times = ablation::both(&setup, methods.picture, MEASURING);
                 drop(passes.send(Pass::Timed(times)));
             }
         })

@@ -60,13 +60,7 @@ impl Session {
         let lesson = point.drawn.as_ref().map(|drawn| {
             let name = format!("{}, {}", line.name, point.setting);
             let localize = strings::said_of_a_point(point);
-            Lesson::of_picture(
-                name,
-                localize,
-                &drawn.prepared.lock(),
-                drawn.method,
-                drawn.settings,
-            )
+            Lesson::of_picture(name, localize, &drawn.setup, drawn.method)
         });
         self.studying.picked = Some(at);
         if let Some(lesson) = lesson {

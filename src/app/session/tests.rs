@@ -209,9 +209,9 @@ fn a_lesson_is_walked_while_its_picture_is_made() {
     session.wait_for_picture();
     assert!(!session.awaits_picture() && session.picture_percent().is_none());
     assert!(session.pictures() > pictures);
-    let prepared = &session.open.prepared;
+    let setup = &session.open.setup;
     let rendered = render(
-        prepared,
+        setup,
         session.lesson().method,
         NonZeroUsize::MIN,
         &|_, _| {},

@@ -55,7 +55,7 @@ impl Session {
             Command::Change(change) => return self.change(change),
             Command::Force(part) => return self.force(part),
             Command::Reset => {
-                if !self.prepared().forced().is_empty() {
+                if !self.setup().forced().is_empty() {
                     self.leave_all_out();
                 }
                 if self.is_changed() {

@@ -21,7 +21,7 @@ fn a_ticked_part_is_done_all_the_same_and_timed() {
     screen.keep("left-out");
     screen.click("Reflected rays");
     assert_eq!(
-        screen.session().prepared().forced(),
+        screen.session().setup().forced(),
         Parts::from(Part::ReflectedRays)
     );
     assert!(screen.session().walk().len() > steps);
@@ -34,7 +34,7 @@ fn a_ticked_part_is_done_all_the_same_and_timed() {
     assert!(recorded.iter().any(|label| text(label, &screen)));
     screen.keep("left-out-ticked");
     screen.click("Reflected rays");
-    assert!(screen.session().prepared().forced().is_empty());
+    assert!(screen.session().setup().forced().is_empty());
     screen.press(Modifiers::NONE, Key::Escape);
     assert!(!screen.session().look.skipped);
 }

@@ -3,21 +3,21 @@
 use super::*;
 use crate::app::session::{PointAt, StudyCommand};
 use crate::render::Method;
-use crate::study::form::{Drawn, Shared};
+use crate::study::form::Drawn;
 use crate::study::tests::findings;
 use egui::Role;
+use std::sync::Arc;
 
 /// The window with a study of two curves, of which the first point draws the lesson's stage.
 fn study(commands: impl IntoIterator<Item = Command>) -> Screen {
     let mut screen = triangle(commands);
-    let prepared = Shared::new(screen.session().prepared().clone());
+    let setup = Arc::new(screen.session().setup().clone());
     let found = findings();
     let studying = screen.session_mut().studying_mut();
     (studying.of, studying.parts) = (Some((found.study, true)), found.parts);
     studying.parts[0].lines[0].points[0].drawn = Some(Drawn {
-        prepared,
+        setup,
         method: Method::RayCasting,
-        settings: Default::default(),
     });
     studying.is_open = true;
     screen.harness.run();

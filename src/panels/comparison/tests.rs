@@ -4,6 +4,7 @@ use super::super::strings::Language;
 use super::super::{Panel, draw};
 use super::*;
 use crate::algorithms::focus::Focus;
+use crate::methods::{Settings, Setup};
 use crate::picture::{Shape, Tag};
 use crate::render::Method;
 use crate::render::compare::compare_on;
@@ -23,9 +24,10 @@ fn compare(mut fixture: Fixture) -> Fixture {
         ticks += 1e-6;
         ticks
     };
+    let setup = Setup::new(fixture.run.prepared().clone(), Settings::default());
     let methods = METHODS.into_iter();
     fixture.finished.compared = methods
-        .map(|method| compare_on(fixture.run.prepared(), method, &mut clock))
+        .map(|method| compare_on(&setup, method, &mut clock))
         .collect();
     fixture
 }

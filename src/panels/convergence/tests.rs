@@ -101,11 +101,12 @@ fn the_axis_spans_the_iterations_that_are_looked_at() {
     let axes = |focus| {
         let mut fixture = Fixture::room(Solver::Shooting, focus);
         fixture.go_to("IterationDone", 2);
-        let Run::Radiosity(prepared, replay) = &fixture.run else {
+        let Run::Radiosity(setup, replay) = &fixture.run else {
             panic!("the sample is a room");
         };
         let whole = Rect::new(0.0, 0.0, SIZE.x, SIZE.y);
-        let axes = Axes::new(prepared, replay.state(), focus, whole);
+        let tolerance = setup.settings.radiosity.stop.tolerance;
+        let axes = Axes::new(tolerance, replay.state(), focus, whole);
         (axes.first, axes.last)
     };
     assert_eq!(axes(Focus::Iterations { start: 5, end: 9 }), (5, 8));

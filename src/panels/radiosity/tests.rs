@@ -14,7 +14,7 @@ const NARROW: Vec2 = Vec2::new(380.0, 280.0);
 
 fn stage_of(fixture: &Fixture) -> &PreparedScene {
     match &fixture.run {
-        Run::Radiosity(prepared, _) | Run::FormFactor(prepared, _) => prepared,
+        Run::Radiosity(setup, _) | Run::FormFactor(setup, _) => &setup.prepared,
         _ => panic!("the sample is a room"),
     }
 }

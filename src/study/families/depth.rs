@@ -6,14 +6,16 @@
 
 use super::pictures::{self, MEMORY, picture, sends_rays_on, settings};
 use super::scenes;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
 use crate::language::Message;
 use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Reference, Request, Shared, Study, Sweep};
+use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep};
 use std::rc::Rc;
+use std::sync::Arc;
 use web_time::Instant;
 
 pub static STUDY: Study = Study {
@@ -61,14 +63,14 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
                 "nothing in the scene reflects or transmits, so that no ray is sent on".into(),
             );
         }
-        let prepared = Shared::new(scenes::prepared(scene, &camera, size));
+        let prepared = Arc::new(scenes::prepared(scene, &camera, size));
         Ok(sweep(attenuation, &prepared, longest))
     };
     attenuations.into_iter().map(sweep).collect()
 }
 
 /// Deeper and deeper pictures, and the deepest to compare them with.
-fn sweep([a0, a1, a2]: [f64; 3], prepared: &Shared, longest: f64) -> Sweep {
+fn sweep([a0, a1, a2]: [f64; 3], prepared: &Arc<PreparedScene>, longest: f64) -> Sweep {
     let depths = affordable(prepared, longest);
     let deepest = depths.last().copied().unwrap_or(1);
     let at = |depth: u32| picture(prepared, Method::RayTracing, settings(depth, 1));
@@ -99,7 +101,7 @@ fn sweep([a0, a1, a2]: [f64; 3], prepared: &Shared, longest: f64) -> Sweep {
 
 /// Depths as far as a picture stays quicker than `longest` seconds: rays may double from level to level. No deeper than changes
 /// anything.
-fn affordable(prepared: &Shared, longest: f64) -> Vec<u32> {
+fn affordable(prepared: &Arc<PreparedScene>, longest: f64) -> Vec<u32> {
     let mut depths: Vec<u32> = Vec::new();
     let (mut last, mut seconds) = (Vec::new(), 0.0_f64);
     for depth in DEPTHS {

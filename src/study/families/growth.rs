@@ -16,10 +16,11 @@ use crate::scene::patches::Patches;
 use crate::scene::{Scene, Shape, sphere_mesh};
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Shared, Study, Sweep, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
 use glam::DVec3;
 use std::rc::Rc;
+use std::sync::Arc;
 
 pub static STUDY: Study = Study {
     name: "growth",
@@ -73,7 +74,7 @@ fn part(
 
 /// All methods that draw without solving for light first.
 fn methods() -> impl Iterator<Item = Method> {
-    let draws = |method: &Method| *method != Method::Radiosity;
+    let draws = |method: &Method| method.draws_pixels();
     Method::ALL.into_iter().filter(draws)
 }
 
@@ -85,7 +86,7 @@ fn pixels(scene: &Scene, request: &Request) -> Result<Sweep, String> {
         .map(|size| {
             (
                 size,
-                Shared::new(scenes::prepared(scene.clone(), &camera, size)),
+                Arc::new(scenes::prepared(scene.clone(), &camera, size)),
             )
         })
         .collect();
@@ -114,7 +115,7 @@ fn triangles(request: &Request) -> Result<Sweep, String> {
         scene.objects[0].shape = Shape::Mesh(mesh);
         let camera = scenes::camera(&scene)?;
         let prepared = scenes::prepared(scene, &camera, [160, 120]);
-        stages.push((longitudes, Shared::new(prepared)));
+        stages.push((longitudes, Arc::new(prepared)));
     }
     let curves = methods().map(|method| {
         let sweep_settings = stages.iter().map(|(longitudes, prepared)| {
@@ -149,7 +150,7 @@ fn depth(scenes: &[(&str, &Scene)], request: &Request) -> Result<Sweep, String> 
     for (name, scene) in scenes {
         let camera = scenes::camera(scene)?;
         let prepared = scenes::prepared((*scene).clone(), &camera, size);
-        let prepared = Shared::new(prepared);
+        let prepared = Arc::new(prepared);
         let sweep_settings = (1..=deepest).map(|depth| {
             let setting = format!("depth {depth}");
             pictures::sweep_setting(

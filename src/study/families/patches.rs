@@ -7,6 +7,7 @@ use crate::algorithms::form_factor::hemicube::Hemicubes;
 use crate::algorithms::radiosity::RecordFilter;
 use crate::language::Message;
 use crate::record::Unrecorded;
+use crate::scene::Parts;
 use crate::scene::{Scene, Shape};
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
@@ -120,7 +121,8 @@ impl Work {
             form_factors: self.form_factors,
             ..enclosure::Settings::default()
         };
-        let enclosure = Enclosure::of(&scene, settings).map_err(|error| error.to_string())?;
+        let enclosure =
+            Enclosure::of(&scene, settings, Parts::NONE).map_err(|error| error.to_string())?;
         let matrix = enclosure.form_factors().matrix();
         let light = enclosure.solve(&matrix, &RecordFilter::default(), &mut Unrecorded);
         let light = light.map_err(|why| why.to_string())?;

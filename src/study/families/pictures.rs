@@ -1,27 +1,33 @@
 //! Pictures by ray methods, as the rungs of several studies draw them.
 
 use super::memory;
-use crate::algorithms::primary::Settings;
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::primary;
 use crate::color::Rgb;
-use crate::render::{Method, RayCounts, render, render_counted};
+use crate::methods::{Method, Setup};
+use crate::render::{RayCounts, render, render_counted};
 use crate::scene::Scene;
-use crate::study::form::{Drawn, Operations, Setting, Shared, Values};
+use crate::study::form::{Drawn, Operations, Setting, Values};
 use std::num::{NonZeroU32, NonZeroUsize};
+use std::sync::Arc;
 
 /// How far ray methods go. Both must be positive.
-pub fn settings(depth: u32, samples: u32) -> Settings {
+pub fn settings(depth: u32, samples: u32) -> primary::Settings {
     let positive = |n: u32| NonZeroU32::new(n).unwrap_or(NonZeroU32::MIN);
-    Settings {
+    primary::Settings {
         depth: positive(depth),
         samples: positive(samples),
     }
 }
 
 /// The picture, its channels in a row.
-pub fn picture(prepared: &Shared, method: Method, settings: Settings) -> Vec<f64> {
-    let mut prepared = prepared.lock();
-    prepared.settings = settings;
-    let frame = render(&prepared, method, NonZeroUsize::MIN, &|_, _| ());
+pub fn picture(
+    prepared: &Arc<PreparedScene>,
+    method: Method,
+    settings: primary::Settings,
+) -> Vec<f64> {
+    let setup = Setup::new(prepared.clone(), settings);
+    let frame = render(&setup, method, NonZeroUsize::MIN, &|_, _| ());
     Values::Picture(frame).numbers()
 }
 
@@ -29,50 +35,43 @@ pub fn picture(prepared: &Shared, method: Method, settings: Settings) -> Vec<f64
 pub fn sweep_setting(
     setting: String,
     size: f64,
-    prepared: &Shared,
+    prepared: &Arc<PreparedScene>,
     method: Method,
-    settings: Settings,
+    settings: primary::Settings,
 ) -> Setting {
-    let operations = operations(prepared, method, settings);
-    let bytes = {
-        let prepared = prepared.lock();
-        let view = &prepared.view;
-        let scene = match method.follows_rays() {
-            true => prepared.primitives().bytes(),
-            false => 0,
-        };
-        memory::frame([view.width, view.height]) + memory::polygons(&prepared) + scene
+    let view = &prepared.view;
+    let scene = match method.follows_rays() {
+        true => prepared.primitives().bytes(),
+        false => 0,
     };
-    let shared = prepared.clone();
+    let bytes = memory::frame([view.width, view.height]) + memory::polygons(prepared) + scene;
+    let setup = Arc::new(Setup::new(prepared.clone(), settings));
     Setting {
         setting,
         size,
         bytes,
-        operations,
+        operations: operations(&setup, method),
         truth: None,
         drawn: Some(Drawn {
-            prepared: prepared.clone(),
+            setup: setup.clone(),
             method,
-            settings,
         }),
         run: Box::new(move || {
-            let mut prepared = shared.lock();
-            prepared.settings = settings;
-            let frame = render(&prepared, method, NonZeroUsize::MIN, &|_, _| ());
+            let frame = render(&setup, method, NonZeroUsize::MIN, &|_, _| ());
             Ok(Values::Picture(frame))
         }),
     }
 }
 
 /// Rays by kind, or the polygons of a method that follows none.
-fn operations(prepared: &Shared, method: Method, settings: Settings) -> Vec<Operations> {
-    let mut prepared = prepared.lock();
-    prepared.settings = settings;
-    let pixels = u64::from(prepared.view.width) * u64::from(prepared.view.height);
-    let mut recorded = vec![("pixels", pixels)];
+fn operations(setup: &Setup, method: Method) -> Vec<Operations> {
+    let PreparedScene {
+        view, tessellation, ..
+    } = &*setup.prepared;
+    let mut recorded = vec![("pixels", u64::from(view.width) * u64::from(view.height))];
     if method.follows_rays() {
         let one = NonZeroUsize::MIN;
-        let (_, rays) = render_counted(&prepared, method, prepared.needs(), one, &|_, _| ());
+        let (_, rays) = render_counted(setup, method, setup.needs(), one, &|_, _| ());
         let RayCounts {
             primary,
             shadow,
@@ -88,7 +87,9 @@ fn operations(prepared: &Shared, method: Method, settings: Settings) -> Vec<Oper
             ("total_internal_reflections", total_internal_reflection),
         ]);
     } else {
-        recorded.push(("polygons", prepared.tessellation.polygon_count() as u64));
+        // The timed runs find what the scene needs already known.
+        setup.needs();
+        recorded.push(("polygons", tessellation.polygon_count() as u64));
     }
     let recorded = recorded.into_iter().filter(|(_, count)| *count > 0);
     recorded

@@ -7,8 +7,9 @@ use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Reference, Request, Shared, Study, Sweep};
+use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep};
 use std::rc::Rc;
+use std::sync::Arc;
 
 pub static STUDY: Study = Study {
     name: "ray-samples",
@@ -28,7 +29,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let size = request.either([32, 24], [120, 90]);
     let (sides, finest): (&[u32], u32) =
         request.either((&[1, 2, 3, 4, 6, 8], 32), (&[1, 2, 3, 4, 6, 8, 12, 16], 64));
-    let prepared = Shared::new(scenes::prepared(scene, &camera, size));
+    let prepared = Arc::new(scenes::prepared(scene, &camera, size));
     let sweep = |method: Method| {
         let truth: Rc<[f64]> = picture(&prepared, method, settings(DEPTH, finest)).into();
         let half = picture(&prepared, method, settings(DEPTH, finest / 2));

@@ -1,6 +1,7 @@
 //! The scenes that studies bring, and pictures of scenes.
 
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::methods::{Settings, Setup};
 use crate::scene::{self, Camera, Limits, Object, Scene, Shape, View};
 use glam::DVec3;
 
@@ -19,6 +20,11 @@ pub fn camera(scene: &Scene) -> Result<Camera, String> {
 /// `scene` in front of its own camera.
 pub fn prepared(scene: Scene, camera: &Camera, [width, height]: [u32; 2]) -> PreparedScene {
     PreparedScene::new(scene, View::new(camera, width, height))
+}
+
+/// As [`prepared`], with the settings that methods have where nothing is said.
+pub fn setup(scene: Scene, camera: &Camera, size: [u32; 2]) -> Setup {
+    Setup::new(prepared(scene, camera, size), Settings::default())
 }
 
 /// A ball between two mirrors that face each other: every level of rays brings another image.
@@ -94,12 +100,14 @@ const CUBE: &str = r#"{ "schema": 1, "objects": [],
 mod tests {
     use super::*;
     use crate::algorithms::enclosure::{self, Enclosure};
+    use crate::scene::Parts;
 
     #[test]
     fn the_scenes_are_right_and_the_cube_is_closed() {
         assert_eq!(own(MIRRORS).objects.len(), 4);
         assert_eq!(own(BALLS).objects.len(), 3);
-        let enclosure = Enclosure::of(&cube(2), enclosure::Settings::default()).unwrap();
+        let enclosure =
+            Enclosure::of(&cube(2), enclosure::Settings::default(), Parts::NONE).unwrap();
         let matrix = enclosure.form_factors().matrix();
         for row in matrix.chunks(24) {
             assert!((row.iter().sum::<f64>() - 1.0).abs() < 1e-6);

@@ -1,10 +1,10 @@
 //! The nearest hit, object by object or by the hierarchy: the same picture, bit for bit, in another time.
 
 use super::{memory, scenes};
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::ray_casting::RayCaster;
 use crate::algorithms::visible::{BruteForce, Bvh, Search};
 use crate::language::Message;
+use crate::methods::Setup;
 use crate::record::Unrecorded;
 use crate::scene::{Object, Scene, Shape};
 use crate::study::fit::Law;
@@ -33,7 +33,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let mut stages = Vec::new();
     for scene in scenes {
         let camera = scenes::camera(&scene)?;
-        stages.push(Rc::new(scenes::prepared(scene, &camera, size)));
+        stages.push(Rc::new(scenes::setup(scene, &camera, size)));
     }
     Ok(vec![Sweep {
         title: "Objects".into(),
@@ -50,13 +50,14 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     }])
 }
 
-fn curve<S: Search + 'static>(name: &str, stages: &[Rc<PreparedScene>], search: S) -> Curve {
-    let sweep_settings = stages.iter().map(|prepared| {
+fn curve<S: Search + 'static>(name: &str, stages: &[Rc<Setup>], search: S) -> Curve {
+    let sweep_settings = stages.iter().map(|setup| {
+        let prepared = &setup.prepared;
         let objects = prepared.scene.objects.len() as u64;
         let size = [prepared.view.width, prepared.view.height];
         let pixels = u64::from(size[0]) * u64::from(size[1]);
         let bytes = prepared.primitives().bytes() + memory::frame(size);
-        let prepared = prepared.clone();
+        let setup = setup.clone();
         Setting {
             setting: format!("{objects} objects"),
             size: objects as f64,
@@ -67,7 +68,7 @@ fn curve<S: Search + 'static>(name: &str, stages: &[Rc<PreparedScene>], search: 
             }],
             truth: None,
             drawn: None,
-            run: Box::new(move || Ok(Values::Numbers(cast(&prepared, search)))),
+            run: Box::new(move || Ok(Values::Numbers(cast(&setup, search)))),
         }
     });
     Curve {
@@ -77,8 +78,9 @@ fn curve<S: Search + 'static>(name: &str, stages: &[Rc<PreparedScene>], search: 
 }
 
 /// The picture by ray casting.
-fn cast(prepared: &PreparedScene, search: impl Search) -> Vec<f64> {
-    let caster = RayCaster::new(prepared, prepared.needs(), search);
+fn cast(setup: &Setup, search: impl Search) -> Vec<f64> {
+    let prepared = &setup.prepared;
+    let caster = RayCaster::new(prepared, setup.settings.rays, setup.needs(), search);
     let pixels =
         (0..prepared.view.height).flat_map(|y| (0..prepared.view.width).map(move |x| (x, y)));
     pixels
@@ -117,7 +119,7 @@ mod tests {
     fn both_ways_find_the_same_to_the_bit() {
         let scene = spheres(40);
         let camera = scenes::camera(&scene).unwrap();
-        let prepared = scenes::prepared(scene, &camera, [16, 12]);
-        assert_eq!(cast(&prepared, BruteForce), cast(&prepared, Bvh));
+        let setup = scenes::setup(scene, &camera, [16, 12]);
+        assert_eq!(cast(&setup, BruteForce), cast(&setup, Bvh));
     }
 }

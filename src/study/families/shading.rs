@@ -16,9 +16,10 @@ use crate::render::Method;
 use crate::scene::primitives::Ray;
 use crate::scene::{Camera, Light, Scene, Shape, sphere_mesh};
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Reference, Request, Shared, Study, Sweep};
+use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep};
 use std::num::NonZeroU32;
 use std::rc::Rc;
+use std::sync::Arc;
 
 pub static STUDY: Study = Study {
     name: "shading",
@@ -51,9 +52,9 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let finest = request.either(5, 7);
     let truth = truth(&scene, &camera, size)?;
     // 8, 16, 32 … longitudes, half as many latitudes
-    let divided: Vec<(u32, Shared)> = (0..finest)
+    let divided: Vec<(u32, Arc<PreparedScene>)> = (0..finest)
         .map(|step| 8 << step)
-        .map(|n| (n, Shared::new(tessellated(&scene, &camera, size, n))))
+        .map(|n| (n, Arc::new(tessellated(&scene, &camera, size, n))))
         .collect();
     let curves = methods().map(|method| {
         let sweep_settings = divided.iter().map(|(n, prepared)| {
@@ -100,13 +101,14 @@ fn tessellated(scene: &Scene, camera: &Camera, size: [u32; 2], longitudes: u32) 
 
 /// The picture of the true spheres; NaN in pixels that are not compared. Errors: no pixel is.
 fn truth(scene: &Scene, camera: &Camera, size: [u32; 2]) -> Result<Rc<[f64]>, String> {
-    let prepared = scenes::prepared(scene.clone(), camera, size);
-    let caster = RayCaster::new(&prepared, prepared.needs(), Bvh);
+    let setup = scenes::setup(scene.clone(), camera, size);
+    let prepared = &setup.prepared;
+    let caster = RayCaster::new(prepared, setup.settings.rays, setup.needs(), Bvh);
     let mut truth = Vec::new();
     for y in 0..size[1] {
         for x in 0..size[0] {
             let mut compared = false;
-            let mut look = |ray: &Ray| compared = faces_the_eye(&prepared, ray);
+            let mut look = |ray: &Ray| compared = faces_the_eye(prepared, ray);
             primary::pixel::<primary::Event, _>(
                 &prepared.view,
                 NonZeroU32::MIN,

@@ -9,6 +9,7 @@ use crate::color::Rgb;
 use crate::language::Message;
 use crate::record::Counter;
 use crate::record::{Recorder, Unrecorded};
+use crate::scene::Parts;
 use crate::scene::Scene;
 use crate::study::count::operations;
 use crate::study::fit::Law;
@@ -34,7 +35,7 @@ pub struct Problem {
 impl Problem {
     /// The channel in which the scene emits most. Errors: it cannot be divided, has too many patches, or emits nothing.
     pub fn of(scene: &Scene, most_patches: usize) -> Result<Problem, String> {
-        let enclosure = Enclosure::of(scene, enclosure::Settings::default())
+        let enclosure = Enclosure::of(scene, enclosure::Settings::default(), Parts::NONE)
             .map_err(|error| error.to_string())?;
         let n = enclosure.patches.len();
         if n > most_patches {

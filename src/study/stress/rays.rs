@@ -201,8 +201,8 @@ pub const CASES: &[Case] = &[
         run: || {
             let by = DVec3::new(1e7, -1e7, 1e7);
             let [near, far] = [DVec3::ZERO, by].map(|by| {
-                let prepared = staged(moved(scene(ROOM)?, 1.0, by), SIZE, 6)?;
-                Ok::<_, String>(picture(&prepared, Method::RayTracing))
+                let setup = staged(moved(scene(ROOM)?, 1.0, by), SIZE, 6)?;
+                Ok::<_, String>(picture(&setup, Method::RayTracing))
             });
             let (near, far) = (near?, far?);
             Ok(Measured::share(differing(&near, &far, 1e-5), near.len()).into())

@@ -133,10 +133,9 @@ pub const CASES: &[Case] = &[
                      "materials": {{ "m": {{ "emission": [1, 1, 1], "reflection": 0.5, "transmission": 0.5 }} }}, "objects": [ {} ] }}"#,
                 plates.join(",")
             );
-            let prepared = staged(scene(&text)?, [1, 1], 20)?;
+            let setup = staged(scene(&text)?, [1, 1], 20)?;
             let (method, one) = (Method::RayTracing, NonZeroUsize::MIN);
-            let (frame, rays) =
-                render_counted(&prepared, method, prepared.needs(), one, &|_, _| {});
+            let (frame, rays) = render_counted(&setup, method, setup.needs(), one, &|_, _| {});
             if frame.color[0].r != 20.0 {
                 return Err(format!("the rays carry {}", frame.color[0].r));
             }
@@ -233,6 +232,6 @@ fn bubble(height: f64) -> Result<f64, String> {
              "objects": [ {{ "name": "glass", "material": "glass", "sphere": {{ "center": [0, 0, 0], "radius": 2 }} }},
                           {{ "name": "bubble", "material": "air", "sphere": {{ "center": [0, 0, 0], "radius": 1 }} }} ] }}"#
     );
-    let prepared = staged(scene(&text)?, [1, 1], 5)?;
-    Ok(picture(&prepared, Method::RayTracing)[0].r)
+    let setup = staged(scene(&text)?, [1, 1], 5)?;
+    Ok(picture(&setup, Method::RayTracing)[0].r)
 }

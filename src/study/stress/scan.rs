@@ -195,8 +195,8 @@ pub const CASES: &[Case] = &[
         run: || {
             let by = DVec3::new(1e7, -1e7, 1e7);
             let [near, far] = [DVec3::ZERO, by].map(|by| {
-                let prepared = staged(moved(scene(ROOM)?, 1.0, by), [48, 36], 1)?;
-                Ok::<_, String>(picture(&prepared, Method::Gouraud))
+                let setup = staged(moved(scene(ROOM)?, 1.0, by), [48, 36], 1)?;
+                Ok::<_, String>(picture(&setup, Method::Gouraud))
             });
             let (near, far) = (near?, far?);
             Ok(Measured::share(differing(&near, &far, 1e-6), near.len()).into())

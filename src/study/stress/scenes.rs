@@ -1,9 +1,10 @@
 //! Scenes that cases look at.
 
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::primary::Settings;
+use crate::algorithms::primary;
 use crate::color::Rgb;
-use crate::render::{Method, render};
+use crate::methods::{Method, Setup};
+use crate::render::render;
 use crate::scene::primitives::Primitives;
 use crate::scene::{Light, Limits, Material, Object, Scene, Shape, Tessellation, View, read};
 use glam::DVec3;
@@ -16,21 +17,20 @@ pub fn scene(text: &str) -> Result<Scene, String> {
 }
 
 /// In front of its camera, rays going on for `depth` levels.
-pub fn staged(
-    scene: Scene,
-    [width, height]: [u32; 2],
-    depth: u32,
-) -> Result<PreparedScene, String> {
+pub fn staged(scene: Scene, [width, height]: [u32; 2], depth: u32) -> Result<Setup, String> {
     let camera = scene.camera.ok_or("the scene has no camera")?;
     let depth = NonZeroU32::new(depth).ok_or("there is no level 0")?;
-    let samples = NonZeroU32::MIN;
     let prepared = PreparedScene::new(scene, View::new(&camera, width, height));
-    Ok(prepared.with_settings(Settings { depth, samples }))
+    let rays = primary::Settings {
+        depth,
+        samples: NonZeroU32::MIN,
+    };
+    Ok(Setup::new(prepared, rays))
 }
 
 /// Its colours, pixel by pixel.
-pub fn picture(prepared: &PreparedScene, method: Method) -> Vec<Rgb> {
-    render(prepared, method, NonZeroUsize::MIN, &|_, _| {}).color
+pub fn picture(setup: &Setup, method: Method) -> Vec<Rgb> {
+    render(setup, method, NonZeroUsize::MIN, &|_, _| {}).color
 }
 
 /// What the middle pixel of a ray-traced picture sees along +z from the origin.
@@ -39,8 +39,8 @@ pub fn look(objects: &str, materials: &str, more: &str, depth: u32) -> Result<Rg
         r#"{{ "schema": 1, {more} "camera": {{ "eye": [0, 0, 0], "target": [0, 0, 1], "up": [0, 1, 0], "fov_x_degrees": 1 }},
              "materials": {{ {materials} }}, "objects": [ {objects} ] }}"#
     );
-    let prepared = staged(scene(&text)?, [1, 1], depth)?;
-    Ok(picture(&prepared, Method::RayTracing)[0])
+    let setup = staged(scene(&text)?, [1, 1], depth)?;
+    Ok(picture(&setup, Method::RayTracing)[0])
 }
 
 /// One object alone, as rays meet it.

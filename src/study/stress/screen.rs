@@ -194,7 +194,7 @@ pub fn drawn(vertices: &str) -> Result<f64, String> {
              "materials": {{ "m": {{ "ambient": [1, 1, 1] }} }},
              "objects": [ {{ "name": "sheet", "material": "m", "polygon": {{ "vertices": {vertices} }} }} ] }}"#
     );
-    let prepared = staged(scene(&text)?, [SIZE, SIZE], 1)?;
-    let colors = picture(&prepared, Method::Gouraud);
+    let setup = staged(scene(&text)?, [SIZE, SIZE], 1)?;
+    let colors = picture(&setup, Method::Gouraud);
     Ok(colors.iter().filter(|color| color.r > 0.0).count() as f64)
 }

@@ -1,9 +1,10 @@
 //! Light whose amount is known from a formula.
 
 use super::{picture, settings};
-use crate::common::prepared;
+use crate::common::{prepared, setup};
 use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::color::Rgb;
+use lightwalk::methods::{Settings, Setup};
 use lightwalk::scene::View;
 
 /// One pixel, looking along +z from the origin.
@@ -12,8 +13,8 @@ fn look(objects: &str, materials: &str, more: &str, depth: u32) -> Rgb {
         r#"{{ "schema": 1, {more} "camera": {{ "eye": [0, 0, 0], "target": [0, 0, 1], "up": [0, 1, 0], "fov_x_degrees": 1 }},
              "materials": {{ {materials} }}, "objects": [ {objects} ] }}"#
     );
-    let prepared = prepared(&json, 1, 1).with_settings(settings(depth, 1));
-    picture(&prepared).pixel(0, 0)
+    let setup = Setup::new(prepared(&json, 1, 1), settings(depth, 1));
+    picture(&setup).pixel(0, 0)
 }
 
 #[test]
@@ -82,8 +83,8 @@ fn glass_of_index_1_is_not_there() {
                  "lights": [ {{ "point": {{ "position": [1, 2, 0] }} }} ] }}"#
         )
     };
-    let without = picture(&prepared(&json(wall), 64, 48));
-    let with = picture(&prepared(&json(&format!("{wall}{ball}")), 64, 48));
+    let without = picture(&setup(&json(wall), 64, 48));
+    let with = picture(&setup(&json(&format!("{wall}{ball}")), 64, 48));
     let differing = std::iter::zip(&without.color, &with.color)
         .filter(|(a, b)| (**a - **b).channels().iter().any(|d| d.abs() > 1e-12))
         .count();
@@ -111,7 +112,11 @@ fn a_slab_of_glass_shifts_a_ray_sideways() {
         let scene = lightwalk::scene::read(scene(edge).as_bytes(), &Default::default(), &mut read)
             .expect("a scene");
         let view = View::new(&scene.camera.expect("a camera"), 1, 1);
-        picture(&PreparedScene::new(scene, view)).pixel(0, 0)
+        picture(&Setup::new(
+            PreparedScene::new(scene, view),
+            Settings::default(),
+        ))
+        .pixel(0, 0)
     };
     // Without the slab the ray meets y = z = 4. A shift of s across the ray is s·√2 along y.
     let met = 4.0 - shift * std::f64::consts::SQRT_2;
@@ -133,7 +138,7 @@ fn the_critical_angle_is_kept_to_1e_12() {
                               {{ "name": "near", "material": "lit", "plane": {{ "point": [0, 0, -1], "normal": [0, 0, 1] }} }} ] }}"#,
             1.0 / 1.5
         );
-        let color = picture(&prepared(&json, 1, 1)).pixel(0, 0);
+        let color = picture(&setup(&json, 1, 1)).pixel(0, 0);
         let expected = if passes {
             [0.0, 1.0, 0.0]
         } else {
@@ -167,7 +172,7 @@ fn an_air_bubble_in_glass_turns_light_back_beyond_the_critical_angle() {
                               {{ "name": "bubble", "material": "air", "sphere": {{ "center": [0, 0, 0], "radius": 1 }} }} ] }}"#
         )
     };
-    let sum = |h: f64| picture(&prepared(&json(h), 1, 1)).pixel(0, 0).r;
+    let sum = |h: f64| picture(&setup(&json(h), 1, 1)).pixel(0, 0).r;
     // Twice the bubble's light where the ray goes in and out of it, once where it is turned back, none beside it (h > 1.5).
     assert_eq!(sum(0.999_999), 2.0);
     assert_eq!(sum(1.000_001), 1.0);
@@ -181,11 +186,11 @@ fn an_eye_inside_glass_looks_out_of_it() {
       "materials": { "glass": { "transmission": 1, "ior": 1.5, "reflection": 0, "emission": [0.125, 0, 0] } },
       "objects": [ { "name": "glass", "material": "glass", "sphere": { "center": [0, 0, 0], "radius": 1 } } ] }"#;
     // sin θ = 0.9 lies beyond 1/1.5: the light goes around inside for ever, and meets the surface at every level.
-    let color = picture(&prepared(json, 1, 1).with_settings(settings(8, 1))).pixel(0, 0);
+    let color = picture(&Setup::new(prepared(json, 1, 1), settings(8, 1))).pixel(0, 0);
     assert_eq!(color, Rgb::new(1.0, 0.0, 0.0));
     // Lower, it leaves at once.
     let lower = json.replace("0.9]", "0.6]");
-    let color = picture(&prepared(&lower, 1, 1)).pixel(0, 0);
+    let color = picture(&setup(&lower, 1, 1)).pixel(0, 0);
     assert_eq!(color, Rgb::new(0.125, 1.0, 0.0));
 }
 
@@ -196,9 +201,9 @@ fn samples_are_averaged() {
       "materials": { "lit": { "emission": [1, 1, 1] } },
       "objects": [ { "name": "edge", "material": "lit", "polygon": { "vertices": [[0.4, -9, 1], [0.4, 9, 1], [9, 9, 1], [9, -9, 1]] } } ] }"#;
     for (samples, expected) in [(1, 0.0), (2, 0.5), (4, 0.25), (8, 0.25)] {
-        let prepared = prepared(json, 1, 1).with_settings(settings(5, samples));
+        let setup = Setup::new(prepared(json, 1, 1), settings(5, samples));
         assert_eq!(
-            picture(&prepared).pixel(0, 0),
+            picture(&setup).pixel(0, 0),
             Rgb::splat(expected),
             "{samples}"
         );

@@ -7,6 +7,7 @@ use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::ray_tracing::{RayTracer, ray_tracing};
 use lightwalk::algorithms::visible::{BruteForce, Bvh, Search};
 use lightwalk::color::Rgb;
+use lightwalk::methods::Setup;
 use lightwalk::record::Unrecorded;
 
 const SIZE: u32 = 48;
@@ -20,9 +21,9 @@ fn traced(objects: &str, light: &str, search: impl Search) -> Frame {
              "materials": {{ "lower": {{ "emission": [1, 0, 0] }}, "upper": {{ "emission": [0, 1, 0] }}, "chalk": {{ "diffuse": [1, 1, 1] }} }},
              "objects": [ {objects} ], "lights": [ {light} ] }}"#
     );
-    let prepared = prepared(&json, SIZE, SIZE).with_settings(settings(5, 1));
-    let mut frame = blank(&prepared);
-    let tracer = RayTracer::new(&prepared, prepared.needs(), search);
+    let setup = Setup::new(prepared(&json, SIZE, SIZE), settings(5, 1));
+    let mut frame = blank(&setup);
+    let tracer = RayTracer::new(&setup.prepared, setup.settings.rays, setup.needs(), search);
     ray_tracing(&tracer, Focus::Frame, &mut frame, &mut Unrecorded);
     frame
 }

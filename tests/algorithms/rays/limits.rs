@@ -5,6 +5,7 @@ use crate::common::prepared;
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::ray_tracing::{Event, RayTracer, ray_tracing};
 use lightwalk::algorithms::visible::BruteForce;
+use lightwalk::methods::Setup;
 use lightwalk::record::{self, Recorder, Recording, RecordingLimit};
 
 /// Glass balls that reflect and transmit: two rays at every hit.
@@ -22,11 +23,16 @@ fn depth_64_stays_far_from_the_end_of_the_stack() {
       "materials": { "mirror": { "emission": [0.01, 0.01, 0.01], "reflection": 0.98 } },
       "objects": [ { "name": "room", "material": "mirror", "sphere": { "center": [0.1, 0, 0], "radius": 3 } } ] }"#;
     let run = || {
-        let prepared = prepared(json, 4, 4).with_settings(settings(64, 1));
-        let frame = picture(&prepared);
-        let mut recorded = blank(&prepared);
+        let setup = Setup::new(prepared(json, 4, 4), settings(64, 1));
+        let frame = picture(&setup);
+        let mut recorded = blank(&setup);
         let mut recording = Recording::new(RecordingLimit::default());
-        let tracer = RayTracer::new(&prepared, prepared.needs(), BruteForce);
+        let tracer = RayTracer::new(
+            &setup.prepared,
+            setup.settings.rays,
+            setup.needs(),
+            BruteForce,
+        );
         ray_tracing(&tracer, Focus::Frame, &mut recorded, &mut recording);
         assert!(frame == recorded && !recording.truncated());
         let series: f64 = (0..64).map(|i| 0.01 * 0.98_f64.powi(i)).sum();
@@ -40,17 +46,22 @@ fn depth_64_stays_far_from_the_end_of_the_stack() {
 
 #[test]
 fn a_tree_of_a_million_rays_is_recorded_within_its_limit() {
-    let prepared = prepared(TREE, 9, 9).with_settings(settings(28, 1));
+    let setup = Setup::new(prepared(TREE, 9, 9), settings(28, 1));
     let focus = Focus::Pixel { x: 4, y: 4 };
-    let tracer = RayTracer::new(&prepared, prepared.needs(), BruteForce);
-    let mut expected = blank(&prepared);
+    let tracer = RayTracer::new(
+        &setup.prepared,
+        setup.settings.rays,
+        setup.needs(),
+        BruteForce,
+    );
+    let mut expected = blank(&setup);
     let mut rays = Rays(0);
     ray_tracing(&tracer, focus, &mut expected, &mut rays);
     assert!(rays.0 > 1_000_000, "{} rays", rays.0);
 
     let limit = RecordingLimit(64 << 20);
     let mut recording = Recording::new(limit);
-    let mut frame = blank(&prepared);
+    let mut frame = blank(&setup);
     ray_tracing(&tracer, focus, &mut frame, &mut recording);
     assert!(frame == expected);
     assert!(recording.truncated() && recording.len() * 64 <= 64 << 20);
@@ -69,15 +80,17 @@ impl Recorder<Event> for Rays {
 
 #[test]
 fn light_without_bounds_stays_a_number() {
-    let prepared = prepared(
-        &TREE
-            .replace("\"reflection\": 0.4", "\"reflection\": [1e300, 0, 1e-300]")
-            .replace("[0.2, 0.3, 0.5]", "[1e300, 1e300, 1e300]"),
-        8,
-        8,
-    )
-    .with_settings(settings(8, 1));
-    for color in picture(&prepared).color {
+    let setup = Setup::new(
+        prepared(
+            &TREE
+                .replace("\"reflection\": 0.4", "\"reflection\": [1e300, 0, 1e-300]")
+                .replace("[0.2, 0.3, 0.5]", "[1e300, 1e300, 1e300]"),
+            8,
+            8,
+        ),
+        settings(8, 1),
+    );
+    for color in picture(&setup).color {
         assert!(color.channels().iter().all(|c| c.is_finite()), "{color:?}");
     }
 }

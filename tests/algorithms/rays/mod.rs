@@ -7,42 +7,38 @@ mod random_scenes;
 mod reference;
 mod scenes;
 
-use crate::common::{TEAPOT, prepared};
+use crate::common::{TEAPOT, setup};
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
-use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::algorithms::primary::Settings;
 use lightwalk::algorithms::ray_casting::{RayCaster, ray_casting};
 use lightwalk::algorithms::ray_tracing::{RayTracer, ray_tracing};
 use lightwalk::algorithms::visible::{BruteForce, Bvh, Search};
+use lightwalk::methods::Setup;
 use lightwalk::record::Unrecorded;
 use lightwalk::scene::Needs;
 use std::num::NonZeroU32;
 
-fn blank(prepared: &PreparedScene) -> Frame {
-    Frame::new(
-        prepared.view.width,
-        0..prepared.view.height,
-        prepared.scene.background,
-    )
+fn blank(setup: &Setup) -> Frame {
+    setup.prepared.empty_frame()
 }
 
-fn traced(prepared: &PreparedScene, needs: &Needs, search: impl Search) -> Frame {
-    let mut frame = blank(prepared);
-    let tracer = RayTracer::new(prepared, needs, search);
+fn traced(setup: &Setup, needs: &Needs, search: impl Search) -> Frame {
+    let mut frame = blank(setup);
+    let tracer = RayTracer::new(&setup.prepared, setup.settings.rays, needs, search);
     ray_tracing(&tracer, Focus::Frame, &mut frame, &mut Unrecorded);
     frame
 }
 
-fn cast(prepared: &PreparedScene, needs: &Needs, search: impl Search) -> Frame {
-    let mut frame = blank(prepared);
-    let caster = RayCaster::new(prepared, needs, search);
+fn cast(setup: &Setup, needs: &Needs, search: impl Search) -> Frame {
+    let mut frame = blank(setup);
+    let caster = RayCaster::new(&setup.prepared, setup.settings.rays, needs, search);
     ray_casting(&caster, Focus::Frame, &mut frame, &mut Unrecorded);
     frame
 }
 
-fn picture(prepared: &PreparedScene) -> Frame {
-    traced(prepared, prepared.needs(), Bvh)
+fn picture(setup: &Setup) -> Frame {
+    traced(setup, setup.needs(), Bvh)
 }
 
 fn settings(depth: u32, samples: u32) -> Settings {
@@ -58,10 +54,8 @@ fn a_mesh_of_glass_is_the_same_by_hierarchy() {
         "\"specular\": 0.5,",
         "\"specular\": 0.5, \"transmission\": 0.8, \"reflection\": 0.1, \"ior\": 1.4,",
     );
-    let prepared = prepared(&glass, 60, 45);
-    assert!(prepared.needs().transmission);
-    assert!(traced(&prepared, prepared.needs(), BruteForce) == picture(&prepared));
-    assert!(
-        cast(&prepared, prepared.needs(), BruteForce) == cast(&prepared, prepared.needs(), Bvh)
-    );
+    let setup = setup(&glass, 60, 45);
+    assert!(setup.needs().transmission);
+    assert!(traced(&setup, setup.needs(), BruteForce) == picture(&setup));
+    assert!(cast(&setup, setup.needs(), BruteForce) == cast(&setup, setup.needs(), Bvh));
 }

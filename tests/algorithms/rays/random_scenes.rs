@@ -7,6 +7,7 @@ use glam::DVec3;
 use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::algorithms::visible::{BruteForce, Bvh};
 use lightwalk::color::Rgb;
+use lightwalk::methods::{Settings, Setup};
 use lightwalk::scene::{Light, Needs, Parts, Scene, Shape, View};
 use proptest::prelude::*;
 
@@ -40,9 +41,9 @@ fn scaled(scene: &Scene, factor: f64) -> Scene {
     scene
 }
 
-fn staged(scene: Scene, width: u32, height: u32) -> PreparedScene {
+fn staged(scene: Scene, width: u32, height: u32) -> Setup {
     let view = View::new(&scene.camera.expect("a camera"), width, height);
-    PreparedScene::new(scene, view)
+    Setup::new(PreparedScene::new(scene, view), Settings::default())
 }
 
 proptest! {
@@ -50,9 +51,9 @@ proptest! {
 
     #[test]
     fn the_hierarchy_and_brute_force_give_the_same_bits(scene in scene()) {
-        let prepared = staged(scene, 40, 30);
-        prop_assert!(traced(&prepared, prepared.needs(), BruteForce) == traced(&prepared, prepared.needs(), Bvh));
-        prop_assert!(cast(&prepared, prepared.needs(), BruteForce) == cast(&prepared, prepared.needs(), Bvh));
+        let setup = staged(scene, 40, 30);
+        prop_assert!(traced(&setup, setup.needs(), BruteForce) == traced(&setup, setup.needs(), Bvh));
+        prop_assert!(cast(&setup, setup.needs(), BruteForce) == cast(&setup, setup.needs(), Bvh));
     }
 
     #[test]
@@ -65,10 +66,10 @@ proptest! {
             if plain & 4 != 0 { material.specular = Rgb::BLACK }
             if plain & 8 != 0 { material.texture = None }
         }
-        let prepared = staged(scene, 40, 30);
-        let everything = Needs::of(&prepared.scene).with_forced(Parts::ALL);
-        prop_assert!(traced(&prepared, prepared.needs(), Bvh) == traced(&prepared, &everything, Bvh));
-        prop_assert!(cast(&prepared, prepared.needs(), Bvh) == cast(&prepared, &everything, Bvh));
+        let setup = staged(scene, 40, 30);
+        let everything = Needs::of(&setup.prepared.scene).with_forced(Parts::ALL);
+        prop_assert!(traced(&setup, setup.needs(), Bvh) == traced(&setup, &everything, Bvh));
+        prop_assert!(cast(&setup, setup.needs(), Bvh) == cast(&setup, &everything, Bvh));
     }
 
     #[test]
@@ -76,12 +77,12 @@ proptest! {
         let mut scene = scene;
         scene.materials.iter_mut().for_each(|material| material.texture = None);
         let size = [40, 30];
-        let prepared = staged(scene, size[0], size[1]).with_settings(settings(depth, 1));
-        let frame = picture(&prepared);
+        let setup = Setup::new(staged(scene, size[0], size[1]).prepared, settings(depth, 1));
+        let frame = picture(&setup);
         let off = (0..size[1])
             .flat_map(|y| (0..size[0]).map(move |x| (x, y)))
             .filter(|&(x, y)| {
-                let expected = reference::pixel(&prepared.scene, size, depth, (x, y));
+                let expected = reference::pixel(&setup.prepared.scene, size, depth, (x, y));
                 let difference = frame.pixel(x, y) - expected;
                 let enclosure = 1e-6 * (1.0 + expected.max_channel());
                 // A difference that is not a number is one too.

@@ -9,6 +9,7 @@ use crate::common::prepared;
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::color::Rgb;
+use lightwalk::methods::{Settings, Setup};
 use lightwalk::record::{RecordingLimit, Value};
 use lightwalk::render::Method;
 use lightwalk::replay::Run;
@@ -168,9 +169,10 @@ fn where_opposite_normals_cancel_out_the_face_stands_in() {
     // Two faces that look back turn the normal of each lower corner round: half-way up the interpolated normal is zero.
     let obj = "v -6 6.5 0\nv -6 -5.5 0\nv 6 -5.5 0\nv 6 6.5 0\nv 0 -7 0\nv 0 -8 0\nv 0 -9 0\n\
                f 1 2 3 4\nf 2 3 5\nf 2 3 6\nf 2 3 7\n";
-    let prepared = Arc::new(mesh_stage(obj, CLAY, SUN, SIZE, SIZE));
+    let prepared = mesh_stage(obj, CLAY, SUN, SIZE, SIZE);
+    let setup = Setup::new(prepared.clone(), Settings::default());
     let run = Run::record(
-        prepared.clone(),
+        Arc::new(setup),
         Method::Phong,
         Focus::Polygon(0),
         RecordingLimit::default(),

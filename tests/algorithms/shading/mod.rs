@@ -8,6 +8,7 @@ use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::prepared_scene::PreparedScene;
 use lightwalk::algorithms::texture::Mapping;
 use lightwalk::color::Rgb;
+use lightwalk::methods::{Settings, Setup};
 use lightwalk::record::{RecordingLimit, Value};
 use lightwalk::render::{Method, render};
 use lightwalk::replay::Run;
@@ -46,7 +47,11 @@ fn polygon(vertices: &[[f64; 3]]) -> String {
 }
 
 fn picture(prepared: &PreparedScene, method: Method) -> Frame {
-    render(prepared, method, NonZeroUsize::MIN, &|_, _| {})
+    drawn(&Setup::new(prepared.clone(), Settings::default()), method)
+}
+
+fn drawn(setup: &Setup, method: Method) -> Frame {
+    render(setup, method, NonZeroUsize::MIN, &|_, _| {})
 }
 
 fn apart(a: Rgb, b: Rgb) -> f64 {
@@ -140,10 +145,10 @@ fn the_plain_texture_is_right_only_where_the_depth_does_not_change() {
     let textured = format!("{CHALK}{CHECKER}");
     let pictures = |vertices: &[[f64; 3]]| {
         let json = scene(&textured, &[polygon(vertices)], SUN);
-        let right = prepared(&json, SIZE, SIZE);
-        let plain = prepared(&json, SIZE, SIZE).with_mapping(Mapping::Linear);
+        let prepared = Arc::new(prepared(&json, SIZE, SIZE));
+        let setups = Mapping::ALL.map(|mapping| Setup::new(prepared.clone(), mapping));
         FAMILY.map(|method| {
-            let [right, plain] = [&right, &plain].map(|prepared| picture(prepared, method));
+            let [right, plain] = setups.each_ref().map(|setup| drawn(setup, method));
             let both = right.color.iter().zip(&plain.color);
             both.filter(|&(&a, &b)| apart(a, b) > 1e-12).count()
         })
@@ -161,10 +166,10 @@ fn the_plain_texture_is_right_only_where_the_depth_does_not_change() {
 #[test]
 fn both_textures_are_told_at_the_pixel() {
     let json = scene(&format!("{CLAY}{CHECKER}"), &[polygon(&TILTED)], LAMP);
-    let prepared = Arc::new(prepared(&json, SIZE, SIZE));
+    let setup = Arc::new(crate::common::setup(&json, SIZE, SIZE));
     for method in FAMILY {
         let focus = Focus::Pixel { x: 12, y: 9 };
-        let run = Run::record(prepared.clone(), method, focus, RecordingLimit::default());
+        let run = Run::record(setup.clone(), method, focus, RecordingLimit::default());
         let walk = run.walk();
         let recorded = |kind: &str, name: &str| {
             let step = (0..walk.len()).find(|&step| walk.kind(step) == kind)?;
@@ -183,7 +188,7 @@ fn both_textures_are_told_at_the_pixel() {
         // The lower half is nearer, and so takes more of the screen: half-way up is not yet the middle of the polygon.
         assert!(v < plain - 0.03, "{v} {plain}");
     }
-    let plain = Arc::new(self::prepared(TEAPOT, 32, 24));
+    let plain = Arc::new(crate::common::setup(TEAPOT, 32, 24));
     for method in FAMILY {
         let run = Run::record(
             plain.clone(),

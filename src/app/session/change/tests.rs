@@ -77,9 +77,9 @@ fn a_moved_light_is_seen_in_picture_run_and_narration_at_the_same_step() {
     };
     *position = THERE;
     let open = lit.open().unwrap();
-    assert_eq!(session.open.prepared.settings, open.prepared.settings);
+    assert_eq!(session.open.setup.settings, open.setup.settings);
     let rendered = render(
-        &open.prepared,
+        &open.setup,
         open.lesson.method,
         NonZeroUsize::MIN,
         &|_, _| {},

@@ -1,10 +1,9 @@
 use super::super::{Command, PointAt, Session, StudyCommand};
 use super::*;
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::lesson::builtin;
 use crate::panels::strings::Language;
 use crate::render::Method;
-use crate::study::form::{Drawn, Shared};
+use crate::study::form::Drawn;
 use crate::study::tests::findings;
 
 fn session() -> Session {
@@ -24,15 +23,11 @@ const FIRST: PointAt = PointAt {
 /// A study that was measured before; its first point draws the lesson's own stage by some method.
 fn measured(method: Method) -> Session {
     let mut session = session();
-    let prepared: PreparedScene = session.prepared().clone();
+    let setup = session.open.setup.clone();
     let found = findings();
     let studying = &mut session.studying;
     (studying.of, studying.parts) = (Some((found.study, true)), found.parts);
-    studying.parts[0].lines[0].points[0].drawn = Some(Drawn {
-        prepared: Shared::new(prepared),
-        method,
-        settings: Default::default(),
-    });
+    studying.parts[0].lines[0].points[0].drawn = Some(Drawn { setup, method });
     studying.is_open = true;
     session
 }

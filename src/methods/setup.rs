@@ -1,0 +1,167 @@
+//! What a run starts from: a prepared scene with the settings of the methods.
+
+use super::{Family, Method};
+use crate::algorithms::enclosure::{self, Enclosure};
+use crate::algorithms::focus::Focus;
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::algorithms::primary;
+use crate::algorithms::texture::Mapping;
+use crate::scene::patches::PatchError;
+use crate::scene::{LeftOut, Light, Needs, Parts, View};
+use std::sync::{Arc, OnceLock};
+
+/// The settings of all methods.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Settings {
+    /// Of ray casting and ray tracing; radiosity has the samples too.
+    pub rays: primary::Settings,
+    pub radiosity: enclosure::Settings,
+    /// Of the scan-line methods that light surfaces.
+    pub mapping: Mapping,
+}
+
+impl From<primary::Settings> for Settings {
+    fn from(rays: primary::Settings) -> Self {
+        Settings {
+            rays,
+            ..Settings::default()
+        }
+    }
+}
+
+impl From<Mapping> for Settings {
+    fn from(mapping: Mapping) -> Self {
+        Settings {
+            mapping,
+            ..Settings::default()
+        }
+    }
+}
+
+impl From<enclosure::Settings> for Settings {
+    fn from(radiosity: enclosure::Settings) -> Self {
+        Settings {
+            radiosity,
+            ..Settings::default()
+        }
+    }
+}
+
+/// A scene that any method can draw, and what is found of it once.
+#[derive(Clone, Debug)]
+pub struct Setup {
+    pub prepared: Arc<PreparedScene>,
+    pub settings: Settings,
+    /// What is done although the scene does not need it.
+    forced: Parts,
+    needs: OnceLock<Needs>,
+    enclosure: OnceLock<Result<Enclosure, PatchError>>,
+}
+
+/// Something that is looked at, but is not there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{value}: there are {count} {what}, counted from 0")]
+pub struct Outside {
+    pub what: &'static str,
+    pub value: usize,
+    pub count: usize,
+}
+
+impl Setup {
+    pub fn new(prepared: impl Into<Arc<PreparedScene>>, settings: impl Into<Settings>) -> Self {
+        let (mut prepared, settings) = (prepared.into(), settings.into());
+        if prepared.mapping != settings.mapping {
+            let remapped = Arc::unwrap_or_clone(prepared).with_mapping(settings.mapping);
+            prepared = Arc::new(remapped);
+        }
+        Setup {
+            prepared,
+            settings,
+            forced: Parts::NONE,
+            needs: OnceLock::new(),
+            enclosure: OnceLock::new(),
+        }
+    }
+
+    /// The same, with those parts done although the scene does not need them, and no others.
+    pub fn with_forced(&self, forced: Parts) -> Self {
+        let prepared = (*self.prepared).clone().with_forced(forced);
+        Setup {
+            forced,
+            ..Setup::new(prepared, self.settings)
+        }
+    }
+
+    /// The same under other lights.
+    pub fn with_lights(&self, lights: Vec<Light>) -> Self {
+        let prepared = (*self.prepared).clone().with_lights(lights);
+        Setup {
+            prepared: Arc::new(prepared),
+            needs: OnceLock::new(),
+            ..self.clone()
+        }
+    }
+
+    /// What is done although the scene does not need it.
+    pub fn forced(&self) -> Parts {
+        self.forced
+    }
+
+    /// What rays need of the scene.
+    pub fn needs(&self) -> &Needs {
+        self.needs
+            .get_or_init(|| Needs::of(&self.prepared.scene).with_forced(self.forced))
+    }
+
+    /// The scene divided into patches. Errors: what cannot be divided.
+    pub fn enclosure(&self) -> Result<&Enclosure, &PatchError> {
+        let enclosure = self.enclosure.get_or_init(|| {
+            Enclosure::of(&self.prepared.scene, self.settings.radiosity, self.forced)
+        });
+        enclosure.as_ref()
+    }
+
+    /// What the scene does not need of what `method` would do, forced or not. A scene that cannot be divided into patches needs
+    /// nothing of radiosity.
+    pub fn skipped(&self, method: Method) -> Vec<LeftOut> {
+        let all = match method.family() {
+            Family::Exchange => self
+                .enclosure()
+                .map_or(&[][..], |enclosure| enclosure.skipped()),
+            Family::Polygons | Family::Rays => &self.needs().skipped,
+        };
+        let done = all.iter().filter(|skipped| method.does(skipped.part));
+        done.cloned().collect()
+    }
+
+    /// Whether `method` can run. Errors: of radiosity, what cannot be divided into patches.
+    pub fn check_for(&self, method: Method) -> Result<(), &PatchError> {
+        match method.family() {
+            Family::Exchange => self.enclosure().map(drop),
+            Family::Polygons | Family::Rays => Ok(()),
+        }
+    }
+
+    /// Whether the scene has what `focus` looks at. Errors: what it has instead.
+    pub fn check(&self, focus: Focus) -> Result<(), Outside> {
+        let within = |what, value: usize, count: usize| match value < count {
+            true => Ok(()),
+            false => Err(Outside { what, value, count }),
+        };
+        let View { width, height, .. } = self.prepared.view;
+        let polygons = self.prepared.tessellation.polygon_count();
+        let patches = || {
+            self.enclosure()
+                .map_or(0, |enclosure| enclosure.patches.len())
+        };
+        match focus {
+            Focus::Frame | Focus::Iterations { .. } => Ok(()),
+            Focus::Polygon(number) => within("polygons", number, polygons),
+            Focus::ScanLine(y) => within("rows", y as usize, height as usize),
+            Focus::Pixel { x, y } => within("columns", x as usize, width as usize)
+                .and_then(|()| within("rows", y as usize, height as usize)),
+            Focus::Patch(number) => within("patches", number as usize, patches()),
+            Focus::FormFactor { i, j } => within("patches", i.max(j) as usize, patches()),
+        }
+    }
+}
