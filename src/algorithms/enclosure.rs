@@ -41,7 +41,7 @@ impl Default for Settings {
     }
 }
 
-/// The patches of a scene. Their matrix is made when it is first asked for.
+/// The patches of a scene. Their matrix is made on first use.
 #[derive(Clone, Debug)]
 pub struct Enclosure {
     pub patches: Patches,
@@ -96,7 +96,7 @@ impl Enclosure {
         })
     }
 
-    /// What the exchange of light does not need, found when it is first asked for.
+    /// What the exchange of light does not need, found on first use.
     pub fn skipped(&self) -> &[LeftOut] {
         self.skipped.get_or_init(|| enclosure_needs::skipped(self))
     }
@@ -124,7 +124,7 @@ impl Enclosure {
         n.saturating_mul(n).saturating_mul(8)
     }
 
-    /// The light of the room, given its matrix; solved for when it is first asked for. Errors: as of [`Enclosure::solve`].
+    /// The light of the room, given its matrix; solved for on first use. Errors: as of [`Enclosure::solve`].
     pub fn light(&self, matrix: &[f64]) -> Result<&Light, &ChannelUnsolved> {
         self.light_or(|| self.solve(matrix, &RecordFilter::default(), &mut Unrecorded))
     }

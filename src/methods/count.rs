@@ -18,7 +18,7 @@ pub struct Counted {
 }
 
 impl Method {
-    /// Counts the events of the whole frame, or of the solution of the room; none where the room has no patches.
+    /// Counts the events of the whole frame, or of the solution of the enclosure; none where the scene cannot be divided into patches.
     pub fn count(self, setup: &Setup) -> Counted {
         self.visit(Count { setup })
     }

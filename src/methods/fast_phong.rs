@@ -16,7 +16,7 @@ impl Properties for FastPhong {
     const FAMILY: Family = Family::Polygons;
     const PANELS: &'static [&'static str] = &["image", "scan-line", "inspector"];
 
-    /// Its series of the highlight goes along whatever the material.
+    /// Its series includes the highlight, whatever the material.
     fn does(part: Part) -> bool {
         part == Part::TextureCoordinates
     }

@@ -6,7 +6,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Painter<'_, P> {
-    /// The picture whose bands of rows `draw` fills, one call a band. Progress is told after each band.
+    /// The picture whose bands of rows `draw` fills, one call a band. Progress is reported after each band.
     pub fn bands(self, draw: impl Fn(&mut Frame) + Sync) -> Result<Frame, E> {
         let [width, height] = self.size;
         let bands = bands(height, self.thread_pool.size());

@@ -23,7 +23,7 @@ pub struct Painter<'a, P> {
 }
 
 impl<'a, P> Painter<'a, P> {
-    /// Paints the picture of the stage's view, all at once.
+    /// Paints the whole picture of the scene's view, all at once.
     pub fn new(prepared: &PreparedScene, threads: NonZeroUsize, progress: P) -> Self {
         Painter {
             size: [prepared.view.width, prepared.view.height],

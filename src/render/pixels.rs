@@ -16,7 +16,7 @@ pub const AT_ONCE: [u32; 1] = [1];
 const REPORT: usize = 16;
 
 impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Painter<'_, P> {
-    /// The picture whose pixel (x, y) has the colour `color(x, y)`. Progress is told in pixels, a few at a time.
+    /// The picture whose pixel (x, y) has the colour `color(x, y)`. Progress is reported in pixels, a few at a time.
     pub fn pixels(mut self, color: impl Fn(u32, u32) -> Rgb + Sync) -> Result<Frame, E> {
         let [width, height] = self.size;
         let mut frame = Frame::new(width, 0..height, self.background);
@@ -67,7 +67,7 @@ mod tests {
 
     const SIZES: [[u32; 2]; 6] = [[1, 1], [8, 8], [13, 7], [3, 50], [65, 33], [300, 1]];
 
-    /// A colour that tells its pixel.
+    /// A colour that is different at every pixel.
     fn color(x: u32, y: u32) -> Rgb {
         Rgb::new(f64::from(x), f64::from(y), 1.0)
     }

@@ -79,7 +79,7 @@ pub trait Walk {
     fn kind(&self, step: usize) -> &'static str;
     /// The line of pseudocode that `step` carries out.
     fn line(&self, step: usize) -> Line;
-    /// Appends the values that the event at `step` tells itself.
+    /// Appends the own values of the event at `step`.
     fn tell(&self, step: usize, fields: &mut Fields);
     /// See [`Timeline::heading`].
     fn heading(&self, scope: usize, step: usize) -> Range<usize>;
@@ -90,7 +90,7 @@ pub trait Walk {
         self.len() == 0
     }
 
-    /// The values that the event at `step` tells itself.
+    /// The own values of the event at `step`.
     fn own_fields(&self, step: usize) -> Fields {
         let mut fields = Fields::default();
         self.tell(step, &mut fields);

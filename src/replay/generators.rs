@@ -64,7 +64,7 @@ impl Declared for Note {
     }
 }
 
-/// All that was told so far: a state that forgets nothing shows every wrong, missing or repeated event.
+/// All events so far: a state that forgets nothing shows every wrong, missing or repeated event.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Heard(pub Vec<(usize, Note)>);
 
@@ -78,7 +78,7 @@ impl Fold<Note> for Heard {
     }
 }
 
-/// What a run tells, and how many events the recording may keep.
+/// The events of a run, and how many the recording may keep.
 #[derive(Clone, Debug)]
 pub struct Trace {
     steps: Vec<(Mark, u8)>,

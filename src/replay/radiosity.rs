@@ -15,13 +15,13 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PatchNow {
     pub b: f64,
-    /// Its part of the residual, as told last: kept up by the shooting methods, by the others told only where watching begins.
+    /// Its part of the residual, as last recorded: kept up by the shooting methods, by the others recorded only where watching begins.
     pub unshot: f64,
     /// The step that changed it last.
     pub step: Option<u32>,
 }
 
-/// One iteration that was told to its end.
+/// One iteration that was recorded to its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IterationNow {
     pub k: u32,
@@ -37,21 +37,21 @@ pub struct ChannelNow {
     pub channel: Option<&'static str>,
     pub solver: Solver,
     pub patches: CowVec<PatchNow>,
-    /// Relative residual and bound, by iteration told.
+    /// Relative residual and bound, by recorded iteration.
     pub history: CowVec<IterationNow>,
     pub skipped: Option<(&'static str, Option<&'static str>)>,
     /// Whether it converged, once it ended.
     pub converged: Option<bool>,
 }
 
-/// What a patch does in the iteration in hand.
+/// What a patch does in the current iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Focused {
     /// The patch that gathers or shoots.
     pub i: u32,
     /// `Gathering`, or `Shooting`.
     pub recorded: SolverEvent,
-    /// The exchange in hand: `Exchanged` or `Received`.
+    /// The current exchange: `Exchanged` or `Received`.
     pub exchange: Option<(u32, SolverEvent)>,
     pub step: usize,
 }
@@ -64,7 +64,7 @@ pub struct State {
     pub channels: Vec<ChannelNow>,
     pub iteration: Option<u32>,
     pub focused: Option<Focused>,
-    /// The scalars of the iteration in hand: `Weighted`, `StepLengths` or `Ambient`.
+    /// The scalars of the current iteration: `Weighted`, `StepLengths` or `Ambient`.
     pub scalars: Option<SolverEvent>,
     /// The name of a channel that was opened, whose system is not yet.
     opened: Option<&'static str>,

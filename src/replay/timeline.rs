@@ -27,7 +27,7 @@ const CHECKPOINT_BYTES: usize = 512 << 20;
 /// The most plain steps that count as the heading of a scope, so that a scope of a million steps stays quick to read.
 const HEADING: usize = 64;
 
-/// A value, and the step that told it.
+/// A value, and the step that recorded it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct RecordedField {
     pub step: usize,
@@ -156,7 +156,7 @@ impl<E: Event, S> Timeline<E, S> {
         scope..end.unwrap_or(most)
     }
 
-    /// All values known at `step`, each with the step that told it: the headings of the scopes around it, from the
+    /// All values known at `step`, each with the step that recorded it: the headings of the scopes around it, from the
     /// outermost to the innermost, then its own. So a later entry of the same name goes before an earlier one.
     /// Nothing comes from a later step.
     pub fn recorded(&self, step: usize) -> Vec<RecordedField> {
@@ -234,7 +234,7 @@ mod tests {
                 let recorded = timeline.recorded(step);
                 prop_assert!(recorded.iter().all(|recorded| recorded.step <= step));
                 prop_assert!(recorded.is_sorted_by_key(|recorded| recorded.step));
-                // A step tells `step` of its values when it is that step, or heads a scope that is still open there.
+                // A step's values hold at `step` when it is that step, or heads a scope that is still open there.
                 let mut tellers = Vec::new();
                 let mut open: Vec<Vec<usize>> = Vec::new();
                 let mut heads = false;

@@ -1,4 +1,4 @@
-//! The state of the wireframe at one step: the picture so far, and the edge in hand.
+//! The state of the wireframe at one step: the picture so far, and the current edge.
 
 use super::Canvas;
 use super::Fold;
@@ -14,7 +14,7 @@ pub struct State {
     /// What does not change from step to step.
     pub prepared: Arc<PreparedScene>,
     pub canvas: Canvas<Dot>,
-    /// Vertices of the edge in hand.
+    /// Vertices of the current edge.
     pub edge: Option<(u32, u32)>,
     /// Its part within the frame, in pixels.
     pub line: Option<[DVec2; 2]>,

@@ -1,4 +1,4 @@
-//! What the solvers tell.
+//! The events of the solvers.
 
 use super::Solver;
 
@@ -34,7 +34,7 @@ pub enum SolverEvent {
         patches: u32,
         gain: Option<f64>,
     },
-    /// The values of a patch before the first iteration that is told. `unshot` is its part of the residual.
+    /// The values of a patch before the first recorded iteration. `unshot` is its part of the residual.
     Started {
         i: u32,
         b: f64,
@@ -44,7 +44,7 @@ pub enum SolverEvent {
     Iteration {
         k: u32,
     },
-    /// The weight of over-relaxation, or of Chebyshev's iteration in hand.
+    /// The weight of over-relaxation, or of the current iteration of Chebyshev's.
     Weighted {
         omega: f64,
     },

@@ -26,7 +26,7 @@ pub(super) trait Method {
     fn gain(&self) -> Option<f64>;
 }
 
-/// Says of each step which solver told it.
+/// Marks each event with the solver that recorded it.
 pub(super) struct TaggingRecorder<'r, R> {
     pub solver: Solver,
     pub recorder: &'r mut R,

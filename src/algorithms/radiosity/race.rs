@@ -1,6 +1,6 @@
 //! All solvers on one system, side by side: what is left after how many iterations, and after how long.
 //!
-//! Each runs from its own start to the same tolerance, as everywhere else, and is told to a stopwatch that keeps laps.
+//! Each runs from its own start to the same tolerance, as everywhere else, and is recorded by a stopwatch that keeps laps.
 //! The exact solution is taken from the default solver at [`REFERENCE`].
 
 use super::Solver;
@@ -14,7 +14,7 @@ use std::iter::zip;
 
 /// Multiplications that a solver may take: then it has lost.
 const PATIENCE: f64 = 1e8;
-/// Laps are told of iterations this much farther apart than the ones before, so that a million of them leave a hundred.
+/// Each lap is this many times as many iterations after the start as the one before, so that a million of them leave a hundred.
 const APART: f64 = 1.06;
 /// Iterations before a solver is timed.
 const WARM_UP: u32 = 10;
@@ -54,7 +54,7 @@ pub struct Lap {
 }
 
 impl Race {
-    /// Lets every solver run, one after the other, on the clock given, which tells seconds.
+    /// Lets every solver run, one after the other, on the clock given, in seconds.
     ///
     /// Errors: those of the reference.
     pub fn run(
@@ -123,12 +123,12 @@ struct Stopwatch<'a, C> {
     paused: f64,
     exact: &'a [f64],
     largest: f64,
-    /// B as told so far.
+    /// B as recorded so far.
     b: Vec<f64>,
     /// How many scopes are open.
     depth: usize,
     iterations: u32,
-    /// The number of iterations after which the next lap is told.
+    /// The number of iterations after which the next lap is kept.
     next: u32,
     laps: Vec<Lap>,
 }
@@ -283,7 +283,7 @@ mod tests {
             let name = racer.solver.name();
             assert_eq!(racer.unsolved, None, "{name}");
             assert_eq!(last.iterations, alone.iterations, "{name}");
-            // A residual that is carried along is told of as it was then, and computed anew at the end.
+            // A residual that is carried along is recorded as it was then, and computed anew at the end.
             assert!((last.residual - alone.residual).abs() < 1e-12, "{name}");
         }
     }

@@ -4,8 +4,8 @@ use std::ops::Range;
 
 /// The part of a run that is looked at. By default all of it.
 ///
-/// Outside the iterations watched nothing is told but the beginning and the end; on entering them the values of every patch are.
-/// With a patch, exchanges are told that concern it: what it gathers, what its own shots bring to all, what other shots bring to it.
+/// Outside the iterations watched nothing is recorded but the beginning and the end; on entering them, the values of every patch.
+/// With a patch, only exchanges that concern it are recorded: what it gathers, what its own shots bring to all, what other shots bring to it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct RecordFilter {
     /// Counted from 0; of the shooting methods, shots.
@@ -14,7 +14,7 @@ pub struct RecordFilter {
 }
 
 impl RecordFilter {
-    /// Whether iteration `k` is told.
+    /// Whether iteration `k` is recorded.
     pub fn takes(&self, k: u32) -> bool {
         self.iterations
             .as_ref()
@@ -22,7 +22,7 @@ impl RecordFilter {
     }
 }
 
-/// The patches whose exchanges are told.
+/// The patches whose exchanges are recorded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Followed(pub Option<u32>);
 

@@ -197,7 +197,7 @@ pub(super) fn residual(rows: &mut impl Rows, patches: &Patches, b: &[f64], r: &m
 /// Partial sums that a processor keeps side by side.
 const LANES: usize = 8;
 
-/// Σ_j F_ij B_j, in eight sums side by side, of which the running total is told. Told or not, the order is the same.
+/// Σ_j F_ij B_j, in eight sums side by side, of which the running total is recorded. Recorded or not, the order is the same.
 #[inline(always)]
 pub(super) fn gather<R: Recorder<SolverEvent>>(row: &[f64], b: &[f64], recorder: &mut R) -> f64 {
     let mut sums = [0.0; LANES];
