@@ -21,16 +21,11 @@ fn unrecorded(setup: &Setup, method: Method) -> Frame {
 }
 
 /// The methods that draw pixels.
-const PIXEL_BY_PIXEL: [Method; 8] = [
-    Method::Wireframe,
-    Method::Flat,
-    Method::Gouraud,
-    Method::Phong,
-    Method::FastPhong,
-    Method::Exact,
-    Method::RayCasting,
-    Method::RayTracing,
-];
+fn drawing() -> impl Iterator<Item = Method> {
+    Method::ALL
+        .into_iter()
+        .filter(|method| method.draws_pixels())
+}
 
 /// The frame that a recorded run draws, one focus after the other; how many steps it kept, and whether it met its limit.
 fn recorded(
@@ -100,7 +95,7 @@ const TILES: &str = r#"{ "schema": 1, "background": [0.1, 0.2, 0.3],
 #[test]
 fn a_recorded_frame_is_the_unrecorded_one_bit_for_bit() {
     for setup in [setup(TEAPOT, 160, 120), setup(TILES, 160, 120)] {
-        for method in PIXEL_BY_PIXEL {
+        for method in drawing() {
             let (frame, steps, truncated) =
                 recorded(&setup, method, &[Focus::Frame], RecordingLimit::default());
             assert!(frame == unrecorded(&setup, method), "{}", method.name());
@@ -112,7 +107,7 @@ fn a_recorded_frame_is_the_unrecorded_one_bit_for_bit() {
 #[test]
 fn a_truncated_recording_still_draws_the_right_picture() {
     let setup = setup(TEAPOT, 160, 120);
-    for method in PIXEL_BY_PIXEL {
+    for method in drawing() {
         let (frame, steps, truncated) =
             recorded(&setup, method, &[Focus::Frame], RecordingLimit(100_000));
         assert!(frame == unrecorded(&setup, method), "{}", method.name());
@@ -123,7 +118,7 @@ fn a_truncated_recording_still_draws_the_right_picture() {
 #[test]
 fn any_number_of_threads_draws_the_same_picture() {
     let setup = setup(TEAPOT, 97, 61);
-    for method in PIXEL_BY_PIXEL {
+    for method in drawing() {
         let one = unrecorded(&setup, method);
         for threads in [2, 3, 16] {
             let many = render(
@@ -146,7 +141,7 @@ fn any_number_of_threads_draws_the_same_picture() {
 #[test]
 fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
     let setup = setup(TEAPOT, 120, 90);
-    for method in PIXEL_BY_PIXEL {
+    for method in drawing() {
         let whole = unrecorded(&setup, method);
         for y in [0, 20, 45, 46, 89] {
             let (frame, ..) = recorded(
@@ -201,7 +196,9 @@ fn a_focus_draws_its_part_of_the_frame_and_nothing_else() {
 #[test]
 fn the_polygons_drawn_one_by_one_make_the_frame() {
     let setup = setup(TEAPOT, 64, 48);
-    for method in PIXEL_BY_PIXEL[1..6].iter().copied() {
+    // The wireframe draws edges, each once for the polygons that share it.
+    let fills = |&method: &Method| method.converts_polygons() && method != Method::Wireframe;
+    for method in drawing().filter(fills) {
         let polygons = 0..setup.prepared.tessellation.polygon_count();
         let foci: Vec<Focus> = polygons.map(Focus::Polygon).collect();
         let (frame, ..) = recorded(&setup, method, &foci, RecordingLimit::default());
@@ -217,7 +214,7 @@ fn canvas_of(run: &Run) -> Vec<lightwalk::color::Rgb> {
 #[test]
 fn the_replayed_picture_is_the_rendered_one() {
     let setup = Arc::new(setup(TEAPOT, 96, 72));
-    for method in PIXEL_BY_PIXEL {
+    for method in drawing() {
         let mut run = Run::record(
             setup.clone(),
             method,
@@ -266,7 +263,7 @@ fn how_far_away_the_target_is_changes_nothing() {
 #[test]
 fn every_scope_closes_and_every_step_has_a_line() {
     let setup = Arc::new(setup(TEAPOT, 32, 24));
-    for method in PIXEL_BY_PIXEL {
+    for method in drawing() {
         let run = Run::record(
             setup.clone(),
             method,
