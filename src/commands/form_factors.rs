@@ -26,7 +26,7 @@ pub struct Arguments {
     /// A scene file
     scene: PathBuf,
     /// How a form factor is found
-    #[arg(long, value_name = "METHOD", default_value = "auto", value_parser = PossibleValuesParser::new(Method::NAMES))]
+    #[arg(long, value_name = "METHOD", default_value = "auto", value_parser = PossibleValuesParser::new(Method::ALL.map(Method::name)))]
     method: String,
     #[command(flatten)]
     visibility: VisibilityArgument,
@@ -80,7 +80,7 @@ pub fn settings(
 ) -> Result<Settings, Failure> {
     let mut settings = unless;
     if let Some(method) = method {
-        settings.form_factors = Method::named(method)
+        settings.form_factors = Method::from_name(method)
             .ok_or_else(|| Failure::Wrong(format!("{method}: there is no such method")))?;
     }
     if let Some(visibility) = &visibility.visibility {

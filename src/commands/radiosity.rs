@@ -36,7 +36,7 @@ pub struct SolutionArguments {
     #[arg(long, value_name = "SOLVER", value_parser = PossibleValuesParser::new(Solver::ALL.map(Solver::name)))]
     solver: Option<String>,
     /// How a form factor is found [default: auto]
-    #[arg(long, value_name = "METHOD", value_parser = PossibleValuesParser::new(Method::NAMES))]
+    #[arg(long, value_name = "METHOD", value_parser = PossibleValuesParser::new(Method::ALL.map(Method::name)))]
     form_factors: Option<String>,
     #[command(flatten)]
     visibility: VisibilityArgument,

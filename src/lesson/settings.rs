@@ -105,10 +105,10 @@ pub fn radiosity(file: &LessonFile, problems: &mut Vec<Problem>) -> enclosure::S
         }
     }
     if let Some(name) = &file.form_factors {
-        match Method::named(name) {
+        match Method::from_name(name) {
             Some(method) => settings.form_factors = method,
             None => {
-                let known = Method::NAMES.join(", ");
+                let known = Method::ALL.map(Method::name).join(", ");
                 refuse(
                     "form_factors",
                     format!("found \"{name}\"; allowed are {known}"),

@@ -67,44 +67,36 @@ pub enum Method {
 }
 
 impl Method {
-    /// The names of the methods.
-    pub const NAMES: [&'static str; 6] = [
-        "auto",
-        "area-to-area",
-        "element-to-polygon",
-        "contour",
-        "monte-carlo",
-        "hemicube",
+    /// Every method, as it is used where nothing more is said.
+    pub const ALL: [Method; 6] = [
+        Method::Auto { tolerance: 1e-6 },
+        Method::AreaToArea { points: 4 },
+        Method::ElementToPolygon { points: 4 },
+        Method::Contour { tolerance: 1e-9 },
+        Method::MonteCarlo {
+            rays: 1 << 12,
+            seed: 0,
+        },
+        Method::Hemicube(Hemicubes {
+            resolution: 256,
+            points: 1,
+        }),
     ];
 
-    /// The method of a name, as it is used where nothing more is said.
-    pub fn named(name: &str) -> Option<Method> {
-        Some(match name {
-            "auto" => Method::Auto { tolerance: 1e-6 },
-            "area-to-area" => Method::AreaToArea { points: 4 },
-            "element-to-polygon" => Method::ElementToPolygon { points: 4 },
-            "contour" => Method::Contour { tolerance: 1e-9 },
-            "monte-carlo" => Method::MonteCarlo {
-                rays: 1 << 12,
-                seed: 0,
-            },
-            "hemicube" => Method::Hemicube(Hemicubes {
-                resolution: 256,
-                points: 1,
-            }),
-            _ => return None,
-        })
+    /// As on the command line and in lesson files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Auto { .. } => "auto",
+            Method::AreaToArea { .. } => "area-to-area",
+            Method::ElementToPolygon { .. } => "element-to-polygon",
+            Method::Contour { .. } => "contour",
+            Method::MonteCarlo { .. } => "monte-carlo",
+            Method::Hemicube(_) => "hemicube",
+        }
     }
 
-    pub fn name(&self) -> &'static str {
-        Method::NAMES[match self {
-            Method::Auto { .. } => 0,
-            Method::AreaToArea { .. } => 1,
-            Method::ElementToPolygon { .. } => 2,
-            Method::Contour { .. } => 3,
-            Method::MonteCarlo { .. } => 4,
-            Method::Hemicube(_) => 5,
-        }]
+    pub fn from_name(name: &str) -> Option<Method> {
+        Method::ALL.into_iter().find(|method| method.name() == name)
     }
 
     /// Whether F_ij and F_ji come from one computation.

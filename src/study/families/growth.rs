@@ -181,8 +181,9 @@ fn form_factors(request: &Request) -> Result<Sweep, String> {
         let patches = Patches::of(&scenes::cube(n), 100_000).map_err(|error| error.to_string())?;
         rooms.push(Rc::new(patches));
     }
-    let curves = form_factor::Method::NAMES.into_iter().filter_map(|name| {
-        let method = match form_factor::Method::named(name)? {
+    let curves = form_factor::Method::ALL.into_iter().map(|method| {
+        let name = method.name();
+        let method = match method {
             // A sixteenth of the rays and pixels: how they grow is the same.
             form_factor::Method::MonteCarlo { rays, seed } => form_factor::Method::MonteCarlo {
                 rays: rays / 16,
@@ -197,10 +198,10 @@ fn form_factors(request: &Request) -> Result<Sweep, String> {
             method => method,
         };
         let sweep_settings = rooms.iter().map(|patches| matrix_rung(patches, method));
-        Some(Curve {
+        Curve {
             name: name.into(),
             sweep_settings: sweep_settings.collect(),
-        })
+        }
     });
     Ok(part(
         "form factors of all patches of a cube",
