@@ -12,12 +12,7 @@ impl Lesson {
 
     /// A lesson about the middle of a picture. `title` is the same in both languages, `say` is by language; in
     /// neither may there be braces.
-    pub fn of_picture(
-        title: String,
-        say: [String; 2],
-        setup: &Setup,
-        method: Method,
-    ) -> Lesson {
+    pub fn of_picture(title: String, say: [String; 2], setup: &Setup, method: Method) -> Lesson {
         let prepared = &setup.prepared;
         let size = [prepared.view.width, prepared.view.height];
         let panels = method.panels().iter();
