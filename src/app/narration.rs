@@ -82,7 +82,7 @@ fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui:
             commands.push(Command::Focus(session.lesson().focus));
         }
     }
-    if session.is_unsaid() {
+    if session.is_silent() {
         let [why, again] = match session.setup().forced().is_empty() {
             true => [strings::UNSAID, strings::PUT_BACK],
             false => [strings::UNSAID_ANYWAY, strings::LEAVE_OUT_AGAIN],
@@ -92,7 +92,7 @@ fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui:
             commands.push(Command::Reset);
         }
     }
-    if let Some(said) = session.said_here() {
+    if let Some(said) = session.narration_here() {
         ui.label(prose(session, said.say(language), 15.0, Ink::Text));
         if let Some(slide) = said.slide(language) {
             slide_note(session, slide, ui);
@@ -103,14 +103,14 @@ fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui:
         ui.label(style::strong(session.walk().kind(session.step()), 14.0));
     }
     ui.label(prose(session, in_words(session, window), 15.0, Ink::Text));
-    if session.follows_lesson() && session.said_last().is_none() && !session.is_unsaid() {
+    if session.follows_lesson() && session.last_narration().is_none() && !session.is_silent() {
         let summary = session.lesson().summary.in_language(language);
         ui.label(prose(session, summary, 14.0, Ink::Muted));
         if ui.link(session.localize(strings::NEXT_SAID)).clicked() {
             commands.push(Command::NextNarrated);
         }
     }
-    if let Some(said) = session.said_last() {
+    if let Some(said) = session.last_narration() {
         let link = strings::LAST_SAID.format(language, &[("step", &said.step.to_string())]);
         if ui.link(RichText::new(link).size(12.0)).clicked() {
             commands.push(Command::Seek(said.step));

@@ -61,11 +61,10 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
     let mut top = ui.new_child(inside(title));
     top.label(style::strong(session.localize(strings::PARAMETERS), 15.0));
     top.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        let put_back =
-            Button::new(RichText::new(session.localize(strings::PUT_BACK_ALL)).size(13.0));
+        let reset = Button::new(RichText::new(session.localize(strings::PUT_BACK_ALL)).size(13.0));
         let name = session.localize(strings::PUT_BACK);
         ui.add_enabled_ui(session.is_changed(), |ui| {
-            button(session, put_back, name, Command::Reset, commands, ui);
+            button(session, reset, name, Command::Reset, commands, ui);
         });
     });
     let cells = cells(session);

@@ -17,7 +17,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
                 ui.label(style::strong(session.localize(strings::LEFT_OUT), 17.0));
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     if ui.button(session.localize(strings::CLOSE)).clicked() {
-                        commands.push(Command::LeftOut);
+                        commands.push(Command::Skipped);
                     }
                 });
             });
@@ -28,7 +28,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
                 .show(ui, |ui| list(session, commands, ui));
         });
     if modal.should_close() {
-        commands.push(Command::LeftOut);
+        commands.push(Command::Skipped);
     }
 }
 

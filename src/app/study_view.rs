@@ -69,7 +69,7 @@ fn choose(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         }
         for (strings, command) in [
             (strings::MEASURE, StudyCommand::Measure),
-            (strings::CALL_OFF, StudyCommand::CallOff),
+            (strings::CALL_OFF, StudyCommand::Cancel),
             (strings::BACK_TO_THE_RUN, StudyCommand::View),
         ] {
             let name = session.localize(strings);
@@ -95,7 +95,7 @@ fn state(session: &Session, ui: &mut Ui) {
     }
     match &studying.outcome {
         Outcome::Well => {}
-        Outcome::CalledOff => drop(ui.label(session.localize(strings::CALLED_OFF))),
+        Outcome::Cancelled => drop(ui.label(session.localize(strings::CALLED_OFF))),
         Outcome::Because(why) => {
             let recorded =
                 strings::NO_FINDINGS.format(session.look.language, &[("why", &why.to_string())]);

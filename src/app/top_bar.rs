@@ -162,7 +162,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         for (strings, command) in [
             (strings::PRESENT, Command::Present),
             (strings::SHARE, Command::Share),
-            (strings::LEFT_OUT, Command::LeftOut),
+            (strings::LEFT_OUT, Command::Skipped),
         ] {
             let strings = session.localize(strings);
             super::button::button(

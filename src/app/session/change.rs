@@ -17,7 +17,7 @@ impl Session {
     }
 
     /// Whether the narration is gone because of that: an event that it needs does not happen any more.
-    pub fn is_unsaid(&self) -> bool {
+    pub fn is_silent(&self) -> bool {
         self.follows_lesson() && self.narrated.is_empty()
     }
 
@@ -41,16 +41,16 @@ impl Session {
             NotAllowed::NoView => strings::NO_VIEW,
             NotAllowed::OutOfRange => strings::OUT_OF_RANGE,
         })?;
-        self.set_up(scene);
+        self.show_scene(scene);
         Ok(())
     }
 
-    pub(super) fn put_back(&mut self) {
-        self.set_up(self.open.lesson.scene.clone());
+    pub(super) fn reset(&mut self) {
+        self.show_scene(self.open.lesson.scene.clone());
     }
 
     /// Shows another scene. Where only its lights differ, what was prepared of the rest stays.
-    fn set_up(&mut self, scene: Scene) {
+    fn show_scene(&mut self, scene: Scene) {
         let old = &self.open.setup;
         let lit = Scene {
             lights: scene.lights.clone(),
@@ -66,9 +66,9 @@ impl Session {
             return;
         };
         self.preview
-            .begin_anew(setup.clone(), super::methods(&self.open));
+            .restart(setup.clone(), super::methods(&self.open));
         self.open.setup = setup;
-        self.look_again();
+        self.record_again();
     }
 }
 

@@ -84,7 +84,7 @@ pub enum Command {
     /// The sheet of keys.
     Keys,
     /// The view of what is left out, because the scene does not need it.
-    LeftOut,
+    Skipped,
     Inspector,
     /// Rooms smooth, or patch by patch.
     Smooth,
@@ -117,7 +117,7 @@ pub enum StudyCommand {
     Quick,
     /// Measures the chosen study.
     Measure,
-    CallOff,
+    Cancel,
     /// Shows a part of what was found.
     Part(usize),
     /// Describes a point; where it has a picture, opens that to be walked through.

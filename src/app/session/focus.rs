@@ -1,4 +1,4 @@
-//! Another part of the frame: it is recorded at once, and the walk goes on at the same place of the picture.
+//! Another focus: it is recorded at once, and the walk goes on at the same place of the picture.
 
 use super::{Refused, Session};
 use crate::algorithms::focus::Focus;
@@ -14,9 +14,9 @@ const PLACES: [&str; 11] = [
 ];
 
 impl Session {
-    /// Records another part of the frame, and goes to the step that is most like the present one; the lesson's own part
-    /// goes on where it was left, so that no way around leads past a question.
-    pub(super) fn look_at(&mut self, focus: Focus) -> Result<(), Refused> {
+    /// Records another focus, and goes to the step that is most like the current one. The lesson's own focus goes on where it was
+    /// left, so that no detour leads past a question.
+    pub(super) fn focus_on(&mut self, focus: Focus) -> Result<(), Refused> {
         let recorded = self.open.lesson.method.records(focus);
         if !recorded || self.open.setup.check(focus).is_err() {
             return Err(strings::OUTSIDE.into());
@@ -36,27 +36,27 @@ impl Session {
                 .or_else(|| place.find(run.walk())),
             _ => place.find(run.walk()),
         };
-        self.walk_on(run, focus, step.unwrap_or(0));
+        self.switch_to(run, focus, step.unwrap_or(0));
         Ok(())
     }
 
     /// Records the focus again in a changed scene, and stays at the same step if there is one.
-    pub(super) fn look_again(&mut self) {
+    pub(super) fn record_again(&mut self) {
         let here = self.step();
         let skipped = self.question_between(0, here).is_some();
         let place = Place::of(self.walk(), here);
         let run = self.record(self.focus);
         let step = place.nearest(run.walk(), here).unwrap_or(here);
-        self.walk_on(run, self.focus, step);
+        self.switch_to(run, self.focus, step);
         // No change of a parameter leads past a question.
         if let Some(asked) = self.question_between(0, self.step()).filter(|_| !skipped) {
             self.seek(asked);
         }
     }
 
-    /// Walks on in another run, at one of its steps. What the lesson says of its own part is told of this run; where something was
-    /// changed so that a part of it does not happen any more, nothing is said.
-    fn walk_on(&mut self, run: Run, focus: Focus, step: usize) {
+    /// Switches to another run, at one of its steps. The lesson's narration is resolved in this run; where one of its events does not
+    /// happen any more after a change, there is none.
+    fn switch_to(&mut self, run: Run, focus: Focus, step: usize) {
         self.open.run = run;
         self.focus = focus;
         self.recording += 1;
@@ -80,18 +80,18 @@ impl Session {
         }
     }
 
-    /// Looks at the polygon that is seen at a pixel.
-    pub(super) fn look_at_polygon(&mut self, x: u32, y: u32) -> Result<(), Refused> {
+    /// Focuses on the polygon that is seen at a pixel.
+    pub(super) fn focus_on_polygon(&mut self, x: u32, y: u32) -> Result<(), Refused> {
         let pixel = self.record(Focus::Pixel { x, y });
         let colored: Query = Place::colored(x, y).query(usize::MAX);
         let seen = query::previous(pixel.walk(), &colored, pixel.walk().len());
         match seen.and_then(|step| pixel.walk().fields(step).get("polygon")) {
-            Some(Value::Integer(number)) => self.look_at(Focus::Polygon(number as usize)),
+            Some(Value::Integer(number)) => self.focus_on(Focus::Polygon(number as usize)),
             _ => Err(strings::NOTHING_DRAWN_THERE.into()),
         }
     }
 
-    /// The part of the frame that a tag shows.
+    /// The focus that a tag stands for.
     pub fn focus_of(&self, tag: Tag) -> Option<Focus> {
         match tag {
             Tag::Pixel { x, y } => Some(Focus::Pixel { x, y }),
@@ -116,7 +116,7 @@ impl Session {
     }
 }
 
-/// What a step is about, in words that another recording knows too.
+/// What a step is about, by values that another recording has too.
 struct Place {
     kind: &'static str,
     at: Vec<(&'static str, i64)>,

@@ -43,9 +43,9 @@ impl Session {
     fn run_with_forced(&mut self, forced: Parts) {
         let setup = Arc::new(self.open.setup.with_forced(forced));
         self.preview
-            .begin_anew(setup.clone(), super::methods(&self.open));
+            .restart(setup.clone(), super::methods(&self.open));
         self.open.setup = setup;
-        self.look_again();
+        self.record_again();
     }
 }
 

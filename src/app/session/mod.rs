@@ -278,12 +278,12 @@ impl Session {
     }
 
     /// What is said at exactly this step.
-    pub fn said_here(&self) -> Option<&Narrated> {
+    pub fn narration_here(&self) -> Option<&Narrated> {
         self.narrated_here().map(|index| &self.open.narrated[index])
     }
 
     /// What was said last, at this step or before.
-    pub fn said_last(&self) -> Option<&Narrated> {
+    pub fn last_narration(&self) -> Option<&Narrated> {
         let behind = self.narrated.partition_point(|&step| step <= self.step());
         self.open.narrated.get(behind.checked_sub(1)?)
     }

@@ -81,7 +81,7 @@ impl Preview {
     }
 
     /// Begins anew with a scene of the same view; the old picture stays until the first pass arrives.
-    pub fn begin_anew(&mut self, setup: Arc<Setup>, methods: Methods) {
+    pub fn restart(&mut self, setup: Arc<Setup>, methods: Methods) {
         let nothing = Frame::new(0, 0..0, setup.prepared.scene.background);
         let frame = std::mem::replace(&mut self.finished.picture, nothing);
         *self = Preview::over(frame, setup, methods);

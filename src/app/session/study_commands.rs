@@ -35,7 +35,7 @@ impl Session {
             StudyCommand::Quick => studying.quick = !studying.quick,
             StudyCommand::Part(part) => studying.part = part,
             StudyCommand::Measure => return studying.begin(),
-            StudyCommand::CallOff => return studying.call_off(),
+            StudyCommand::Cancel => return studying.cancel(),
             StudyCommand::Pick(at) => return self.pick(at),
         }
         Ok(())
@@ -46,7 +46,7 @@ impl Session {
         let measures = self.studying.percent().is_some();
         match command {
             StudyCommand::Measure => measures.then_some(strings::STILL_MEASURING),
-            StudyCommand::CallOff => (!measures).then_some(strings::NOTHING_IS_MEASURED),
+            StudyCommand::Cancel => (!measures).then_some(strings::NOTHING_IS_MEASURED),
             StudyCommand::Pick(at) if self.studying.point(at).is_none() => {
                 Some(strings::NO_SUCH_POINT)
             }

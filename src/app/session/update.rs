@@ -40,12 +40,12 @@ impl Session {
             Command::LoopTo => self.around.to = toggled(self.around.to, self.step()),
             Command::LoopOff => self.around = Default::default(),
             Command::Breakpoint => self.toggle_breakpoint(),
-            Command::Focus(focus) => return self.look_at(focus),
+            Command::Focus(focus) => return self.focus_on(focus),
             Command::FocusOnPointer => {
                 let focus = self.hovered.and_then(|tag| self.focus_of(tag));
-                return self.look_at(focus.ok_or(strings::NOTHING_UNDER_POINTER)?);
+                return self.focus_on(focus.ok_or(strings::NOTHING_UNDER_POINTER)?);
             }
-            Command::FocusOnPolygonAt { x, y } => return self.look_at_polygon(x, y),
+            Command::FocusOnPolygonAt { x, y } => return self.focus_on_polygon(x, y),
             Command::Click(tag) => return self.click(tag),
             Command::Hover(tag) => self.hovered = tag,
             Command::ViewTree(view) => self.tree = view,
@@ -59,9 +59,9 @@ impl Session {
                     self.leave_all_out();
                 }
                 if self.is_changed() {
-                    self.put_back();
+                    self.reset();
                 }
-                self.look_at(self.open.lesson.focus)?;
+                self.focus_on(self.open.lesson.focus)?;
                 self.start_over();
             }
             Command::Open(id) => {
@@ -216,7 +216,7 @@ impl Session {
             Tag::Pixel { .. } | Tag::ScanLine(_) | Tag::Polygon(_)
                 if self.focus_of(tag) != Some(self.focus) =>
             {
-                self.look_at(self.focus_of(tag).ok_or(strings::OUTSIDE)?)
+                self.focus_on(self.focus_of(tag).ok_or(strings::OUTSIDE)?)
             }
             _ => {
                 self.lit = Some(tag).filter(|_| self.lit != Some(tag));
@@ -257,7 +257,7 @@ impl Session {
             }
             Command::StopPresenting => {}
             Command::Keys => look.keys = !look.keys,
-            Command::LeftOut => look.skipped = !look.skipped,
+            Command::Skipped => look.skipped = !look.skipped,
             Command::Inspector => look.inspector = !look.inspector,
             Command::Smooth => look.smooth = !look.smooth,
             Command::NormalText => look.text = super::Look::new().text,

@@ -13,7 +13,7 @@ fn keys_walk_through_the_run() {
         assert_eq!(screen.session().step(), step, "{key:?}");
     }
     screen.press(Modifiers::NONE, Key::N);
-    assert!(screen.session().said_here().is_some());
+    assert!(screen.session().narration_here().is_some());
 }
 
 #[test]

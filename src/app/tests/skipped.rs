@@ -9,7 +9,7 @@ use egui_kittest::kittest::Queryable;
 
 #[test]
 fn a_ticked_part_is_done_all_the_same_and_timed() {
-    let commands = [Command::Questions, Command::LeftOut];
+    let commands = [Command::Questions, Command::Skipped];
     let mut screen = screen("needs", [1280, 800], 1.0, commands);
     let steps = screen.session().walk().len();
     let text = |label: &str, screen: &super::Screen| {

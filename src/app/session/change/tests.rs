@@ -50,13 +50,13 @@ fn intensity(session: &Session) -> Value {
 fn a_moved_light_is_seen_in_picture_run_and_narration_at_the_same_step() {
     let mut session = session();
     session.update(Command::Questions).unwrap();
-    while session.said_here().is_none() || session.walk().kind(session.step()) != "VertexLit" {
+    while session.narration_here().is_none() || session.walk().kind(session.step()) != "VertexLit" {
         session.update(Command::NextNarrated).unwrap();
     }
     let (step, recording) = (session.step(), session.recording());
     let said = |session: &Session| {
         session
-            .said_here()
+            .narration_here()
             .unwrap()
             .say(Language::English)
             .to_owned()
@@ -323,9 +323,9 @@ fn what_does_not_happen_any_more_is_not_narrated() {
             .update(Command::Change(Change::Light { light: 1, position }))
             .unwrap();
         (
-            session.is_unsaid(),
+            session.is_silent(),
             session.step(),
-            session.said_here().is_some(),
+            session.narration_here().is_some(),
         )
     };
     assert_eq!(put(-3.0), (true, step, false));

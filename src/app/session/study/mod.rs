@@ -38,7 +38,7 @@ pub struct Studying {
 pub enum Outcome {
     /// Done, under way, or never begun.
     Well,
-    CalledOff,
+    Cancelled,
     /// It has no findings, for this reason, which is in English.
     Because(String),
 }
@@ -125,10 +125,10 @@ impl Studying {
         Ok(())
     }
 
-    pub(super) fn call_off(&mut self) -> Result<(), Refused> {
+    pub(super) fn cancel(&mut self) -> Result<(), Refused> {
         let measuring = self.measuring.take();
         measuring.ok_or(strings::NOTHING_IS_MEASURED)?;
-        self.outcome = Outcome::CalledOff;
+        self.outcome = Outcome::Cancelled;
         Ok(())
     }
 
@@ -146,7 +146,7 @@ impl Studying {
     fn keep(&mut self, news: News) {
         match news {
             News::Part(part) => self.parts.push(*part),
-            News::Unmeasured(Unmeasured::Cancelled(_)) => self.outcome = Outcome::CalledOff,
+            News::Unmeasured(Unmeasured::Cancelled(_)) => self.outcome = Outcome::Cancelled,
             News::Unmeasured(Unmeasured::Because(why)) => self.outcome = Outcome::Because(why),
         }
     }

@@ -64,13 +64,13 @@ fn a_study_is_measured_in_the_background_and_every_part_comes() {
 #[test]
 fn a_study_that_is_called_off_ends_at_once_for_its_viewer() {
     let mut session = session();
-    let nothing = go(&mut session, StudyCommand::CallOff);
+    let nothing = go(&mut session, StudyCommand::Cancel);
     assert_eq!(nothing, Err(strings::NOTHING_IS_MEASURED.into()));
     go(&mut session, StudyCommand::Measure).unwrap();
     let state = session.studying.measuring.as_ref().unwrap().state.clone();
-    go(&mut session, StudyCommand::CallOff).unwrap();
+    go(&mut session, StudyCommand::Cancel).unwrap();
     assert_eq!(session.studying().percent(), None);
-    assert_eq!(session.studying().outcome, Outcome::CalledOff);
+    assert_eq!(session.studying().outcome, Outcome::Cancelled);
     assert!(state.called_off.load(Ordering::Relaxed));
     // The next one need not wait for it.
     go(&mut session, StudyCommand::Measure).unwrap();
@@ -101,7 +101,7 @@ fn a_point_with_a_picture_opens_it_with_its_run_and_the_study_stays() {
         go(&mut session, StudyCommand::Pick(FIRST)).unwrap();
         assert_eq!(session.lesson().method, method);
         assert_eq!(session.title(), "rough, n = 2");
-        let said = session.said_here().unwrap().say(Language::English);
+        let said = session.narration_here().unwrap().say(Language::English);
         assert!(said.contains("2.5e−1 in 2.00 ms"), "{said}");
         assert!(session.last_step() > 1);
         assert_eq!(session.look.language, Language::Indonesian);
