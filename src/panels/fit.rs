@@ -63,7 +63,7 @@ impl Fit {
     }
 }
 
-/// The corners of the polygon in hand on the screen: as they were told, and before that as the stage has them.
+/// The corners of the current polygon on the screen: as they were recorded, and before that as they are prepared.
 pub(super) fn outline(state: &State) -> Vec<DVec2> {
     if !state.edges.is_empty() {
         let corners = state.corners.iter();
@@ -76,7 +76,7 @@ pub(super) fn outline(state: &State) -> Vec<DVec2> {
     })
 }
 
-/// The corners of a polygon of the stage, on the screen; those before the near plane have no place there.
+/// The corners of a polygon of the scene, on the screen; those before the near plane have no place there.
 pub(super) fn staged(prepared: &PreparedScene, polygon: usize) -> Vec<DVec2> {
     prepared.polygon(polygon).map_or_else(Vec::new, |polygon| {
         let corners = polygon.corners().map(|(_, vertex)| vertex);

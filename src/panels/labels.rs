@@ -56,7 +56,7 @@ impl Labels {
         self.avoid_stroke(from, to, 0.0);
     }
 
-    /// As [`Labels::avoid`], of a line so wide that its middle alone does not tell what would be covered.
+    /// As [`Labels::avoid`], of a line so wide that its middle does not show what would be covered.
     pub fn avoid_stroke(&mut self, from: Vec2, to: Vec2, width: f32) {
         self.lines.push(Spared {
             ends: [from, to],

@@ -5,7 +5,7 @@ use crate::replay::Fold;
 use crate::vocabulary::{Declared, Kind};
 use proptest::prelude::*;
 
-/// An event with a few values, some of them missing, so that inner and outer scopes tell different things.
+/// An event with a few values, some of them missing, so that inner and outer scopes have different values.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Note(pub u8);
 

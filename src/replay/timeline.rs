@@ -147,7 +147,7 @@ impl<E: Send + 'static, S> Timeline<E, S> {
 
 impl<E: Event, S> Timeline<E, S> {
     /// The heading of `scope`, as far as it lies before `step`: the step that enters it, and the plain steps (64 at most)
-    /// that directly follow. What they tell holds for every step of the scope.
+    /// that directly follow. Their values hold for every step of the scope.
     pub fn heading(&self, scope: usize, step: usize) -> Range<usize> {
         let most = step.min(scope + 1 + HEADING);
         let end = (scope + 1..most).find(|&inner| {

@@ -1,7 +1,7 @@
 //! The painter's order: what may cover another patch on the screen is painted after it.
 //!
-//! Of two patches whose boxes overlap on the screen one plane tells which goes first, where one of them lies to one side of it
-//! (Newell, Newell & Sancha 1972); what no plane tells, the distance of the centres does. Patches that cover each other in a ring
+//! Of two patches whose boxes overlap on the screen one plane decides which goes first, where the other is on one side of it
+//! (Newell, Newell & Sancha 1972); what no plane decides, the distance of the centres does. Patches that cover each other in a ring
 //! are not divided: the farthest goes first.
 
 use glam::{DVec2, DVec3};

@@ -1,4 +1,4 @@
-//! Which rays of the tree are drawn: all where there is room, else those on the way to the ray in hand, then level by level.
+//! Which rays of the tree are drawn: all where there is room, else those on the way to the current ray, then level by level.
 
 use crate::replay::rays::{Outcome, RayState, State};
 use std::collections::{BTreeSet, VecDeque};
@@ -8,7 +8,7 @@ use std::collections::{BTreeSet, VecDeque};
 pub(super) enum Of {
     /// A ray, by its index in the state.
     Ray(usize),
-    /// A ray that was asked for and is not traced yet.
+    /// A ray that is not traced yet.
     Asked,
 }
 
@@ -20,7 +20,7 @@ pub(super) struct Node {
     pub children: [Option<usize>; 2],
     /// 0 at the root.
     pub level: usize,
-    /// Whether the ray in hand is this one or lies below.
+    /// Whether the current ray is this one or below it.
     pub on_path: bool,
     /// Rays below that are not drawn, and whether the viewer collapsed them.
     pub hidden: usize,
@@ -31,7 +31,7 @@ pub(super) struct Node {
 #[derive(Clone, Debug)]
 pub(super) struct Tree {
     pub nodes: Vec<Node>,
-    /// The node of the ray in hand, or the collapsed one that it lies in.
+    /// The node of the current ray, or the collapsed one that contains it.
     pub current: usize,
     /// Rays that are not drawn.
     pub hidden: usize,
@@ -86,7 +86,7 @@ impl<'a> Rays<'a> {
         }
     }
 
-    /// The tree as far as there is room; the way to the ray in hand is always drawn.
+    /// The tree as far as there is room; the way to the current ray is always drawn.
     pub fn pick(&self, collapsed: &BTreeSet<usize>, room: Enclosure) -> Tree {
         let mut tree = Tree {
             nodes: Vec::new(),
@@ -110,7 +110,7 @@ impl<'a> Rays<'a> {
             let Node { level, on_path, .. } = tree.nodes[node];
             let folded = collapsed.contains(&ray.step);
             let fits = leaves + count.saturating_sub(1) <= room.leaves && level + 1 < room.levels;
-            // The ray in hand itself is on the path, but what it sends on need not fit.
+            // The current ray itself is on the path, but its branches need not fit.
             let toward_hand = on_path && self.is_above_hand(tree.nodes[node].of);
             if count > 0 && (folded || !(fits || toward_hand)) {
                 let hidden = self.below(tree.nodes[node].of);

@@ -63,7 +63,7 @@ impl Layout<'_> {
         }
     }
 
-    /// Whether a ray is drawn in full: all rays while there are few, later those from which the ray in hand comes.
+    /// Whether a ray is drawn in full: all rays while there are few, later those from which the current ray comes.
     fn is_near(&self, index: usize) -> bool {
         self.way.as_ref().is_none_or(|way| way.contains(&index))
     }
@@ -120,7 +120,7 @@ impl Layout<'_> {
         Some(Drawn { from, to, letters })
     }
 
-    /// The letters of the rays, that of the ray in hand first. Rays side by side, as between two mirrors, share theirs.
+    /// The letters of the rays, that of the current ray first. Rays side by side, as between two mirrors, share theirs.
     fn letters(&mut self, current: Option<Drawn>, others: &[Drawn]) {
         let mut lettered: Vec<&Drawn> = Vec::new();
         for ray in current.iter().chain(others) {

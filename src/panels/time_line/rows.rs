@@ -64,7 +64,7 @@ impl Span {
     }
 }
 
-/// A bar: one scope, or several too narrow to be told apart.
+/// A bar: one scope, or several that are too narrow to be distinct.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Bar {
     pub steps: Range<usize>,
@@ -79,7 +79,7 @@ pub struct Row {
     pub current: Option<usize>,
 }
 
-/// The rows that fit, those of the outermost depths first; where the cursor lies deeper, the rows around it.
+/// The rows that fit, those of the outermost depths first; where the cursor is deeper, the rows around it.
 pub fn rows(walk: &dyn Walk, size: Vec2) -> Vec<Row> {
     let outline = walk.outline();
     let position = walk.position();
@@ -169,7 +169,7 @@ pub fn bars(outline: &Outline, span: &Span, depth: usize) -> Vec<Bar> {
     bars
 }
 
-/// The scope of `depth` that `step` lies in or opens.
+/// The scope of `depth` that `step` is in or opens.
 pub fn scope_at(outline: &Outline, step: usize, depth: usize) -> Option<usize> {
     let innermost = if outline.opens(step) {
         Some(step)

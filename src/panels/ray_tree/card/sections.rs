@@ -98,7 +98,7 @@ fn search(describer: &Describer) -> Option<Entry> {
     (!parts.is_empty()).then(|| Entry::parts(parts))
 }
 
-/// The verdict of each light, and N·L where it is in hand; none where no light was asked.
+/// The verdict of each light, and N·L of the current one; none where no light was tested.
 pub fn lights(describer: &Describer, ray: &RayState) -> Option<Section> {
     let state = describer.state;
     let current = state.ray().is_some_and(|hand| hand.step == ray.step);
@@ -174,7 +174,7 @@ fn headline(text: String) -> Entry {
     }
 }
 
-/// The sums on the way of the light: of the ray that returned last, of the ray in hand, and of those that wait for it.
+/// The sums on the way of the light: of the ray that returned last, of the current ray, and of those that wait for it.
 pub fn coming_back(describer: &Describer, ray: &RayState, rising: Option<usize>) -> Section {
     let state = describer.state;
     let risen = rising.and_then(|index| state.rays.get(index));
@@ -197,7 +197,7 @@ pub fn coming_back(describer: &Describer, ray: &RayState, rising: Option<usize>)
     }
 }
 
-/// What a ray's light is the sum of, as far as it was told.
+/// What a ray's light is the sum of, so far.
 pub(in super::super) fn sum(describer: &Describer, ray: &RayState) -> Vec<String> {
     let name = &describer.name(ray)[0];
     let returned = ray.returned.map(|(returned, _)| returned);
