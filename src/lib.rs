@@ -19,7 +19,7 @@
 //! | [`scene`] | scene files and their checks, camera, lights, materials, meshes, division into polygons; where rays meet them ([`scene::primitives`]), what a scene needs, and the patches of radiosity ([`scene::patches`]) |
 //! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud, Phong, Fast Phong, textures, ray casting, ray tracing; [`algorithms::form_factor`] and [`algorithms::radiosity`] with a file a method or solver |
 //! | [`vocabulary`] | what each kind of event means, declared once: values with their symbols, pseudocode line, sentence, formulas |
-//! | [`methods`] | a method as one value: its name, what it needs, how it is drawn, recorded and counted |
+//! | [`methods`] | a method as one value: its name, its panels, what it needs, how it is drawn, recorded and counted; and a scene set up for all of them, with their settings |
 //! | [`render`] | a whole frame or a whole matrix of form factors, unrecorded, on all cores; frames all at once or coarse first; what panels show beside the steps of a run ([`render::Finished`]) |
 //! | [`replay`] | timelines with checkpoints, walking, searching; the state of each algorithm at a step |
 //! | [`panels`] | one file a panel: how it lays out a run at its step; values come in computed, which `tests/floors.rs` checks |

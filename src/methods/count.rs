@@ -1,10 +1,8 @@
 //! What a whole run of a method does, counted by kinds of events, of which none is kept.
 
 use super::radiosity;
-use super::ray_casting::RayCasting;
-use super::ray_tracing::RayTracing;
 use super::wireframe::Wireframe;
-use super::{Draw, Method, Setup, ShadingMethod, Visitor};
+use super::{Draw, Method, RayMethod, Setup, ShadingMethod, Visitor};
 use crate::algorithms;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::visible::Bvh;
@@ -51,12 +49,8 @@ impl Visitor for Count<'_> {
         self.frame::<M>()
     }
 
-    fn ray_casting(self) -> Counted {
-        self.frame::<RayCasting>()
-    }
-
-    fn ray_tracing(self) -> Counted {
-        self.frame::<RayTracing>()
+    fn rays<M: RayMethod>(self) -> Counted {
+        self.frame::<M>()
     }
 
     fn radiosity(self) -> Counted {

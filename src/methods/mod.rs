@@ -17,6 +17,7 @@ pub mod wireframe;
 
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
+use crate::algorithms::ray_tracing as algorithm;
 use crate::algorithms::shading::{self, Shading};
 use crate::algorithms::visible::Search;
 use crate::color::Rgb;
@@ -108,8 +109,8 @@ impl<M: Shading> ShadingEvent for shading::Event<M> {
     }
 }
 
-/// A method that colours each pixel by itself, by the rays through it.
-pub trait RayMethod: Draw {
+/// A method that colours each pixel by itself, by the rays through it. Its events are those of ray tracing, or fewer.
+pub trait RayMethod: Draw<Event: Into<algorithm::Event>> {
     type Tracer<'a, S: Search + Sync + 'a>: Sync;
 
     fn tracer<'a, S: Search + Sync>(
@@ -132,8 +133,7 @@ pub trait Visitor: Sized {
 
     fn wireframe(self) -> Self::Output;
     fn shading<M: ShadingMethod>(self) -> Self::Output;
-    fn ray_casting(self) -> Self::Output;
-    fn ray_tracing(self) -> Self::Output;
+    fn rays<M: RayMethod>(self) -> Self::Output;
     fn radiosity(self) -> Self::Output;
 }
 

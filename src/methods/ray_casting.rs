@@ -4,6 +4,8 @@ use super::{Draw, Family, Properties, RayMethod, Setup, Visitor};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::ray_casting::{self as algorithm, RayCaster, ray_casting};
+use crate::algorithms::ray_tracing;
+use crate::algorithms::ray_tree::{self, RayKind};
 use crate::algorithms::visible::Search;
 use crate::color::Rgb;
 use crate::record::Recorder;
@@ -21,7 +23,7 @@ impl Properties for RayCasting {
     }
 
     fn visit<V: Visitor>(visitor: V) -> V::Output {
-        visitor.ray_casting()
+        visitor.rays::<Self>()
     }
 }
 
@@ -58,5 +60,24 @@ impl RayMethod for RayCasting {
         recorder: &mut R,
     ) -> Rgb {
         tracer.pixel(x, y, recorder)
+    }
+}
+
+impl From<algorithm::Event> for ray_tracing::Event {
+    fn from(event: algorithm::Event) -> Self {
+        use algorithm::Event;
+        match event {
+            Event::PreparedScene(event) => event.into(),
+            Event::Primary(event) => event.into(),
+            Event::Ray { ray } => {
+                let (kind, level) = (RayKind::Primary, 1);
+                ray_tree::Event::Ray { kind, level, ray }.into()
+            }
+            Event::Visible(event) => event.into(),
+            Event::Surface(event) => event.into(),
+            Event::Illumination(event) => event.into(),
+            Event::Local { emission, local } => ray_tree::Event::Local { emission, local }.into(),
+            Event::Returned { color } => ray_tree::Event::Returned { color }.into(),
+        }
     }
 }

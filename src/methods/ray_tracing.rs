@@ -21,7 +21,7 @@ impl Properties for RayTracing {
     }
 
     fn visit<V: Visitor>(visitor: V) -> V::Output {
-        visitor.ray_tracing()
+        visitor.rays::<Self>()
     }
 }
 

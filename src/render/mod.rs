@@ -16,11 +16,9 @@ use crate::algorithms::frame::Frame;
 use crate::algorithms::patch_view::PatchView;
 use crate::algorithms::visible::Bvh;
 use crate::color::Rgb;
-use crate::methods::ray_casting::RayCasting;
-use crate::methods::ray_tracing::RayTracing;
 use crate::methods::wireframe::Wireframe;
 use crate::methods::{Draw, RayMethod, Setup, ShadingMethod, Visitor};
-use crate::record::{Recorder, Unrecorded};
+use crate::record::Unrecorded;
 use crate::scene::Needs;
 use std::convert::Infallible;
 use std::num::NonZeroUsize;
@@ -125,10 +123,7 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Paint<'_, '_, P> {
             .bands(|band| M::draw(setup, Focus::Frame, band, Bvh, &mut Unrecorded))
     }
 
-    fn rays<M: RayMethod>(self) -> Result<Frame, E>
-    where
-        RayCounts: Recorder<M::Event>,
-    {
+    fn pixels<M: RayMethod>(self) -> Result<Frame, E> {
         let tracer = M::tracer(self.setup, self.needs, Bvh);
         match self.totals {
             None => self
@@ -152,12 +147,8 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Visitor for Paint<'_,
         self.bands::<M>()
     }
 
-    fn ray_casting(self) -> Self::Output {
-        self.rays::<RayCasting>()
-    }
-
-    fn ray_tracing(self) -> Self::Output {
-        self.rays::<RayTracing>()
+    fn rays<M: RayMethod>(self) -> Self::Output {
+        self.pixels::<M>()
     }
 
     /// A room that cannot be divided or solved gives off no light: `Setup::enclosure` and `Enclosure::solve` say why.

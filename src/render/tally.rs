@@ -1,7 +1,7 @@
 //! How many rays of which kind a picture takes: heard, as everything else is, from the events of the run.
 
+use crate::algorithms::ray_tracing;
 use crate::algorithms::ray_tree::{self, RayKind};
-use crate::algorithms::{ray_casting, ray_tracing};
 use crate::record::Recorder;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -26,30 +26,18 @@ impl RayCounts {
     }
 }
 
-impl Recorder<ray_tracing::Event> for RayCounts {
-    fn step(&mut self, _: impl FnOnce() -> ray_tracing::Event) {}
+impl<E: Into<ray_tracing::Event>> Recorder<E> for RayCounts {
+    fn step(&mut self, _: impl FnOnce() -> E) {}
 
-    fn enter(&mut self, event: impl FnOnce() -> ray_tracing::Event) {
-        match event() {
+    fn enter(&mut self, event: impl FnOnce() -> E) {
+        match event().into() {
             ray_tracing::Event::Tree(ray_tree::Event::Ray { kind, .. }) => self.count(kind),
             ray_tracing::Event::Tree(ray_tree::Event::ShadowRay { .. }) => self.shadow += 1,
             _ => {}
         }
     }
 
-    fn leave(&mut self, _: impl FnOnce() -> ray_tracing::Event) {}
-}
-
-impl Recorder<ray_casting::Event> for RayCounts {
-    fn step(&mut self, _: impl FnOnce() -> ray_casting::Event) {}
-
-    fn enter(&mut self, event: impl FnOnce() -> ray_casting::Event) {
-        if let ray_casting::Event::Ray { .. } = event() {
-            self.primary += 1;
-        }
-    }
-
-    fn leave(&mut self, _: impl FnOnce() -> ray_casting::Event) {}
+    fn leave(&mut self, _: impl FnOnce() -> E) {}
 }
 
 /// The sum over all threads.

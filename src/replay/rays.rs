@@ -17,7 +17,7 @@ use super::shading::Dot;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::ray_tree::{self, RayKind};
 use crate::algorithms::visible;
-use crate::algorithms::{primary, ray_casting, ray_tracing, surface};
+use crate::algorithms::{primary, ray_tracing, surface};
 use crate::color::Rgb;
 use crate::methods::Setup;
 use crate::scene::primitives::Ray;
@@ -336,36 +336,16 @@ fn branch_mut(ray: &mut RayState, kind: RayKind) -> Option<&mut CurrentBranch> {
     ray.branches[side(kind)].as_mut()
 }
 
-impl Fold<ray_tracing::Event> for State {
-    fn apply(&mut self, step: usize, event: &ray_tracing::Event) {
+impl<E: Copy + Into<ray_tracing::Event>> Fold<E> for State {
+    fn apply(&mut self, step: usize, event: &E) {
         use ray_tracing::Event;
-        match event {
+        match (*event).into() {
             Event::PreparedScene(_) => {}
-            Event::Primary(event) => self.color_pixel(step, event),
-            Event::Visible(event) => self.look(event),
-            Event::Surface(event) => self.meet_surface(event),
-            Event::Illumination(event) => CurrentPoint::light(&mut self.point, step, event),
-            Event::Tree(event) => self.grow_tree(step, event),
-        }
-    }
-
-    fn bytes_beyond(&self, before: &Self) -> usize {
-        self.beyond(before)
-    }
-}
-
-impl Fold<ray_casting::Event> for State {
-    fn apply(&mut self, step: usize, event: &ray_casting::Event) {
-        use ray_casting::Event;
-        match event {
-            Event::PreparedScene(_) => {}
-            Event::Primary(event) => self.color_pixel(step, event),
-            Event::Ray { ray } => self.open_ray(RayKind::Primary, 1, *ray, step),
-            Event::Visible(event) => self.look(event),
-            Event::Surface(event) => self.meet_surface(event),
-            Event::Illumination(event) => CurrentPoint::light(&mut self.point, step, event),
-            Event::Local { local, .. } => self.set_local(*local),
-            Event::Returned { color } => self.close_ray(*color, step),
+            Event::Primary(event) => self.color_pixel(step, &event),
+            Event::Visible(event) => self.look(&event),
+            Event::Surface(event) => self.meet_surface(&event),
+            Event::Illumination(event) => CurrentPoint::light(&mut self.point, step, &event),
+            Event::Tree(event) => self.grow_tree(step, &event),
         }
     }
 

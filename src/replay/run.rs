@@ -9,10 +9,8 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::shading::Shading;
 use crate::algorithms::visible::BruteForce;
 use crate::methods;
-use crate::methods::ray_casting::RayCasting;
-use crate::methods::ray_tracing::RayTracing;
 use crate::methods::wireframe::Wireframe;
-use crate::methods::{Draw, Method, Setup, ShadingEvent, ShadingMethod, Visitor};
+use crate::methods::{Draw, Method, RayMethod, Setup, ShadingEvent, ShadingMethod, Visitor};
 use crate::record::{Event, Recording, RecordingLimit};
 use crate::render::matrix;
 use crate::vocabulary::Declared;
@@ -178,12 +176,8 @@ impl Visitor for Record {
         Run::Shading(self.method, replay)
     }
 
-    fn ray_casting(self) -> Run {
-        Run::Rays(self.method, self.frame::<RayCasting, _>(rays::State::new))
-    }
-
-    fn ray_tracing(self) -> Run {
-        Run::Rays(self.method, self.frame::<RayTracing, _>(rays::State::new))
+    fn rays<M: RayMethod>(self) -> Run {
+        Run::Rays(self.method, self.frame::<M, _>(rays::State::new))
     }
 
     fn radiosity(self) -> Run {

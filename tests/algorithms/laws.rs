@@ -4,10 +4,8 @@ use crate::common::{TEAPOT, setup};
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::visible::BruteForce;
-use lightwalk::methods::ray_casting::RayCasting;
-use lightwalk::methods::ray_tracing::RayTracing;
 use lightwalk::methods::wireframe::Wireframe;
-use lightwalk::methods::{Draw, Setup, ShadingMethod, Visitor};
+use lightwalk::methods::{Draw, RayMethod, Setup, ShadingMethod, Visitor};
 use lightwalk::record::{Recording, RecordingLimit};
 use lightwalk::render::{Cancelled, Method, preview, render};
 use lightwalk::replay::{Run, Walk};
@@ -65,12 +63,8 @@ impl Visitor for Recorded<'_> {
         self.draw::<M>()
     }
 
-    fn ray_casting(self) -> Self::Output {
-        self.draw::<RayCasting>()
-    }
-
-    fn ray_tracing(self) -> Self::Output {
-        self.draw::<RayTracing>()
+    fn rays<M: RayMethod>(self) -> Self::Output {
+        self.draw::<M>()
     }
 
     fn radiosity(self) -> Self::Output {
