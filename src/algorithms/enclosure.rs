@@ -14,7 +14,7 @@ use crate::scene::patches::{PatchError, Patches};
 use crate::scene::{LeftOut, Limits, Parts, Scene};
 use std::sync::OnceLock;
 
-/// How the light of a room is found.
+/// How the light of an enclosure is found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     pub form_factors: Method,
@@ -61,7 +61,7 @@ pub struct Enclosure {
 
 pub const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
-/// The light of a room.
+/// The light of an enclosure.
 #[derive(Clone, Debug)]
 pub struct Light {
     /// B of every patch.
@@ -124,7 +124,7 @@ impl Enclosure {
         n.saturating_mul(n).saturating_mul(8)
     }
 
-    /// The light of the room, given its matrix; solved for on first use. Errors: as of [`Enclosure::solve`].
+    /// The light, given its matrix; solved for on first use. Errors: as of [`Enclosure::solve`].
     pub fn light(&self, matrix: &[f64]) -> Result<&Light, &ChannelUnsolved> {
         self.light_or(|| self.solve(matrix, &RecordFilter::default(), &mut Unrecorded))
     }
@@ -146,7 +146,7 @@ impl Enclosure {
         (0..c).find(|&other| equal(other)).unwrap_or(c)
     }
 
-    /// Solves for the light of the room, given its matrix. Errors: those of the first channel that has no result.
+    /// Solves for the light, given its matrix. Errors: those of the first channel that has no result.
     pub fn solve<R: Recorder<Event>>(
         &self,
         matrix: &[f64],
@@ -164,7 +164,7 @@ impl Enclosure {
         })
     }
 
-    /// Shoots for the light of the room with no matrix: the row of a patch is found when it shoots. Errors: as of [`Enclosure::solve`].
+    /// Solves for the light by shooting, with no matrix: the row of a patch is computed when it shoots. Errors: as of [`Enclosure::solve`].
     pub fn shoot<R: Recorder<Event>>(
         &self,
         filter: &RecordFilter,

@@ -1,10 +1,10 @@
-//! What the exchange of light in a room does not need: channels, equations, integrals and rays whose result is known.
+//! What the exchange of light in an enclosure does not need: channels, equations, integrals and rays whose result is known.
 
 use super::enclosure::{CHANNELS, Enclosure};
 use super::radiosity::{Channel, equal_before};
 use crate::scene::{LeftOut, Part};
 
-/// What is left out of a room's form factors and their solution, with its share.
+/// What is left out of the form factors and their solution, with its share.
 pub fn skipped(enclosure: &Enclosure) -> Vec<LeftOut> {
     let lists = [0, 1, 2].map(|c| enclosure.channel(c));
     let channels = [0, 1, 2].map(|c| Channel {

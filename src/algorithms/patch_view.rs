@@ -1,8 +1,8 @@
-//! A room in front of its camera: every patch in its radiosity, constant over the patch or interpolated between its corners
+//! An enclosure seen by the camera: every patch in its radiosity, constant over the patch or interpolated between its corners
 //! (Cohen & Greenberg, "The hemi-cube", SIGGRAPH 1985, §5).
 //!
 //! Primary rays, and nothing else: what a diffuse surface gives off looks the same from everywhere. The back of a patch gives off
-//! nothing, and is black; so is what lies beside the room.
+//! nothing, and is black; so is what lies beside the patches.
 
 use super::enclosure::Enclosure;
 use super::primary;
@@ -14,7 +14,7 @@ use glam::DVec3;
 use std::collections::HashMap;
 use std::num::NonZeroU32;
 
-/// The picture of a room whose light is known.
+/// The picture of an enclosure whose light is known.
 pub struct PatchView<'a> {
     view: &'a View,
     /// n of the n×n samples of a pixel.
@@ -26,7 +26,7 @@ pub struct PatchView<'a> {
 }
 
 impl<'a> PatchView<'a> {
-    /// `radiosity` has one colour a patch. Whether they are interpolated is among the settings of the room.
+    /// `radiosity` has one colour a patch. The settings of the enclosure say whether they are interpolated.
     pub fn new(
         view: &'a View,
         samples: NonZeroU32,

@@ -35,7 +35,7 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Ray casting on a stage.
+/// Ray casting of a scene.
 #[derive(Clone, Copy)]
 pub struct RayCaster<'a, S> {
     pub prepared: &'a PreparedScene,
@@ -44,7 +44,7 @@ pub struct RayCaster<'a, S> {
     pub search: S,
 }
 
-/// Draws the part of the stage that `focus` takes into `frame`.
+/// Draws what `focus` selects of the prepared scene into `frame`.
 pub fn ray_casting<S: Search, R: Recorder<Event>>(
     caster: &RayCaster<S>,
     focus: Focus,

@@ -52,7 +52,7 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Ray tracing on a stage.
+/// Ray tracing of a scene.
 #[derive(Clone)]
 pub struct RayTracer<'a, S> {
     pub prepared: &'a PreparedScene,
@@ -66,7 +66,7 @@ pub struct RayTracer<'a, S> {
 /// The transparent objects that a ray is inside, in the order in which it entered them. Outside all is air.
 type Media = Vec<u32>;
 
-/// Draws the part of the stage that `focus` takes into `frame`.
+/// Draws what `focus` selects of the prepared scene into `frame`.
 pub fn ray_tracing<S: Search, R: Recorder<Event>>(
     tracer: &RayTracer<S>,
     focus: Focus,

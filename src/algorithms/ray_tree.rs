@@ -1,4 +1,4 @@
-//! The binary ray tree of a pixel, as ray tracing tells it: a node a ray, the children the reflected and the transmitted ray
+//! The binary ray tree of a pixel, as ray tracing records it: a node a ray, the children the reflected and the transmitted ray
 //! (Whitted 1980, figure 3). Light comes back from the leaves up; a leaf says why it ended.
 
 use crate::color::Rgb;
@@ -84,7 +84,7 @@ pub enum Event {
         cos_theta_i: f64,
         radicand: f64,
     },
-    /// A secondary ray is asked for.
+    /// A secondary ray is needed.
     Branched { branch: Branch },
     /// A branch without a ray.
     Ended { kind: RayKind, end: End },

@@ -57,7 +57,7 @@ impl Visitor for Count<'_> {
         let mut events = Counter::default();
         if let Ok(enclosure) = self.setup.enclosure() {
             let matrix = enclosure.matrix_or(|| enclosure.form_factors().matrix());
-            // Why there is no solution, whoever needs one hears from `Enclosure::solve`.
+            // The events are counted whether there is a solution or not.
             let _ = radiosity::solve(enclosure, matrix, Focus::Frame, &mut events);
         }
         Counted {

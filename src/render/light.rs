@@ -1,4 +1,4 @@
-//! The light of a room: all form factors, in blocks of rows, and then the solution.
+//! The light of an enclosure: all form factors, in blocks of rows, and then the solution.
 
 use super::thread_pool::ThreadPool;
 use crate::algorithms::enclosure::{Enclosure, Light};
@@ -12,9 +12,9 @@ use web_time::Instant;
 /// Blocks of rows for each thread: more than one, as the first rows are longer where a pair counts once.
 const BLOCKS: usize = 16;
 
-/// The matrix of a room, made on `threads` threads where it is not there yet. The same, bit for bit, for any number of them.
+/// The matrix of an enclosure, computed on `threads` threads where it is not there yet. The same, bit for bit, for any number of them.
 ///
-/// `progress` hears how many of how many rows are done. Errors: those of `progress`, which end the work.
+/// `progress` is called with the rows done and the rows in all. Errors: those of `progress`, which end the work.
 pub fn matrix<'a, E: Send>(
     enclosure: &'a Enclosure,
     threads: NonZeroUsize,
@@ -30,7 +30,7 @@ pub fn race(setup: &Setup) -> Option<Result<Race, Unsolved>> {
     Some(enclosure.race(enclosure.matrix()?, || start.elapsed().as_secs_f64()))
 }
 
-/// What a room's light is, or why there is none to be shown.
+/// The light of an enclosure, or why there is none to be shown.
 pub(super) fn light<'a, E: Send>(
     enclosure: &'a Enclosure,
     thread_pool: &ThreadPool,

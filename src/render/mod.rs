@@ -37,14 +37,14 @@ pub const MAX_SIDE: u32 = 1 << 14;
 /// The most pixels of a picture: 8192×8192, for which rendering takes 2 GiB.
 pub const MAX_PIXELS: u64 = 1 << 26;
 
-/// A picture that was called off before it was done.
+/// A picture that was cancelled before it was done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("the picture was called off")]
 pub struct Cancelled;
 
 /// Draws the whole picture of `setup` on `threads` threads; without the feature `parallel`, on one.
 ///
-/// The picture is the same, bit for bit, for any number of threads. `progress` hears how many of how many parts are done.
+/// The picture is the same, bit for bit, for any number of threads. `progress` is called with the parts done and the parts in all.
 pub fn render(
     setup: &Setup,
     method: Method,
@@ -80,7 +80,7 @@ pub fn render_counted(
 
 /// Draws the picture of [`render`], and on the way lets `show` see it grow, where the method can draw a coarse one first.
 ///
-/// `progress` is heard at least every few milliseconds where pixels are coloured one by one, else after each band of rows.
+/// `progress` is called at least every few milliseconds where pixels are coloured one by one, else after each band of rows.
 /// Errors: those of `progress`, which end the work.
 pub fn preview(
     setup: &Setup,
@@ -151,7 +151,7 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Visitor for Paint<'_,
         self.pixels::<M>()
     }
 
-    /// A room that cannot be divided or solved gives off no light: `Setup::enclosure` and `Enclosure::solve` say why.
+    /// A scene that cannot be divided or solved gives off no light: `Setup::enclosure` and `Enclosure::solve` say why.
     fn radiosity(self) -> Self::Output {
         let Paint { setup, painter, .. } = self;
         let light = match setup.enclosure() {

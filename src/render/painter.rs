@@ -10,7 +10,7 @@ use std::num::NonZeroUsize;
 /// Paints one picture: a method either fills [bands](Painter::bands) of rows, or colours each of the [pixels](Painter::pixels)
 /// by itself.
 ///
-/// Its progress hears how many of how many parts are done, from any thread; an error that it returns ends the work.
+/// Its progress is called with the parts done and the parts in all, from any thread; an error that it returns ends the work.
 pub struct Painter<'a, P> {
     pub(super) size: [u32; 2],
     pub(super) background: Rgb,

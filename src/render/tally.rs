@@ -1,4 +1,4 @@
-//! How many rays of which kind a picture takes: heard, as everything else is, from the events of the run.
+//! How many rays of which kind a picture takes: counted, as everything else is, from the events of the run.
 
 use crate::algorithms::ray_tracing;
 use crate::algorithms::ray_tree::{self, RayKind};

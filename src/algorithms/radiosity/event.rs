@@ -11,7 +11,7 @@ pub struct Event {
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SolverEvent {
-    /// Opens the light of a room in all its channels, closed by `RoomDone`.
+    /// Opens the light of an enclosure in all its channels, closed by `RoomDone`.
     Enclosure {
         patches: u32,
     },

@@ -111,7 +111,7 @@ impl<'a, F: Rows> Shooter<'a, F> {
         }
     }
 
-    /// What the unshot light will come to in the mean, were the room evenly lit; 0 where nothing is lost.
+    /// What the unshot light will come to in the mean, were the enclosure evenly lit; 0 where nothing is lost.
     fn ambient(&self) -> f64 {
         let flux: f64 = zip(self.patches.area, &self.unshot)
             .map(|(a, r)| a * r)

@@ -5,7 +5,7 @@ use super::outcome::Unsolved;
 use crate::record::{Recorder, Unrecorded};
 use std::iter::zip;
 
-/// Where rows of form factors come from: a stored matrix, or whatever computes one when it is asked for.
+/// Where rows of form factors come from: a stored matrix, or whatever computes one on demand.
 pub trait Rows {
     /// F_ij from patch `i` to each patch j, as many as there are patches.
     fn row(&mut self, i: usize) -> &[f64];
@@ -73,7 +73,7 @@ pub struct Patches<'a> {
     pub(super) area: &'a [f64],
     pub(super) rho: &'a [f64],
     pub(super) emission: &'a [f64],
-    /// Whether patches that reflect nothing, B = E, gather all the same.
+    /// Whether patches that reflect nothing, B = E, gather although they need not.
     black_rows: bool,
 }
 
@@ -183,7 +183,7 @@ pub(super) fn gain(rho: &[f64], row_sums: &[f64]) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// r = E − (I − ρF)B, written to `r`. The row of a patch that reflects nothing is not asked for.
+/// r = E − (I − ρF)B, written to `r`. The row of a patch that reflects nothing is not computed.
 pub(super) fn residual(rows: &mut impl Rows, patches: &Patches, b: &[f64], r: &mut [f64]) {
     for i in 0..b.len() {
         let reflected = match patches.gathers(i) {
