@@ -115,7 +115,8 @@ fn found(session: &Session, part: &Part, commands: &mut Vec<Command>, ui: &mut U
     if studying.parts.len() > 1 {
         ui.horizontal_wrapped(|ui| {
             for (index, part) in studying.parts.iter().enumerate() {
-                let chip = Button::new(&part.title).selected(index == studying.part);
+                let chip = Button::new(part.title.text(session.look.language))
+                    .selected(index == studying.part);
                 if ui.add(chip).clicked() {
                     commands.push(Command::Study(StudyCommand::Part(index)));
                 }

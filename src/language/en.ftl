@@ -687,3 +687,24 @@ study-growth = How work grows
 study-growth-about = What does twice the pixels, triangles, levels, patches or events cost?
 study-ray-depth = Ray tracing by depth
 study-ray-depth-about = How deep must rays be followed, and what does each level cost? The tracer has no adaptive cut: `path_attenuation` changes the picture, and makes a cut by depth harmless sooner.
+
+## parts of studies
+
+part-path-attenuation = path attenuation [{ $value }]
+part-all-form-factors = All form factors of the scene, unobstructed
+part-pixels = pixels
+part-triangles = triangles of a ball, in 160×120 pixels
+part-depth-of-rays = depth of rays
+part-form-factors-of-a-cube = form factors of all patches of a cube
+part-solving-a-cube = solving a cube to a residual of 1e-6
+part-events = events of a Gouraud frame
+part-steps = Steps
+part-walls = Walls of n×n patches
+part-distances = Distances
+part-method = { $value }
+part-objects = Objects
+part-spheres = Spheres as polygons
+part-one-channel = One channel; a sweep is an iteration, or as many shots as patches
+part-squares-at-distance-1 = Parallel squares at distance 1
+part-squares-at-distance-0-1 = Parallel squares at distance 0.1
+part-squares-with-a-common-edge = Squares with a common edge at 90°

@@ -687,3 +687,24 @@ study-growth = Bagaimana kerja bertambah
 study-growth-about = Berapa biaya dua kali lipat piksel, segitiga, tingkat, patch, atau kejadian?
 study-ray-depth = Ray tracing menurut kedalaman
 study-ray-depth-about = Seberapa dalam sinar harus diikuti, dan berapa biaya tiap tingkat? Sinar tidak dipotong secara adaptif: `path_attenuation` mengubah gambarnya, sehingga pemotongan menurut kedalaman lebih cepat tidak merugikan.
+
+## parts of studies
+
+part-path-attenuation = pelemahan di jalan [{ $value }]
+part-all-form-factors = Semua faktor bentuk adegan, tanpa penghalang
+part-pixels = piksel
+part-triangles = segitiga sebuah bola, dalam 160×120 piksel
+part-depth-of-rays = kedalaman sinar
+part-form-factors-of-a-cube = faktor bentuk semua patch sebuah kubus
+part-solving-a-cube = penyelesaian sebuah kubus sampai residu 1e-6
+part-events = kejadian sebuah gambar Gouraud
+part-steps = Langkah
+part-walls = Dinding dengan n×n patch
+part-distances = Jarak
+part-method = { $value }
+part-objects = Objek
+part-spheres = Bola sebagai poligon
+part-one-channel = Satu kanal; satu sapuan adalah satu iterasi, atau tembakan sebanyak jumlah patch
+part-squares-at-distance-1 = Persegi sejajar pada jarak 1
+part-squares-at-distance-0-1 = Persegi sejajar pada jarak 0,1
+part-squares-with-a-common-edge = Persegi dengan sisi bersama pada 90°

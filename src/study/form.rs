@@ -2,7 +2,7 @@
 
 use super::fit::Law;
 use crate::algorithms::frame::Frame;
-use crate::language::Message;
+use crate::language::{Language, Message};
 use crate::methods::Setup;
 use crate::render::Method;
 use crate::scene::Scene;
@@ -47,9 +47,29 @@ pub enum Axes {
     TimeOverSize,
 }
 
+/// What the settings of a sweep are called together: a message, where it has one with a value in it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Title {
+    pub message: Message,
+    pub value: String,
+}
+
+impl Title {
+    pub fn of(key: &'static str) -> Self {
+        Title {
+            message: Message(key),
+            value: String::new(),
+        }
+    }
+
+    pub fn text(&self, language: Language) -> String {
+        self.message.format(language, &[("value", &self.value)])
+    }
+}
+
 /// Settings that are compared with each other, curve by curve.
 pub struct Sweep {
-    pub title: String,
+    pub title: Title,
     pub axes: Axes,
     /// What the size of a setting counts: `longitudes`.
     pub size: Message,

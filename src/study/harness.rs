@@ -2,7 +2,7 @@
 
 use super::errors::Errors;
 use super::fit::{Fit, Law};
-use super::form::{Axes, Drawn, Operations, Reference, Request, Setting, Study, Sweep};
+use super::form::{Axes, Drawn, Operations, Reference, Request, Setting, Study, Sweep, Title};
 use super::pareto::front;
 use super::timing::{Patience, Progress, Timing, time};
 use crate::language::Message;
@@ -18,7 +18,7 @@ pub struct Findings {
 /// What one ladder came to.
 #[derive(Clone, Debug)]
 pub struct Part {
-    pub title: String,
+    pub title: Title,
     pub axes: Axes,
     pub size: Message,
     pub quantity: Message,
@@ -250,7 +250,7 @@ mod tests {
             }),
         });
         Sweep {
-            title: "made up".into(),
+            title: Title::of("part-steps"),
             axes: Axes::ErrorOverTime,
             size: Message("measure-samples"),
             quantity: Message("measure-samples"),

@@ -2,7 +2,7 @@
 
 use super::errors::Errors;
 use super::fit::Law;
-use super::form::{Axes, Reference, Study, Sweep};
+use super::form::{Axes, Reference, Study, Sweep, Title};
 use super::harness::{Findings, Line, Part, Point};
 use super::timing::Timing;
 use crate::language::Message;
@@ -43,7 +43,7 @@ pub fn findings() -> Findings {
         Line::of(name.into(), points.to_vec(), Law::Power, 1e-16)
     };
     let part = Part {
-        title: "The only part".into(),
+        title: Title::of("part-steps"),
         axes: Axes::ErrorOverTime,
         size: Message("measure-samples"),
         quantity: Message("measure-samples"),

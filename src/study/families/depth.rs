@@ -13,7 +13,7 @@ use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep};
+use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep, Title};
 use std::rc::Rc;
 use std::sync::Arc;
 use web_time::Instant;
@@ -84,7 +84,10 @@ fn sweep([a0, a1, a2]: [f64; 3], prepared: &Arc<PreparedScene>, longest: f64) ->
         pictures::sweep_setting(setting, depth.into(), prepared, Method::RayTracing, rays)
     });
     Sweep {
-        title: format!("path attenuation [{a0}, {a1}, {a2}]"),
+        title: Title {
+            message: Message("part-path-attenuation"),
+            value: format!("{a0}, {a1}, {a2}"),
+        },
         axes: Axes::ErrorOverTime,
         size: Message("measure-levels"),
         quantity: Message("measure-intensity"),

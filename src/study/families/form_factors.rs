@@ -12,7 +12,7 @@ use crate::scene::patches::Patches;
 use crate::study::count::operations;
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
 };
 use crate::study::machine::SEED;
 use std::rc::Rc;
@@ -24,20 +24,20 @@ pub static STUDY: Study = Study {
     sweeps,
 };
 
-/// Pairs of unit squares: title, corners of the second one, and F to 17 digits, from the closed forms.
+/// Pairs of unit squares: the key of its title, corners of the second one, and F to 17 digits, from the closed forms.
 const PAIRS: [(&str, [[f64; 3]; 4], f64); 3] = [
     (
-        "Parallel squares at distance 1",
+        "part-squares-at-distance-1",
         [[0., 0., 1.], [0., 1., 1.], [1., 1., 1.], [1., 0., 1.]],
         0.199_824_895_698_387_38,
     ),
     (
-        "Parallel squares at distance 0.1",
+        "part-squares-at-distance-0-1",
         [[0., 0., 0.1], [0., 1., 0.1], [1., 1., 0.1], [1., 0., 0.1]],
         0.826_994_522_397_256_6,
     ),
     (
-        "Squares with a common edge at 90°",
+        "part-squares-with-a-common-edge",
         [[0., 0., 0.], [0., 1., 0.], [0., 1., 1.], [0., 0., 1.]],
         0.200_043_776_075_403_15,
     ),
@@ -53,7 +53,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
 }
 
 fn of_pair(
-    (title, second, f): &(&str, [[f64; 3]; 4], f64),
+    (title, second, f): &(&'static str, [[f64; 3]; 4], f64),
     request: &Request,
 ) -> Result<Sweep, String> {
     let squares = super::scenes::polygons(&[FIRST, *second]);
@@ -75,7 +75,7 @@ fn of_pair(
         )
     });
     Ok(sweep(
-        title,
+        Title::of(title),
         Reference {
             what: format!("F = {f:.15}, the closed form"),
             error: 1e-16,
@@ -114,18 +114,18 @@ fn whole_scene(scene: &Scene, request: &Request) -> Result<Sweep, String> {
         known_by: "its tolerance".into(),
     };
     Ok(sweep(
-        "All form factors of the scene, unobstructed",
+        Title::of("part-all-form-factors"),
         reference,
         curves,
         &truth,
     ))
 }
 
-fn sweep(title: &str, reference: Reference, curves: Vec<Unfinished>, truth: &Rc<[f64]>) -> Sweep {
+fn sweep(title: Title, reference: Reference, curves: Vec<Unfinished>, truth: &Rc<[f64]>) -> Sweep {
     let curves = curves.into_iter();
     let curves = curves.map(|(name, sweep_settings)| Curve::against(truth, name, sweep_settings));
     Sweep {
-        title: title.into(),
+        title,
         axes: Axes::ErrorOverTime,
         size: Message("measure-samples"),
         quantity: Message("measure-form-factor"),

@@ -16,7 +16,7 @@ use crate::scene::patches::Patches;
 use crate::scene::{Scene, Shape, sphere_mesh};
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
 };
 use glam::DVec3;
 use std::rc::Rc;
@@ -55,13 +55,13 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
 }
 
 fn part(
-    title: &str,
+    title: &'static str,
     size: Message,
     memory: &'static str,
     curves: impl IntoIterator<Item = Curve>,
 ) -> Sweep {
     Sweep {
-        title: title.into(),
+        title: Title::of(title),
         axes: Axes::TimeOverSize,
         size,
         quantity: Message("measure-nothing"),
@@ -101,7 +101,12 @@ fn pixels(scene: &Scene, request: &Request) -> Result<Sweep, String> {
             sweep_settings: sweep_settings.collect(),
         }
     });
-    Ok(part("pixels", Message("measure-pixels"), MEMORY, curves))
+    Ok(part(
+        "part-pixels",
+        Message("measure-pixels"),
+        MEMORY,
+        curves,
+    ))
 }
 
 fn triangles(request: &Request) -> Result<Sweep, String> {
@@ -136,7 +141,7 @@ fn triangles(request: &Request) -> Result<Sweep, String> {
         }
     });
     Ok(part(
-        "triangles of a ball, in 160×120 pixels",
+        "part-triangles",
         Message("measure-triangles"),
         MEMORY,
         curves,
@@ -167,7 +172,7 @@ fn depth(scenes: &[(&str, &Scene)], request: &Request) -> Result<Sweep, String> 
         });
     }
     Ok(part(
-        "depth of rays",
+        "part-depth-of-rays",
         Message("measure-levels"),
         MEMORY,
         curves,
@@ -204,7 +209,7 @@ fn form_factors(request: &Request) -> Result<Sweep, String> {
         }
     });
     Ok(part(
-        "form factors of all patches of a cube",
+        "part-form-factors-of-a-cube",
         Message("measure-patches"),
         "the matrix",
         curves,
@@ -260,7 +265,7 @@ fn solving(request: &Request) -> Result<Sweep, String> {
         }
     });
     Ok(part(
-        "solving a cube to a residual of 1e-6",
+        "part-solving-a-cube",
         Message("measure-patches"),
         "the matrix and four numbers a patch",
         curves,
@@ -320,7 +325,7 @@ fn events(request: &Request) -> Result<Sweep, String> {
         sweep_settings,
     });
     Ok(part(
-        "events of a Gouraud frame",
+        "part-events",
         Message("measure-events"),
         "colour and depth of every pixel; recorded, the events with their marks and outline",
         curves,

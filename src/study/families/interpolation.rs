@@ -4,7 +4,7 @@ use crate::language::Message;
 use crate::numeric::{Linear, Ramp, interpolate};
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
 };
 
 pub static STUDY: Study = Study {
@@ -77,7 +77,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
             .collect(),
     });
     Ok(vec![Sweep {
-        title: "Steps".into(),
+        title: Title::of("part-steps"),
         axes: Axes::ErrorOverSize,
         size: Message("measure-steps"),
         quantity: Message("measure-the-values-from-0-to-1"),

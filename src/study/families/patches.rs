@@ -12,7 +12,7 @@ use crate::scene::{Scene, Shape};
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
 };
 use std::rc::Rc;
 
@@ -83,7 +83,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
         Curve::against(&truth, name, sweep_settings.collect())
     });
     Ok(vec![Sweep {
-        title: "Walls of n×n patches".into(),
+        title: Title::of("part-walls"),
         axes: Axes::ErrorOverTime,
         size: Message("measure-patches-along-a-wall"),
         quantity: Message("measure-radiosity-at-the-finest-centres"),

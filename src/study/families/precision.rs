@@ -4,7 +4,7 @@ use crate::language::Message;
 use crate::numeric::sphere_roots;
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
 };
 use glam::{DVec3, Vec3};
 use num_traits::Float;
@@ -48,7 +48,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
             .collect(),
     });
     Ok(vec![Sweep {
-        title: "Distances".into(),
+        title: Title::of("part-distances"),
         axes: Axes::ErrorOverSize,
         size: Message("measure-distance-in-radii"),
         quantity: Message("measure-t-a-share-of-the-distance"),

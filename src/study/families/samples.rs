@@ -7,7 +7,7 @@ use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep};
+use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep, Title};
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -39,7 +39,10 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
             pictures::sweep_setting(setting, n.into(), &prepared, method, settings(DEPTH, n))
         });
         Sweep {
-            title: method.name().into(),
+            title: Title {
+                message: Message("part-method"),
+                value: method.name().into(),
+            },
             axes: Axes::ErrorOverTime,
             size: Message("measure-rays-along-a-pixel-s-side"),
             quantity: Message("measure-intensity"),

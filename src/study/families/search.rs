@@ -9,7 +9,7 @@ use crate::record::Unrecorded;
 use crate::scene::{Object, Scene, Shape};
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
 };
 use glam::DVec3;
 use std::rc::Rc;
@@ -36,7 +36,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
         stages.push(Rc::new(scenes::setup(scene, &camera, size)));
     }
     Ok(vec![Sweep {
-        title: "Objects".into(),
+        title: Title::of("part-objects"),
         axes: Axes::TimeOverSize,
         size: Message("measure-objects"),
         quantity: Message("measure-intensity"),

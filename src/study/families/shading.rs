@@ -16,7 +16,7 @@ use crate::render::Method;
 use crate::scene::primitives::Ray;
 use crate::scene::{Camera, Light, Scene, Shape, sphere_mesh};
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep};
+use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep, Title};
 use std::num::NonZeroU32;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -65,7 +65,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
         Curve::against(&truth, method.name(), sweep_settings.collect())
     });
     Ok(vec![Sweep {
-        title: "Spheres as polygons".into(),
+        title: Title::of("part-spheres"),
         axes: Axes::ErrorOverTime,
         size: Message("measure-longitudes-of-a-sphere"),
         quantity: Message("measure-intensity-toward-the-viewer"),

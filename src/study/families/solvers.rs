@@ -13,7 +13,7 @@ use crate::scene::Parts;
 use crate::scene::Scene;
 use crate::study::count::operations;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Reference, Request, Setting, Study, Sweep, Values};
+use crate::study::form::{Axes, Curve, Reference, Request, Setting, Study, Sweep, Title, Values};
 use std::rc::Rc;
 use web_time::Instant;
 
@@ -123,7 +123,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
         )
     });
     Ok(vec![Sweep {
-        title: "One channel; a sweep is an iteration, or as many shots as patches".into(),
+        title: Title::of("part-one-channel"),
         axes: Axes::ErrorOverTime,
         size: Message("measure-sweeps"),
         quantity: Message("measure-radiosity-in-the-unit-of-the-emission"),

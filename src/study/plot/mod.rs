@@ -63,7 +63,7 @@ fn plot_part(title: &str, several: bool, part: &Part) -> Picture {
     let mut picture = Picture::new(SIZE.x, SIZE.y);
     picture.rect(picture.bounds(), Ink::Surface);
     let title = match several {
-        true => format!("{title}: {}", part.title),
+        true => format!("{title}: {}", part.title.text(Language::English)),
         false => title.to_string(),
     };
     heading(&mut picture, &title, part);

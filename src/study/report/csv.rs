@@ -1,5 +1,6 @@
 //! A study as comma-separated values (RFC 4180): one line a setting.
 
+use crate::language::Language;
 use crate::study::harness::{Findings, Part};
 
 const HEAD: [&str; 14] = [
@@ -39,7 +40,7 @@ fn rows(part: &Part, text: &mut String) {
             .map(|operations| format!("{}={}", operations.of, operations.count))
             .collect();
         text.push_str(&line([
-            part.title.clone(),
+            part.title.text(Language::English),
             curve.name.clone(),
             point.setting.clone(),
             number(point.size),

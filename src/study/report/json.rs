@@ -25,7 +25,7 @@ fn part(part: &Part) -> Json {
         .iter()
         .map(|[curve, setting, why]| json!({ "curve": curve, "setting": setting, "why": why }));
     json!({
-        "title": part.title,
+        "title": part.title.text(Language::English),
         "quantity": part.quantity.text(Language::English),
         "size": part.size.text(Language::English),
         "reference": {

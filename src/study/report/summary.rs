@@ -40,7 +40,7 @@ fn study(text: &mut String, findings: &Findings) {
     *text += &format!("\n![{}]({name}.png)\n", study.title.text(Language::English));
     for part in &findings.parts {
         if findings.parts.len() > 1 {
-            *text += &format!("\n### {}\n", part.title);
+            *text += &format!("\n### {}\n", part.title.text(Language::English));
         }
         describe(text, part);
     }
