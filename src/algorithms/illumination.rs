@@ -5,8 +5,9 @@
 //! (Foley, van Dam, Feiner, Hughes 1990, §16.1). N, L, V, R, H are unit vectors away from the surface, in world coordinates.
 //!
 //! The lecture's slide multiplies by (dist·cos φ)/√dist instead of f_att(d)·N·L. Read literally, that grows with the
-//! distance; every light tells it as `slide_factor`, for comparison only.
+//! distance; it is recorded for every light as `slide_factor`, for comparison only.
 
+use super::incidence::{Incidence, slide_factor};
 use super::intensity::Intensity;
 use crate::color::Rgb;
 use crate::numeric::{Linear, power_of_cosine};
@@ -72,23 +73,13 @@ pub struct Lighting<'a> {
     pub specular: bool,
 }
 
-/// A light as seen from the point that is lit.
-#[derive(Clone, Copy, Debug)]
-pub struct ToLight {
-    /// Index of the light.
-    pub light: usize,
-    /// L, unit.
-    pub direction: DVec3,
-    /// Infinite for a directional light.
-    pub distance: f64,
-}
-
-/// Intensity at `point`, unclamped. Light arrives where `arrives` says so; it is asked only where N·L > 0.
+/// Intensity at `point`, unclamped. `arrives` says whether the light of a source reaches the point, and is called only where
+/// N·L > 0.
 pub fn illuminate<E: From<Event>, R: Recorder<E>>(
     point: &SurfacePoint,
     lighting: &Lighting,
     recorder: &mut R,
-    mut arrives: impl FnMut(&ToLight, &mut R) -> bool,
+    mut arrives: impl FnMut(&Incidence, &mut R) -> bool,
 ) -> Intensity {
     let to_eye = point.to_eye;
     let turned = point.normal.dot(to_eye) < 0.0;
@@ -115,8 +106,16 @@ pub fn illuminate<E: From<Event>, R: Recorder<E>>(
         whole: ambient,
         diffuse: Rgb::BLACK,
     };
-    for light in 0..lighting.lights.len() {
-        let added = illuminate_by(light, lighting, point, normal, recorder, &mut arrives);
+    for (light, source) in lighting.lights.iter().enumerate() {
+        let incidence = Incidence::of(light, source, point.position);
+        let added = illuminate_by(
+            &incidence,
+            lighting.specular,
+            point,
+            normal,
+            recorder,
+            &mut arrives,
+        );
         intensity = intensity.plus(added);
     }
     recorder.leave(|| {
@@ -130,30 +129,24 @@ pub fn illuminate<E: From<Event>, R: Recorder<E>>(
 
 /// The diffuse and the specular term of one light at `point`, whose unit `normal` is on the side of the eye.
 fn illuminate_by<E: From<Event>, R: Recorder<E>>(
-    number: usize,
-    lighting: &Lighting,
+    incidence: &Incidence,
+    with_highlights: bool,
     point: &SurfacePoint,
     normal: DVec3,
     recorder: &mut R,
-    arrives: &mut impl FnMut(&ToLight, &mut R) -> bool,
+    arrives: &mut impl FnMut(&Incidence, &mut R) -> bool,
 ) -> Intensity {
     let to_eye = point.to_eye;
-    let incidence = incidence(&lighting.lights[number], point.position);
-    let n_dot_l = normal.dot(incidence.to_light);
-    recorder.enter(|| incidence.entered(number, n_dot_l).into());
-    recorder.step(|| incidence.direction(n_dot_l).into());
-    let Incidence {
+    let &Incidence {
         to_light,
-        distance,
         attenuation,
         color,
+        ..
     } = incidence;
-    let source = ToLight {
-        light: number,
-        direction: to_light,
-        distance,
-    };
-    if n_dot_l > 0.0 && !arrives(&source, recorder) {
+    let n_dot_l = normal.dot(to_light);
+    recorder.enter(|| Event::light(incidence, n_dot_l).into());
+    recorder.step(|| Event::ToLight { to_light, n_dot_l }.into());
+    if n_dot_l > 0.0 && !arrives(incidence, recorder) {
         recorder.leave(|| Event::LightAdded { term: Rgb::BLACK }.into());
         return Intensity::default();
     }
@@ -166,7 +159,7 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
     };
     recorder.step(|| Event::Diffuse { k_d, term: diffuse }.into());
 
-    if !lighting.specular {
+    if !with_highlights {
         recorder.leave(|| Event::LightAdded { term: diffuse }.into());
         return Intensity {
             whole: diffuse,
@@ -228,79 +221,6 @@ fn illuminate_by<E: From<Event>, R: Recorder<E>>(
     }
 }
 
-/// Where a light stands as seen from a point, and how much of it arrives.
-#[derive(Clone, Copy, Debug)]
-pub struct Incidence {
-    /// L, unit.
-    pub to_light: DVec3,
-    /// Infinite for a directional light.
-    pub distance: f64,
-    pub attenuation: f64,
-    pub color: Rgb,
-}
-
-impl Incidence {
-    /// Opens the part of light `number`.
-    pub fn entered(&self, number: usize, n_dot_l: f64) -> Event {
-        Event::Light {
-            light: number as u32,
-            color: self.color,
-            distance: self.distance,
-            attenuation: self.attenuation,
-            slide_factor: slide_factor(self.distance, n_dot_l),
-        }
-    }
-
-    pub fn direction(&self, n_dot_l: f64) -> Event {
-        Event::ToLight {
-            to_light: self.to_light,
-            n_dot_l,
-        }
-    }
-}
-
-/// Where a light stands as seen from `position`. A light in the very point shines from nowhere: `to_light` is zero.
-pub fn incidence(light: &Light, position: DVec3) -> Incidence {
-    match *light {
-        Light::Point {
-            position: source,
-            color,
-            attenuation,
-            ..
-        } => {
-            let distance = source.distance(position);
-            Incidence {
-                to_light: (source - position).normalize_or_zero(),
-                distance,
-                attenuation: self::attenuation(attenuation, distance),
-                color,
-            }
-        }
-        Light::Directional { toward, color } => Incidence {
-            to_light: -toward,
-            distance: f64::INFINITY,
-            attenuation: 1.0,
-            color,
-        },
-    }
-}
-
-/// f_att at a distance.
-pub fn attenuation([a0, a1, a2]: [f64; 3], distance: f64) -> f64 {
-    // Not all of a0, a1, a2 are zero, but a1·d and a2·d² may underflow.
-    let divisor = (a0 + distance * (a1 + a2 * distance)).max(f64::MIN_POSITIVE);
-    1.0 / divisor
-}
-
-/// What the slide prints in place of f_att(d)·N·L. At an infinite distance there is no such number: 0.
-pub fn slide_factor(distance: f64, cos_phi: f64) -> f64 {
-    if distance.is_finite() && distance > 0.0 {
-        distance * cos_phi / distance.sqrt()
-    } else {
-        0.0
-    }
-}
-
 /// One event a term and light, with its vectors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
@@ -358,3 +278,15 @@ pub enum Event {
 }
 
 const _: () = assert!(size_of::<Event>() <= 64);
+
+impl Event {
+    pub fn light(incidence: &Incidence, n_dot_l: f64) -> Self {
+        Event::Light {
+            light: incidence.light as u32,
+            color: incidence.color,
+            distance: incidence.distance,
+            attenuation: incidence.attenuation,
+            slide_factor: slide_factor(incidence.distance, n_dot_l),
+        }
+    }
+}

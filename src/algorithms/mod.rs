@@ -3,7 +3,7 @@
 //!
 //! | file | what | source |
 //! | --- | --- | --- |
-//! | [`illumination`], [`intensity`] | intensity at one point | Phong 1975, Blinn 1977 |
+//! | [`illumination`], [`incidence`], [`intensity`] | intensity at one point | Phong 1975, Blinn 1977 |
 //! | [`scan_line`] | polygons to pixels: edge table, active edges, spans, depth buffer | Wylie et al. 1967, Catmull 1974 |
 //! | [`wireframe`] | the edges alone | DDA, Foley et al. 1990 §3.2.1 |
 //! | [`flat`] | one intensity a polygon | Bouknight 1970 |
@@ -22,6 +22,21 @@
 //!
 //! [`prepared_scene`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
 
+/// Makes an event type from the events of the parts that a method is made of.
+macro_rules! contains_events {
+    ($generics:tt $event:ty { $($part:ty => $wrap:expr,)* }) => {
+        $(contains_events!($generics $event, $part, $wrap);)*
+    };
+    ([$($generics:tt)*] $event:ty, $part:ty, $wrap:expr) => {
+        impl<$($generics)*> From<$part> for $event {
+            fn from(event: $part) -> Self {
+                let wrap: fn($part) -> Self = $wrap;
+                wrap(event)
+            }
+        }
+    };
+}
+
 pub mod enclosure;
 pub mod enclosure_needs;
 pub mod exact;
@@ -32,6 +47,7 @@ pub mod form_factor;
 pub mod frame;
 pub mod gouraud;
 pub mod illumination;
+pub mod incidence;
 pub mod intensity;
 pub mod patch_view;
 pub mod phong;

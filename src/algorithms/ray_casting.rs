@@ -1,14 +1,15 @@
 //! Ray casting: the visible surface at every pixel by a ray, lit by the illumination model alone (Appel 1968; the name after
 //! Roth, "Ray casting for modeling solids", 1982).
 //!
-//! No shadows, no reflections, no refraction: what the scan-line methods show, found pixel by pixel instead of polygon by polygon.
+//! No shadows, no reflections, no refraction: the picture is that of the scan-line methods, found pixel by pixel instead of polygon
+//! by polygon.
 
 use super::focus::Focus;
 use super::frame::Frame;
-use super::illumination::{self, Lighting, illuminate};
+use super::illumination::{self, Lighting};
 use super::prepared_scene::{self, PreparedScene};
 use super::primary::{self, Settings, for_each_pixel};
-use super::surface::{self, face, without_object};
+use super::surface::{self, interact, without_object};
 use super::visible::{self, Intersection, Search, visible};
 use crate::color::Rgb;
 use crate::record::{Listing, Recorder};
@@ -42,6 +43,7 @@ pub struct RayCaster<'a, S> {
     pub settings: Settings,
     pub needs: &'a Needs,
     pub search: S,
+    lighting: Lighting<'a>,
 }
 
 /// Draws what `focus` selects of the prepared scene into `frame`.
@@ -68,6 +70,10 @@ impl<'a, S: Search> RayCaster<'a, S> {
             settings,
             needs,
             search,
+            lighting: Lighting {
+                specular: needs.specular,
+                ..prepared.lighting()
+            },
         }
     }
 
@@ -91,14 +97,9 @@ impl<'a, S: Search> RayCaster<'a, S> {
                 without_object(scene, &met, recorder)
             }
             Intersection::Object(hit) => {
-                let interaction = face(scene, primitives, self.needs, ray, &hit, recorder);
-                let lighting = Lighting {
-                    specular: self.needs.specular,
-                    ..self.prepared.lighting()
-                };
-                let lit = illuminate(&interaction.point, &lighting, recorder, |_, _| true).whole;
+                let interaction = interact(scene, primitives, self.needs, ray, &hit, recorder);
                 let emission = interaction.point.material.emission;
-                let local = (lit + emission).finite();
+                let local = interaction.local(&self.lighting, recorder, |_, _| true);
                 recorder.step(|| Event::Local { emission, local });
                 local
             }
@@ -119,7 +120,7 @@ pub enum Event {
     Visible(visible::Event),
     Surface(surface::Event),
     Illumination(illumination::Event),
-    /// The light of the lights and the light given off, together.
+    /// The light of the lights and emission, together.
     Local {
         emission: Rgb,
         local: Rgb,
@@ -132,32 +133,12 @@ pub enum Event {
 
 const _: () = assert!(size_of::<Event>() <= 64);
 
-impl From<prepared_scene::Event> for Event {
-    fn from(event: prepared_scene::Event) -> Self {
-        Event::PreparedScene(event)
-    }
-}
-
-impl From<primary::Event> for Event {
-    fn from(event: primary::Event) -> Self {
-        Event::Primary(event)
-    }
-}
-
-impl From<visible::Event> for Event {
-    fn from(event: visible::Event) -> Self {
-        Event::Visible(event)
-    }
-}
-
-impl From<surface::Event> for Event {
-    fn from(event: surface::Event) -> Self {
-        Event::Surface(event)
-    }
-}
-
-impl From<illumination::Event> for Event {
-    fn from(event: illumination::Event) -> Self {
-        Event::Illumination(event)
+contains_events! {
+    [] Event {
+        prepared_scene::Event => Event::PreparedScene,
+        primary::Event => Event::Primary,
+        visible::Event => Event::Visible,
+        surface::Event => Event::Surface,
+        illumination::Event => Event::Illumination,
     }
 }

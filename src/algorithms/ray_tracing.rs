@@ -1,20 +1,21 @@
-//! Ray tracing: every ray goes on, mirrored and refracted, and every contribution counts (Whitted, "An improved illumination
+//! Ray tracing: every ray is followed on, reflected and refracted, and every contribution counts (Whitted, "An improved illumination
 //! model for shaded display", CACM 1980, §2 and §3).
 //!
 //! I = I_local + k_r·trace(R) + k_t·trace(T), where I_local is the illumination model with shadows, and emission;
 //! R = u − 2(u·N)N; T = (η_i/η_r)u − (cos θ_r − (η_i/η_r)cos θ_i)N with cos²θ_r = 1 − (η_i/η_r)²(1 − cos²θ_i). Where that
-//! is negative, nothing passes: k_t goes with a ray in the mirror direction (total internal reflection). The light that a
-//! secondary ray carries is divided by a0 + a1·d + a2·d², d the distance to the parent surface.
+//! is negative, nothing passes: k_t multiplies a ray in the mirror direction (total internal reflection). The light of a
+//! secondary ray is divided by a0 + a1·d + a2·d², where d is the distance to the parent surface.
 //!
 //! The slide prints the refraction without that case, and without the way out of the glass, where N is turned and the η change places.
 
 use super::focus::Focus;
 use super::frame::Frame;
-use super::illumination::{self, Lighting, ToLight, illuminate};
+use super::illumination::{self, Lighting};
+use super::incidence::{Incidence, divisor};
 use super::prepared_scene::{self, PreparedScene};
 use super::primary::{self, Settings, for_each_pixel};
 use super::ray_tree::{self, Branch, RayKind};
-use super::surface::{self, SurfaceInteraction, face, without_object};
+use super::surface::{self, SurfaceInteraction, interact, without_object};
 use super::visible::{self, Intersection, Search, visible};
 use crate::color::Rgb;
 use crate::numeric::{refracted, refraction_radicand};
@@ -59,6 +60,7 @@ pub struct RayTracer<'a, S> {
     pub settings: Settings,
     pub needs: &'a Needs,
     pub search: S,
+    lighting: Lighting<'a>,
     /// The closed transparent objects that contain the eye, outermost first.
     around_eye: Media,
 }
@@ -90,6 +92,10 @@ impl<'a, S: Search> RayTracer<'a, S> {
             settings,
             needs,
             search,
+            lighting: Lighting {
+                specular: needs.specular,
+                ..prepared.lighting()
+            },
             around_eye: Media::new(),
         };
         if needs.transmission {
@@ -110,7 +116,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
         })
     }
 
-    /// The light that comes back along a ray, and the distance to the surface that it comes from; none where it is background.
+    /// The light that comes back along a ray, and the distance to the surface where it comes from, unless that is the background.
     fn trace<R: Recorder<Event>>(
         &self,
         kind: RayKind,
@@ -133,7 +139,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
             recorder.leave(|| ray_tree::Event::Returned { color }.into());
             return (color, met.t().is_finite().then_some(met.t()));
         };
-        let interaction = face(scene, primitives, self.needs, ray, &hit, recorder);
+        let interaction = interact(scene, primitives, self.needs, ray, &hit, recorder);
         let mut sum = self.local(&hit, &interaction, recorder);
 
         // The reflected ray
@@ -177,7 +183,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
                 let mirrored = branch(RayKind::TotalInternalReflection, k_t, mirrored);
                 (mirrored, media)
             } else {
-                // Near the critical angle the radicand is known to rounding only: its sign is tested first, then the root taken.
+                // Near the critical angle rounding decides the sign of the radicand: it is tested before the root is taken.
                 let t = refracted(u.to_array(), n.to_array(), eta, cos_i, radicand);
                 let t = DVec3::from_array(t).normalize();
                 (branch(RayKind::Transmitted, k_t, t), &beyond)
@@ -198,22 +204,11 @@ impl<'a, S: Search> RayTracer<'a, S> {
         interaction: &SurfaceInteraction,
         recorder: &mut R,
     ) -> Rgb {
-        let lighting = Lighting {
-            specular: self.needs.specular,
-            ..self.prepared.lighting()
-        };
-        let lit = illuminate(
-            &interaction.point,
-            &lighting,
-            recorder,
-            |to_light, recorder| {
-                let shadows = self.needs.shadow(to_light.light, hit.object as usize);
-                !(shadows && self.in_shadow(interaction, to_light, recorder))
-            },
-        )
-        .whole;
         let emission = interaction.point.material.emission;
-        let local = (lit + emission).finite();
+        let local = interaction.local(&self.lighting, recorder, |incidence, recorder| {
+            let shadows = self.needs.shadow(incidence.light, hit.object as usize);
+            !(shadows && self.in_shadow(interaction, incidence, recorder))
+        });
         recorder.step(|| ray_tree::Event::Local { emission, local }.into());
         local
     }
@@ -222,16 +217,17 @@ impl<'a, S: Search> RayTracer<'a, S> {
     fn in_shadow<R: Recorder<Event>>(
         &self,
         interaction: &SurfaceInteraction,
-        to_light: &ToLight,
+        incidence: &Incidence,
         recorder: &mut R,
     ) -> bool {
         let (scene, primitives) = (&self.prepared.scene, self.prepared.primitives());
-        let ray = leaving(&interaction.surface, to_light.direction);
-        let distance = to_light.distance;
+        let (light, direction) = (incidence.light as u32, incidence.to_light);
+        let distance = incidence.distance;
+        let ray = leaving(&interaction.surface, direction);
         recorder.enter(|| {
             ray_tree::Event::ShadowRay {
-                light: to_light.light as u32,
-                direction: to_light.direction,
+                light,
+                direction,
                 distance,
             }
             .into()
@@ -242,7 +238,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
             .blocker(scene, primitives, &ray, between, recorder);
         recorder.leave(|| {
             ray_tree::Event::Shadow {
-                light: to_light.light as u32,
+                light,
                 blocked: blocker.is_some(),
                 by: blocker.and_then(|blocker| blocker.hit),
             }
@@ -251,7 +247,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
         blocker.is_some()
     }
 
-    /// The sum so far, and what comes back along a secondary ray.
+    /// Adds to the sum so far what comes back along a secondary ray.
     fn follow<R: Recorder<Event>>(
         &self,
         branch: &Branch,
@@ -279,7 +275,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
             && let Some(d) = distance
         {
             let attenuation = self.prepared.scene.path_attenuation;
-            carried = (color / ray_tree::divisor(attenuation, d)).finite();
+            carried = (color / divisor(attenuation, d)).finite();
             recorder.step(|| {
                 ray_tree::Event::Attenuated {
                     kind,
@@ -331,38 +327,13 @@ pub enum Event {
 
 const _: () = assert!(size_of::<Event>() <= 64);
 
-impl From<prepared_scene::Event> for Event {
-    fn from(event: prepared_scene::Event) -> Self {
-        Event::PreparedScene(event)
-    }
-}
-
-impl From<primary::Event> for Event {
-    fn from(event: primary::Event) -> Self {
-        Event::Primary(event)
-    }
-}
-
-impl From<visible::Event> for Event {
-    fn from(event: visible::Event) -> Self {
-        Event::Visible(event)
-    }
-}
-
-impl From<surface::Event> for Event {
-    fn from(event: surface::Event) -> Self {
-        Event::Surface(event)
-    }
-}
-
-impl From<illumination::Event> for Event {
-    fn from(event: illumination::Event) -> Self {
-        Event::Illumination(event)
-    }
-}
-
-impl From<ray_tree::Event> for Event {
-    fn from(event: ray_tree::Event) -> Self {
-        Event::Tree(event)
+contains_events! {
+    [] Event {
+        prepared_scene::Event => Event::PreparedScene,
+        primary::Event => Event::Primary,
+        visible::Event => Event::Visible,
+        surface::Event => Event::Surface,
+        illumination::Event => Event::Illumination,
+        ray_tree::Event => Event::Tree,
     }
 }

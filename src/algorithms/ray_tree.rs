@@ -1,11 +1,11 @@
-//! The binary ray tree of a pixel, as ray tracing records it: a node a ray, the children the reflected and the transmitted ray
-//! (Whitted 1980, figure 3). Light comes back from the leaves up; a leaf says why it ended.
+//! The events of ray tracing: the binary ray tree of a pixel, in which a node is a ray and its children are the reflected and the
+//! transmitted ray (Whitted 1980, figure 3). Light comes back from the leaves up; a leaf says why it ended.
 
 use crate::color::Rgb;
 use crate::scene::primitives::{Hit, Ray};
 use glam::DVec3;
 
-/// How a ray came to be.
+/// The origin of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RayKind {
     Primary,
@@ -15,7 +15,7 @@ pub enum RayKind {
 }
 
 impl RayKind {
-    /// As in the results of `render --stats`.
+    /// As in the output of `render --stats`.
     pub fn name(self) -> &'static str {
         match self {
             RayKind::Primary => "primary",
@@ -30,7 +30,7 @@ impl RayKind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Branch {
     pub kind: RayKind,
-    /// k_r or k_t: what its light is multiplied with.
+    /// k_r or k_t, by which its light is multiplied.
     pub coefficient: Rgb,
     /// Unit.
     pub direction: DVec3,
@@ -54,11 +54,6 @@ impl End {
     }
 }
 
-/// a0 + a1·d + a2·d²: what light is divided by that comes from the distance d. Not zero, although a1·d and a2·d² may underflow.
-pub fn divisor([a0, a1, a2]: [f64; 3], d: f64) -> f64 {
-    (a0 + d * (a1 + a2 * d)).max(f64::MIN_POSITIVE)
-}
-
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
     /// Opens a ray, the primary one at level 1.
@@ -69,7 +64,7 @@ pub enum Event {
         direction: DVec3,
         distance: f64,
     },
-    /// Closes `ShadowRay`; `by` is what lies between, where the search knows it.
+    /// Closes `ShadowRay`; `by` is the object in between, where the search finds out.
     Shadow {
         light: u32,
         blocked: bool,
@@ -77,18 +72,18 @@ pub enum Event {
     },
     /// The light that arrives from the lights, ambient light and emission.
     Local { emission: Rgb, local: Rgb },
-    /// `radicand` is cos²θ_r; where it is negative, nothing passes.
+    /// `radicand` is cos²θ_r; where it is negative, reflection is total.
     Refraction {
         eta_i: f64,
         eta_r: f64,
         cos_theta_i: f64,
         radicand: f64,
     },
-    /// A secondary ray is needed.
+    /// The surface sends on a secondary ray.
     Branched { branch: Branch },
     /// A branch without a ray.
     Ended { kind: RayKind, end: End },
-    /// The light of a secondary ray, divided by what the distance makes of it.
+    /// The light of a secondary ray, attenuated by the distance.
     Attenuated {
         kind: RayKind,
         distance: f64,
@@ -121,7 +116,7 @@ impl Event {
         }
     }
 
-    /// Angle of refraction, where anything passes, and critical angle, where there is one; in degrees.
+    /// The angle of refraction, unless reflection is total, and the critical angle, where there is one; in degrees.
     pub fn angles(eta_i: f64, eta_r: f64, radicand: f64) -> [Option<f64>; 2] {
         let refracted = (radicand >= 0.0).then(|| radicand.sqrt().min(1.0).acos());
         let critical = (eta_i > eta_r).then(|| (eta_r / eta_i).asin());

@@ -88,32 +88,12 @@ pub enum Event<M: Shading> {
     },
 }
 
-impl<M: Shading> From<prepared_scene::Event> for Event<M> {
-    fn from(event: prepared_scene::Event) -> Self {
-        Event::PreparedScene(event)
-    }
-}
-
-impl<M: Shading> From<vertex_normal::Event> for Event<M> {
-    fn from(event: vertex_normal::Event) -> Self {
-        Event::Normal(event)
-    }
-}
-
-impl<M: Shading> From<illumination::Event> for Event<M> {
-    fn from(event: illumination::Event) -> Self {
-        Event::Illumination(event)
-    }
-}
-
-impl<M: Shading> From<scan_line::Event<M::Recorded>> for Event<M> {
-    fn from(event: scan_line::Event<M::Recorded>) -> Self {
-        Event::ScanLine(event)
-    }
-}
-
-impl<M: Shading> From<texture::Event> for Event<M> {
-    fn from(event: texture::Event) -> Self {
-        Event::Texture(event)
+contains_events! {
+    [M: Shading] Event<M> {
+        prepared_scene::Event => Event::PreparedScene,
+        vertex_normal::Event => Event::Normal,
+        illumination::Event => Event::Illumination,
+        scan_line::Event<M::Recorded> => Event::ScanLine,
+        texture::Event => Event::Texture,
     }
 }

@@ -1,10 +1,11 @@
-//! The point at which a ray meets a surface, made ready for the illumination model: on which side, with which normal and
-//! which diffuse coefficient.
+//! The point at which a ray meets a surface, prepared for the illumination model: the side it is on, its normal and its diffuse
+//! coefficient.
 //!
 //! N_geometric points out of a closed object, and to the front of a polygon. The ray enters where u·N_geometric < 0; N is
 //! turned toward the incoming ray. A texture multiplies k_d.
 
-use super::illumination::SurfacePoint;
+use super::illumination::{self, Lighting, SurfacePoint, illuminate};
+use super::incidence::Incidence;
 use super::visible::Intersection;
 use crate::color::Rgb;
 use crate::record::Recorder;
@@ -25,8 +26,21 @@ pub struct SurfaceInteraction<'a> {
     pub entering: bool,
 }
 
-/// How a ray meets a surface, and what of it is needed there.
-pub fn face<'a, E: From<Event>>(
+impl SurfaceInteraction<'_> {
+    /// I_local: the illumination model, for which `arrives` says whether a light reaches the point, and emission.
+    pub fn local<E: From<illumination::Event>, R: Recorder<E>>(
+        &self,
+        lighting: &Lighting,
+        recorder: &mut R,
+        arrives: impl FnMut(&Incidence, &mut R) -> bool,
+    ) -> Rgb {
+        let lit = illuminate(&self.point, lighting, recorder, arrives).whole;
+        (lit + self.point.material.emission).finite()
+    }
+}
+
+/// The surface at a hit. A texture is looked up only where one is needed.
+pub fn interact<'a, E: From<Event>>(
     scene: &'a Scene,
     primitives: &Primitives,
     needs: &Needs,
@@ -83,7 +97,7 @@ pub fn face<'a, E: From<Event>>(
     }
 }
 
-/// What a ray takes that meets no object: the background, or the colour of a light ball.
+/// The colour of a ray that meets no object: the background, or the colour of a light ball.
 pub fn without_object<E: From<Event>>(
     scene: &Scene,
     met: &Intersection,

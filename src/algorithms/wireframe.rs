@@ -196,8 +196,8 @@ pub enum Event {
 
 const _: () = assert!(size_of::<Event>() <= 64);
 
-impl From<prepared_scene::Event> for Event {
-    fn from(event: prepared_scene::Event) -> Self {
-        Event::PreparedScene(event)
+contains_events! {
+    [] Event {
+        prepared_scene::Event => Event::PreparedScene,
     }
 }

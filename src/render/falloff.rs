@@ -1,6 +1,6 @@
 //! How the light of a lamp falls off with the distance, by the standard model and as the slide prints it.
 
-use crate::algorithms::illumination::{attenuation, slide_factor};
+use crate::algorithms::incidence::{attenuation, slide_factor};
 use crate::scene::Light;
 
 /// Samples lie between these distances, at equal ratios.

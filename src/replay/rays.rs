@@ -14,6 +14,7 @@ use super::Fold;
 use super::cow_vec::CowVec;
 use super::current::CurrentPoint;
 use super::shading::Dot;
+use crate::algorithms::incidence::divisor;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::ray_tree::{self, RayKind};
 use crate::algorithms::visible;
@@ -297,7 +298,7 @@ impl State {
                 attenuation,
                 ..
             } => {
-                let divisor = ray_tree::divisor(attenuation, distance);
+                let divisor = divisor(attenuation, distance);
                 if let Some(branch) = self.ray_mut().and_then(|ray| branch_mut(ray, kind)) {
                     branch.attenuation = Some((distance, divisor));
                 }

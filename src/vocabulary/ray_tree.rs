@@ -1,7 +1,8 @@
 //! The tree of rays of a pixel.
 
 use super::entry::{Formula, When, entry, is, only};
-use crate::algorithms::ray_tree::{Event, RayKind, divisor};
+use crate::algorithms::incidence::divisor;
+use crate::algorithms::ray_tree::{Event, RayKind};
 
 vocabulary! {
     [] Event {

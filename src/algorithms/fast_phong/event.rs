@@ -92,38 +92,13 @@ pub enum Event {
 
 const _: () = assert!(size_of::<Event>() <= 64);
 
-impl From<prepared_scene::Event> for Event {
-    fn from(event: prepared_scene::Event) -> Self {
-        Event::Shading(event.into())
-    }
-}
-
-impl From<vertex_normal::Event> for Event {
-    fn from(event: vertex_normal::Event) -> Self {
-        Event::Shading(event.into())
-    }
-}
-
-impl From<illumination::Event> for Event {
-    fn from(event: illumination::Event) -> Self {
-        Event::Shading(event.into())
-    }
-}
-
-impl From<scan_line::Event<()>> for Event {
-    fn from(event: scan_line::Event<()>) -> Self {
-        Event::Shading(event.into())
-    }
-}
-
-impl From<texture::Event> for Event {
-    fn from(event: texture::Event) -> Self {
-        Event::Shading(event.into())
-    }
-}
-
-impl From<shading::Event<FastPhong>> for Event {
-    fn from(event: shading::Event<FastPhong>) -> Self {
-        Event::Shading(event)
+contains_events! {
+    [] Event {
+        shading::Event<FastPhong> => Event::Shading,
+        prepared_scene::Event => |event| Event::Shading(event.into()),
+        vertex_normal::Event => |event| Event::Shading(event.into()),
+        illumination::Event => |event| Event::Shading(event.into()),
+        scan_line::Event<()> => |event| Event::Shading(event.into()),
+        texture::Event => |event| Event::Shading(event.into()),
     }
 }

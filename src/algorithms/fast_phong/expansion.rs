@@ -1,7 +1,8 @@
 //! The cosines of one triangle as Taylor series about its middle, and their values along its spans.
 
 use super::event::{Cosine, Event};
-use crate::algorithms::illumination::{self, incidence};
+use crate::algorithms::illumination;
+use crate::algorithms::incidence::Incidence;
 use crate::algorithms::intensity::Intensity;
 use crate::algorithms::prepared_scene::{Polygon, PreparedScene};
 use crate::algorithms::scan_line::{Corner, Pixel};
@@ -92,14 +93,15 @@ impl Expansion {
         recorder.step(|| illumination::Event::Ambient { k_a, term }.into());
 
         for (light, source) in prepared.scene.lights.iter().enumerate() {
-            let incidence = incidence(source, position);
-            let n_dot_l = unit.dot(incidence.to_light);
-            recorder.enter(|| incidence.entered(light, n_dot_l).into());
-            recorder.step(|| incidence.direction(n_dot_l).into());
+            let incidence = Incidence::of(light, source, position);
+            let to_light = incidence.to_light;
+            let n_dot_l = unit.dot(to_light);
+            recorder.enter(|| illumination::Event::light(&incidence, n_dot_l).into());
+            recorder.step(|| illumination::Event::ToLight { to_light, n_dot_l }.into());
             let arriving = incidence.color * incidence.attenuation;
             let diffuse = Exact {
                 normal,
-                toward: incidence.to_light,
+                toward: to_light,
                 mirrored_to: None,
             };
             let (cosine, specular) = highlight(polygon, diffuse, to_eye, recorder);
