@@ -2,7 +2,7 @@
 //! point of the true surface that the ray through its centre meets, with the surface's own normal there.
 //!
 //! Spheres, cylinders and Bézier patches have a true surface behind their polygons. Polygons and meshes are what they are divided
-//! into: a polygon's normal is that of its face, and a mesh, of which nothing better is known, takes Phong's interpolated one.
+//! into: a polygon's normal is that of its face, and a mesh, which has no true surface, keeps Phong's interpolated normal.
 
 use super::focus::Focus;
 use super::frame::Frame;

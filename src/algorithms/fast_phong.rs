@@ -1,13 +1,13 @@
 //! Fast Phong shading: the cosines of Phong's model as a Taylor series of second order over a triangle
 //! (Bishop & Weimer, "Fast Phong Shading", SIGGRAPH 1986).
 //!
-//! Phong interpolates N and makes it a unit vector at every pixel: N·L/|N|, a division and a square root. With N(x, y) linear
+//! Phong interpolates N and brings it to unit length at every pixel: N·L/|N|, a division and a square root. With N(x, y) linear
 //! on the screen over a triangle, that cosine is a function of x and y, expanded here about the triangle's middle:
 //! T_5·x² + T_4·xy + T_3·y² + T_2·x + T_1·y + T_0. Along a span, forward differences evaluate it with two additions a pixel; the
 //! highlight's cosine takes two more, and its power comes from a table.
 //!
 //! As in the paper, L, V and the attenuation are those of the point of expansion, for the whole triangle, however near the light or
-//! the eye is. N is turned toward the eye once a triangle, at that point: were it turned vertex by vertex, N would pass through
+//! the eye is. N is turned toward the eye once per triangle, at that point: were it turned vertex by vertex, N would pass through
 //! zero inside a triangle on the outline, and the series with it. A polygon is divided into triangles first. A texture multiplies the
 //! diffuse part, as elsewhere.
 

@@ -1,4 +1,4 @@
-//! Flat shading: one intensity a polygon, at the mean of its vertices with its face normal (Bouknight 1970).
+//! Flat shading: one intensity per polygon, at the mean of its vertices with its face normal (Bouknight 1970).
 //!
 //! Exact where the object really is a polyhedron, the light is far (N·L constant) and the viewer is far (V·R constant).
 

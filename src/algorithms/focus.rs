@@ -1,10 +1,10 @@
-//! Which part of its work a run tells: of a frame, or of the exchange of light in a room. A recorded run takes the part that is looked
-//! at, and nothing else.
+//! The part of its work that a run records: of a frame, or of the exchange of light in an enclosure. A recorded run does that part
+//! and nothing else.
 
 use super::frame::Frame;
 use std::ops::Range;
 
-/// The part of a frame that is looked at.
+/// The part of the work that is recorded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Focus {
     Frame,
@@ -20,7 +20,7 @@ pub enum Focus {
         start: u32,
         end: u32,
     },
-    /// What a patch of a room exchanges, counted from 0 over all objects.
+    /// The exchange of one patch of an enclosure, counted from 0 over all objects.
     Patch(u32),
     /// The form factor from patch `i` to patch `j`.
     FormFactor {
@@ -37,7 +37,7 @@ pub struct Region {
 }
 
 impl Focus {
-    /// The pixels of `frame` that can be looked at.
+    /// The pixels of `frame` that are drawn.
     pub fn region(self, frame: &Frame) -> Region {
         let (columns, rows) = match self {
             Focus::Frame

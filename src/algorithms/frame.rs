@@ -3,13 +3,13 @@
 use crate::color::Rgb;
 use std::ops::Range;
 
-/// A band of whole rows of a picture; most often all of them. Pixels stand row by row from the top.
+/// A band of whole rows of a picture, usually all of them. Pixels are stored row by row from the top.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     pub width: u32,
     pub rows: Range<u32>,
     pub color: Vec<Rgb>,
-    /// 1/depth of what is drawn, 0 where nothing is: infinitely far. Linear on the screen, as depth itself is not.
+    /// 1/depth of what is drawn, and 0, infinitely far, where nothing is. It is linear on the screen, unlike depth itself.
     pub inverse_depth: Vec<f64>,
 }
 

@@ -127,55 +127,33 @@ fn fill<I: Varying<Recorded = Rgb>, R: Recorder<Event>>(
     while let Some(line) = edge_table.next_scan_line() {
         recorder.enter(|| line.entered().into());
 
-        // I_4 where the scan line cuts each active edge
+        // I_4 where the scan line cuts each active edge, between I_1 at its upper and I_2 at its lower end
         for edge in edge_table.active_edges() {
             recorder.enter(|| edge.entered().into());
-            let (i_1, y_1) = (edge.upper.value, edge.upper.y);
-            let (i_2, y_2) = (edge.lower.value, edge.lower.y);
-            recorder.step(|| {
-                scan_line::Event::EdgeEnds {
-                    upper: i_1.recorded(),
-                    lower: i_2.recorded(),
-                }
-                .into()
-            });
+            recorder.step(|| edge.ends().into());
             recorder.leave(|| {
-                scan_line::Event::EdgeInterpolated {
-                    direct: interpolate(i_1, y_1, i_2, y_2, line.y_4).recorded(),
-                    incremental: edge.value.value.recorded(),
-                }
-                .into()
+                let (i_1, y_1) = (edge.upper.value, edge.upper.y);
+                let (i_2, y_2) = (edge.lower.value, edge.lower.y);
+                let direct = interpolate(i_1, y_1, i_2, y_2, line.y_4);
+                scan_line::Event::on_edge(direct, edge.value.value).into()
             });
         }
 
-        // I_P at each pixel of each span, between I_4 on its left edge and I_5 on its right edge
+        // I_P at each pixel of each span, between I_4 at its left and I_5 at its right end
         for span in edge_table.spans(line) {
             recorder.enter(|| span.entered().into());
+            recorder.step(|| span.ends().into());
             let (i_4, x_4) = (span.left, span.x_4);
             let (i_5, x_5) = (span.right, span.x_5);
-            recorder.step(|| {
-                scan_line::Event::SpanEnds {
-                    left: i_4.recorded(),
-                    right: i_5.recorded(),
-                }
-                .into()
-            });
             let mut i_p = span.ramp(i_4, i_5);
             for pixel in span.pixels() {
-                recorder.enter(|| pixel.entered().into());
-                if pixel.is_nearer(frame, recorder) {
+                if pixel.passes_depth_test(frame, recorder) {
                     recorder.step(|| {
-                        scan_line::Event::SpanInterpolated {
-                            direct: interpolate(i_4, x_4, i_5, x_5, pixel.x_p()).recorded(),
-                            incremental: i_p.value.recorded(),
-                        }
-                        .into()
+                        let direct = interpolate(i_4, x_4, i_5, x_5, pixel.x_p());
+                        scan_line::Event::on_span(direct, i_p.value).into()
                     });
                     let color = color(recorder, pixel, i_p.value);
-                    pixel.draw(color, frame);
-                    recorder.leave(|| scan_line::Event::PixelColored { color }.into());
-                } else {
-                    recorder.leave(|| scan_line::Event::PixelHidden.into());
+                    pixel.draw(color, frame, recorder);
                 }
                 i_p.advance();
             }

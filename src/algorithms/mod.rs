@@ -1,26 +1,26 @@
-//! The algorithms, one file each, in the words of the literature. Each is generic over [`Recorder`](crate::record::Recorder):
-//! what is shown is what ran.
+//! The algorithms, one file each, in the terms of the literature. Each is generic over [`Recorder`](crate::record::Recorder):
+//! the steps shown are those that ran.
 //!
 //! | file | what | source |
 //! | --- | --- | --- |
 //! | [`illumination`], [`incidence`], [`intensity`] | intensity at one point | Phong 1975, Blinn 1977 |
 //! | [`scan_line`] | polygons to pixels: edge table, active edges, spans, depth buffer | Wylie et al. 1967, Catmull 1974 |
 //! | [`wireframe`] | the edges alone | DDA, Foley et al. 1990 §3.2.1 |
-//! | [`flat`] | one intensity a polygon | Bouknight 1970 |
+//! | [`flat`] | one intensity per polygon | Bouknight 1970 |
 //! | [`gouraud`] | intensity interpolated from the vertices | Gouraud 1971 |
 //! | [`phong`] | normal interpolated from the vertices, lit at every pixel | Phong 1975 |
 //! | [`fast_phong`] | cosines as Taylor series over a triangle | Bishop & Weimer 1986 |
-//! | [`exact`] | lit with the normal of the true surface: what the three are compared with | |
+//! | [`exact`] | lit with the normal of the true surface: the reference for the other three | |
 //! | [`shading`], [`vertex_cache`] | what these have in common | |
 //! | [`texture`] | textures on polygons, and what linear interpolation of (u, v) does to them | Heckbert & Moreton 1991 |
-//! | [`primary`], [`visible`], [`surface`] | a ray a pixel, the nearest object that it meets, the point that is lit | Appel 1968 |
+//! | [`primary`], [`visible`], [`surface`] | a ray per pixel, the nearest object that it meets, the point that is lit | Appel 1968 |
 //! | [`ray_casting`] | the visible surface, lit | Appel 1968, Roth 1982 |
-//! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays that tells them | Whitted 1980 |
-//! | [`form_factor`] | the share of light that one patch sends to another, a file a method | Cohen & Greenberg 1985, Baum et al. 1989 |
+//! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays | Whitted 1980 |
+//! | [`form_factor`] | the share of light that one patch sends to another, one file per method | Cohen & Greenberg 1985, Baum et al. 1989 |
 //! | [`radiosity`] | solvers of the radiosity system: gathering, shooting, Chebyshev, conjugate gradients, LU | Goral et al. 1984, Cohen et al. 1988 |
 //! | [`enclosure`], [`enclosure_needs`], [`patch_view`] | a scene's patches with their form factors and light, and the picture of it | Cohen & Greenberg 1985 |
 //!
-//! [`prepared_scene`] sets a scene in front of its camera for all of them; [`focus`] says which part of a frame is carried out.
+//! [`prepared_scene`] prepares a scene for its camera for all of them; [`focus`] selects the part of a frame that is drawn.
 
 /// Makes an event type from the events of the parts that a method is made of.
 macro_rules! contains_events {

@@ -9,7 +9,7 @@ use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
 use super::prepared_scene::{self, Polygon, PreparedScene};
-use super::scan_line::{self, EdgeTable, Pixel, Varying};
+use super::scan_line::{self, EdgeTable, Pixel};
 use super::shading::{self, Shading, corners, pixel_point};
 use super::texture::PolygonTexture;
 use super::vertex_cache::VertexCache;
@@ -102,7 +102,7 @@ pub(super) fn light_pixels<M: PixelLighting, R: Recorder<shading::Event<M>>>(
             &mut edge_table,
             frame,
             recorder,
-            |recorder, pixel, n_p, uv| {
+            |recorder, pixel, (n_p, uv)| {
                 let position = pixel_point(prepared, &pixel, recorder);
                 let (position, normal) = M::surface(prepared, &polygon, position, n_p, recorder);
                 let eye = prepared.view.eye;
@@ -139,63 +139,40 @@ fn fill<M: PixelLighting, R: Recorder<shading::Event<M>>>(
     edge_table: &mut EdgeTable<(DVec3, DVec2)>,
     frame: &mut Frame,
     recorder: &mut R,
-    color: impl Fn(&mut R, Pixel, DVec3, DVec2) -> Rgb,
+    color: impl Fn(&mut R, Pixel, (DVec3, DVec2)) -> Rgb,
 ) {
     while let Some(line) = edge_table.next_scan_line() {
         recorder.enter(|| line.entered().into());
 
-        // N_4 where the scan line cuts each active edge
+        // N_4 where the scan line cuts each active edge, between N_1 at its upper and N_2 at its lower end
         for edge in edge_table.active_edges() {
             recorder.enter(|| edge.entered().into());
-            let ((n_1, _), y_1) = (edge.upper.value, edge.upper.y);
-            let ((n_2, _), y_2) = (edge.lower.value, edge.lower.y);
-            recorder.step(|| {
-                scan_line::Event::EdgeEnds {
-                    upper: n_1,
-                    lower: n_2,
-                }
-                .into()
-            });
+            recorder.step(|| edge.ends().into());
             recorder.leave(|| {
-                scan_line::Event::EdgeInterpolated {
-                    direct: interpolate(n_1, y_1, n_2, y_2, line.y_4),
-                    incremental: edge.value.value.recorded(),
-                }
-                .into()
+                let (n_1, y_1) = (edge.upper.value, edge.upper.y);
+                let (n_2, y_2) = (edge.lower.value, edge.lower.y);
+                let direct = interpolate(n_1, y_1, n_2, y_2, line.y_4);
+                scan_line::Event::on_edge(direct, edge.value.value).into()
             });
         }
 
-        // N_P at each pixel of each span, between N_4 on its left edge and N_5 on its right edge
+        // N_P at each pixel of each span, between N_4 at its left and N_5 at its right end
         for span in edge_table.spans(line) {
             recorder.enter(|| span.entered().into());
-            let ((n_4, uv_4), x_4) = (span.left, span.x_4);
-            let ((n_5, uv_5), x_5) = (span.right, span.x_5);
-            recorder.step(|| {
-                scan_line::Event::SpanEnds {
-                    left: n_4,
-                    right: n_5,
-                }
-                .into()
-            });
-            let (mut n_p, mut uv) = (span.ramp(n_4, n_5), span.ramp(uv_4, uv_5));
+            recorder.step(|| span.ends().into());
+            let (n_4, x_4) = (span.left, span.x_4);
+            let (n_5, x_5) = (span.right, span.x_5);
+            let mut n_p = span.ramp(n_4, n_5);
             for pixel in span.pixels() {
-                recorder.enter(|| pixel.entered().into());
-                if pixel.is_nearer(frame, recorder) {
+                if pixel.passes_depth_test(frame, recorder) {
                     recorder.step(|| {
-                        scan_line::Event::SpanInterpolated {
-                            direct: interpolate(n_4, x_4, n_5, x_5, pixel.x_p()),
-                            incremental: n_p.value,
-                        }
-                        .into()
+                        let direct = interpolate(n_4, x_4, n_5, x_5, pixel.x_p());
+                        scan_line::Event::on_span(direct, n_p.value).into()
                     });
-                    let color = color(recorder, pixel, n_p.value, uv.value);
-                    pixel.draw(color, frame);
-                    recorder.leave(|| scan_line::Event::PixelColored { color }.into());
-                } else {
-                    recorder.leave(|| scan_line::Event::PixelHidden.into());
+                    let color = color(recorder, pixel, n_p.value);
+                    pixel.draw(color, frame, recorder);
                 }
                 n_p.advance();
-                uv.advance();
             }
             recorder.leave(|| scan_line::Event::SpanDone.into());
         }

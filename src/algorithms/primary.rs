@@ -12,10 +12,10 @@ use crate::scene::primitives::Ray;
 use glam::DVec2;
 use std::num::NonZeroU32;
 
-/// How far a ray method goes.
+/// The settings of the ray methods.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Settings {
-    /// The last level that is shaded, at most [`Settings::DEEPEST`]; the primary ray is level 1.
+    /// The deepest level that is traced, at most [`Settings::DEEPEST`]; the primary ray is level 1.
     pub depth: NonZeroU32,
     /// n of the n×n samples of a pixel, at most [`Settings::MOST_SAMPLES`].
     pub samples: NonZeroU32,
@@ -36,7 +36,7 @@ impl Default for Settings {
     }
 }
 
-/// Colours the pixels that `focus` takes of `frame`, each by `color`.
+/// Colours the pixels of `frame` that `focus` selects, each by `color`.
 pub fn for_each_pixel<E: From<prepared_scene::Event> + From<Event>, R: Recorder<E>>(
     prepared: &PreparedScene,
     focus: Focus,
@@ -55,7 +55,7 @@ pub fn for_each_pixel<E: From<prepared_scene::Event> + From<Event>, R: Recorder<
     recorder.leave(|| prepared_scene::Event::FrameDone.into());
 }
 
-/// The colour of pixel (x, y): the mean over the samples of what `trace` finds along the ray of each.
+/// The colour of pixel (x, y): the mean over its samples of what `trace` returns for the ray of each.
 pub fn pixel<E: From<Event>, R: Recorder<E>>(
     view: &View,
     samples: NonZeroU32,

@@ -124,7 +124,7 @@ pub enum Event {
     Background {
         color: Rgb,
     },
-    /// The ray meets the ball of a light, and takes its colour.
+    /// The ray meets the ball of a light and has its colour.
     LightMet {
         light: u32,
         color: Rgb,

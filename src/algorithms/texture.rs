@@ -93,7 +93,7 @@ impl<'a> PolygonTexture<'a> {
         color
     }
 
-    /// An intensity found without the texture, with it.
+    /// Applies the texture to an intensity computed without it.
     pub fn applied<E: From<Event>>(
         &self,
         intensity: Intensity,

@@ -68,7 +68,7 @@ pub enum Event {
         length: f64,
         normal: DVec3,
     },
-    /// The face normals cancel out: the first one stands for the mean.
+    /// The face normals cancel out: the first one is used instead.
     NormalVanished {
         faces: u32,
         length: f64,

@@ -1,15 +1,15 @@
 //! The visible surface: the nearest object that a ray meets, and whether anything stands between a point and a light
-//! (Appel 1968; the nearest of all, object by object, as in Whitted 1980, §3).
+//! (Appel 1968; object by object as in Whitted 1980, §3).
 //!
-//! [`BruteForce`] tests every object in turn, as the textbook says, and tells every comparison with NearestT. [`Bvh`] finds the
-//! same hit, bit for bit, without testing them all, and tells only what it found. At equal t the lower object goes first. A point light of positive
-//! radius is a ball that rays see; it stops no shadow ray.
+//! [`BruteForce`] tests one object after another, as in the textbook, and records every comparison with NearestT. [`Bvh`] finds the
+//! same hit, bit for bit, without testing every object, and records only the result. At equal t the object of lower index wins. A
+//! point light of positive radius is a ball that rays see; it blocks no shadow ray.
 
 use crate::record::Recorder;
 use crate::scene::primitives::{Hit, Primitives, Ray, meet_ball};
 use crate::scene::{Light, Scene};
 
-/// What a ray met first.
+/// The first thing that a ray meets.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Intersection {
     Nothing,
@@ -17,7 +17,7 @@ pub enum Intersection {
     Object(Hit),
 }
 
-/// A way to find the visible surface. All ways find the same.
+/// A way to find the visible surface. Every way finds the same.
 pub trait Search: Copy {
     /// The nearest object at t > 0.
     fn nearest<E: From<Event>>(
@@ -28,7 +28,7 @@ pub trait Search: Copy {
         recorder: &mut impl Recorder<E>,
     ) -> Option<Hit>;
 
-    /// An object that casts a shadow and is met at 0 < t < `distance`: its index, and t where it is known.
+    /// An object that casts a shadow and is met at 0 < t < `distance`.
     fn blocker<E: From<Event>>(
         self,
         scene: &Scene,
@@ -42,11 +42,11 @@ pub trait Search: Copy {
 /// What stands between a point and a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Blocker {
-    /// None where the search needs no more than to know that something does.
+    /// None where the search only finds out that there is one.
     pub hit: Option<Hit>,
 }
 
-/// Every object in turn.
+/// One object after another.
 #[derive(Clone, Copy, Debug)]
 pub struct BruteForce;
 
@@ -129,7 +129,7 @@ impl Search for Bvh {
     }
 }
 
-/// The nearest of all objects and, where the scene has any, of the light balls.
+/// The nearest among all objects and, with `light_balls`, the balls of the lights.
 pub fn visible<E: From<Event>>(
     search: impl Search,
     scene: &Scene,
@@ -182,7 +182,7 @@ pub fn visible<E: From<Event>>(
 }
 
 impl Intersection {
-    /// Infinite where nothing was met.
+    /// Infinite where the ray meets nothing.
     pub fn t(&self) -> f64 {
         match *self {
             Intersection::Nothing => f64::INFINITY,
@@ -192,7 +192,7 @@ impl Intersection {
     }
 }
 
-/// A test an object; t is infinite where the ray misses.
+/// One test per object; t is infinite where the ray misses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Event {
     /// Opens the search for the nearest object.
@@ -218,11 +218,11 @@ pub enum Event {
         object: u32,
         triangle: u32,
         t: f64,
-        /// From which on nothing lies between: that of the light, less what rounding may do.
+        /// A hit at or beyond this distance does not block: that of the light, less a margin for rounding.
         distance: f64,
         blocks: bool,
     },
-    /// An object that casts no shadow, passed over on the way to a light.
+    /// An object that casts no shadow, skipped on the way to a light.
     Unshadowing { object: u32 },
 }
 

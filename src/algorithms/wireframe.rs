@@ -1,7 +1,7 @@
-//! Wireframe: the edges of the polygons and nothing else, by the digital differential analyser
+//! Wireframe: only the edges of the polygons, by the digital differential analyser
 //! (Foley, van Dam, Feiner, Hughes 1990, §3.2.1), after Liang–Barsky clipping (1984).
 //!
-//! Screen frame as in [`scan_line`](super::scan_line). Nothing hides anything. An edge that polygons of one object share is drawn once.
+//! Screen frame as in [`scan_line`](super::scan_line). Hidden lines are drawn too. An edge that polygons of one object share is drawn once.
 
 use super::focus::{Focus, Region};
 use super::frame::Frame;
@@ -26,7 +26,7 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws the part of the stage that `focus` takes into `frame`, a band of the picture of the stage's view.
+/// Draws what `focus` selects of the prepared scene into `frame`, a band of its picture.
 pub fn wireframe<R: Recorder<Event>>(
     prepared: &PreparedScene,
     focus: Focus,
@@ -81,7 +81,7 @@ fn edges<'a>(polygon: &Polygon<'a>) -> impl Iterator<Item = (u32, u32)> + 'a {
     (0..vertices.len()).map(|corner| (vertices[corner], vertices[(corner + 1) % vertices.len()]))
 }
 
-/// One pixel a step along the longer of the two directions. Both ends must lie in the frame.
+/// One pixel per step along the longer of the two directions. Both ends must lie in the frame.
 fn draw_line(
     [start, end]: [DVec2; 2],
     ink: Rgb,
@@ -124,7 +124,7 @@ fn draw_line(
     }
 }
 
-/// The part of an edge, given in the camera frame, that lies behind the near plane and within the frame; on the screen.
+/// The part of an edge, given in the camera frame, that is beyond the near plane and within the frame; on the screen.
 fn visible_part([a, b]: [DVec3; 2], view: &View) -> Option<[DVec2; 2]> {
     let (mut t_0, mut t_1) = (0.0, 1.0);
     clip(b.z - a.z, a.z - view.near, &mut t_0, &mut t_1)?;

@@ -72,7 +72,7 @@ pub enum Event {
         cosine: Cosine,
         running: Differences<f64>,
     },
-    /// A cosine at a pixel: by differences, by the polynomial itself, and with N made a unit vector.
+    /// A cosine at a pixel: by differences, by the polynomial itself, and exactly, with N brought to unit length.
     CosineEvaluated {
         light: u16,
         cosine: Cosine,

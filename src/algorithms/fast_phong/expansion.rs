@@ -23,7 +23,7 @@ pub struct Expansion {
     ambient: Rgb,
     /// Two for each light: those of its diffuse and of its specular term.
     lights: Vec<[Term; 2]>,
-    /// The pixel that the differences stand at.
+    /// The pixel that the differences have reached.
     at: Option<(u32, u32)>,
 }
 
@@ -282,7 +282,7 @@ fn middle_of([a, b, c]: [DVec2; 3]) -> DVec2 {
 struct ExpandedNormal {
     /// x and y count from the triangle's middle.
     normal: LinearNormal,
-    /// Whether the corners' normals cancel out there, and the normal of the face stands for them.
+    /// Whether the corners' normals cancel out there, so that the normal of the face is used.
     vanished: bool,
     /// Whether it was turned toward the eye.
     turned: bool,

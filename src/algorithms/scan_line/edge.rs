@@ -119,4 +119,10 @@ impl<V: Varying> Edge<V> {
             x_4: self.x_4,
         }
     }
+    pub fn ends(&self) -> Event<V::Recorded> {
+        Event::EdgeEnds {
+            upper: self.upper.value.recorded(),
+            lower: self.lower.value.recorded(),
+        }
+    }
 }

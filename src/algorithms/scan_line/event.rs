@@ -1,5 +1,6 @@
 //! The events of scan conversion, whatever is interpolated from the corners to the pixels.
 
+use super::Varying;
 use crate::color::Rgb;
 use crate::numeric::Linear;
 use crate::record::Value;
@@ -166,4 +167,22 @@ pub enum Event<A> {
     SpanDone,
     /// Closes `ScanLine`.
     ScanLineDone,
+}
+
+impl<A: Named> Event<A> {
+    /// The value on an edge, in both ways.
+    pub fn on_edge<V: Varying<Recorded = A>>(direct: V, incremental: V) -> Self {
+        Event::EdgeInterpolated {
+            direct: direct.recorded(),
+            incremental: incremental.recorded(),
+        }
+    }
+
+    /// The value at a pixel, in both ways.
+    pub fn on_span<V: Varying<Recorded = A>>(direct: V, incremental: V) -> Self {
+        Event::SpanInterpolated {
+            direct: direct.recorded(),
+            incremental: incremental.recorded(),
+        }
+    }
 }

@@ -25,13 +25,9 @@ impl<V: Varying> EdgeTable<'_, V> {
                 recorder.enter(|| span.entered().into());
                 let mut value = span.ramp(span.left, span.right);
                 for pixel in span.pixels() {
-                    recorder.enter(|| pixel.entered().into());
-                    if pixel.is_nearer(frame, recorder) {
+                    if pixel.passes_depth_test(frame, recorder) {
                         let color = color(recorder, pixel, value.value);
-                        pixel.draw(color, frame);
-                        recorder.leave(|| Event::PixelColored { color }.into());
-                    } else {
-                        recorder.leave(|| Event::PixelHidden.into());
+                        pixel.draw(color, frame, recorder);
                     }
                     value.advance();
                 }

@@ -68,6 +68,13 @@ impl<V: Varying> Span<V> {
         }
     }
 
+    pub fn ends(&self) -> Event<V::Recorded> {
+        Event::SpanEnds {
+            left: self.left.recorded(),
+            right: self.right.recorded(),
+        }
+    }
+
     /// A quantity that is `a_4` at the left end of the span and `a_5` at the right end, at the first pixel that is drawn.
     /// Increments count from the first pixel of the span.
     #[inline]
@@ -105,22 +112,16 @@ impl Pixel {
         f64::from(self.x) + 0.5
     }
 
-    pub fn entered<A>(&self) -> Event<A> {
-        Event::Pixel {
-            x: self.x,
-            y: self.y,
-            x_p: self.x_p(),
-        }
-    }
-
-    /// The depth test: whether it is nearer than what was drawn there before.
+    /// Opens the pixel. It is closed at once where it is not nearer than what was drawn there before.
     #[inline]
-    pub fn is_nearer<A, E: From<Event<A>>>(
+    pub fn passes_depth_test<A, E: From<Event<A>>>(
         &self,
         frame: &Frame,
         recorder: &mut impl Recorder<E>,
     ) -> bool {
-        let nearest = frame.inverse_depth[frame.index(self.x, self.y)];
+        let (x, y, x_p) = (self.x, self.y, self.x_p());
+        recorder.enter(|| Event::Pixel { x, y, x_p }.into());
+        let nearest = frame.inverse_depth[frame.index(x, y)];
         let nearer = self.inverse_depth > nearest;
         recorder.step(|| {
             Event::DepthTested {
@@ -130,14 +131,24 @@ impl Pixel {
             }
             .into()
         });
+        if !nearer {
+            recorder.leave(|| Event::PixelHidden.into());
+        }
         nearer
     }
 
+    /// Draws the pixel, and closes it.
     #[inline]
-    pub fn draw(&self, color: Rgb, frame: &mut Frame) {
+    pub fn draw<A, E: From<Event<A>>>(
+        &self,
+        color: Rgb,
+        frame: &mut Frame,
+        recorder: &mut impl Recorder<E>,
+    ) {
         let index = frame.index(self.x, self.y);
         frame.inverse_depth[index] = self.inverse_depth;
         frame.color[index] = color;
+        recorder.leave(|| Event::PixelColored { color }.into());
     }
 
     /// The point of the polygon that the pixel's centre shows, in the world. 1/depth is linear on the screen, so it lies on
