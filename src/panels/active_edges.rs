@@ -178,7 +178,7 @@ fn numbers(value: Value, digits: usize, language: Language) -> String {
 }
 
 fn titles(state: &State, language: Language) -> [String; 7] {
-    let carried = state.varying.map_or("", |varying| varying.names.corner);
+    let carried = state.names.map_or("", |names| names.corner);
     let step = match carried {
         "" => String::new(),
         name => format!("Δ{name}/{}", A_LINE.text(language)),

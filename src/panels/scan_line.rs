@@ -43,8 +43,8 @@ fn of_state(input: &PanelInput, state: &State, size: Vec2) -> Picture {
     }
     let mut picture = Picture::new(size.x, size.y);
     // The bars keep their place whether they are filled or not, so that the polygon stands still.
-    let bars = match state.varying {
-        Some(varying) => bars::height(varying.zero, size),
+    let bars = match state.names {
+        Some(names) => bars::height(names.zero, size),
         None => 0.0,
     };
     let area = Rect::new(0.0, 0.0, size.x, size.y - bars);

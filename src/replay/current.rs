@@ -2,7 +2,7 @@
 //! far and the step that opened it.
 
 use crate::algorithms::illumination;
-use crate::algorithms::scan_line::{Named, Names};
+use crate::algorithms::scan_line::Named;
 use crate::color::Rgb;
 use crate::record::Value;
 use glam::DVec3;
@@ -125,24 +125,7 @@ pub struct CurrentLight {
     pub step: usize,
 }
 
-/// What a method interpolates from the corners to the pixels.
-#[derive(Clone, Copy, Debug)]
-pub struct Varying {
-    pub names: &'static Names,
-    /// Zero: a colour or a vector, as all its values are.
-    pub zero: Value,
-}
-
-impl Varying {
-    pub(super) fn of<A: Named>() -> Option<Self> {
-        Some(Varying {
-            names: A::NAMES?,
-            zero: A::default().value()?,
-        })
-    }
-}
-
-/// A value found in both ways, and what rounding makes of them.
+/// A value interpolated both ways, and their difference, which is rounding.
 #[derive(Clone, Copy, Debug)]
 pub struct Interpolated {
     pub direct: Value,

@@ -5,10 +5,10 @@ use super::Canvas;
 use super::Fold;
 pub use super::current::{
     ActiveEdge, CurrentCorner, CurrentCut, CurrentLight, CurrentPixel, CurrentPoint,
-    CurrentPolygon, CurrentRow, CurrentSpan, CurrentVertex, Interpolated, Varying,
+    CurrentPolygon, CurrentRow, CurrentSpan, CurrentVertex, Interpolated,
 };
 use crate::algorithms::prepared_scene::{self, PreparedScene};
-use crate::algorithms::scan_line::Named;
+use crate::algorithms::scan_line::{Named, Names};
 use crate::algorithms::shading::Event;
 use crate::algorithms::{scan_line, vertex_normal};
 use crate::color::Rgb;
@@ -41,8 +41,8 @@ impl Canvas<Dot> {
 pub struct State {
     /// What does not change from step to step.
     pub prepared: Arc<PreparedScene>,
-    /// What the method interpolates, if anything.
-    pub varying: Option<Varying>,
+    /// The names of the values that the method interpolates, if any.
+    pub names: Option<&'static Names>,
     pub canvas: Canvas<Dot>,
     pub polygon: Option<CurrentPolygon>,
     /// The vertex whose normal and intensity are being found.
@@ -66,7 +66,7 @@ impl State {
     /// Before the first step: an empty picture.
     pub fn new<A: Named>(prepared: Arc<PreparedScene>) -> Self {
         State {
-            varying: Varying::of::<A>(),
+            names: A::NAMES,
             canvas: Canvas::blank(&prepared),
             prepared,
             polygon: None,

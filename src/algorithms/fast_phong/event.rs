@@ -1,11 +1,10 @@
 //! The events of Fast Phong shading.
 
-use super::PSEUDOCODE;
-use crate::algorithms::shading::{self, Shading};
+use super::listing::FastPhong;
+use crate::algorithms::shading;
 use crate::algorithms::{illumination, prepared_scene, scan_line, texture, vertex_normal};
 use crate::color::Rgb;
 use crate::numeric::{Differences, Quadratic};
-use crate::record::Listing;
 use glam::{DVec2, DVec3};
 
 /// A cosine of the illumination model.
@@ -27,15 +26,6 @@ impl Cosine {
             Cosine::RDotV => "R_dot_V",
         }
     }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum FastPhong {}
-
-impl Shading for FastPhong {
-    /// Nothing is interpolated: the cosines follow from their series.
-    type Recorded = ();
-    const LISTING: &'static Listing = &PSEUDOCODE;
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Clipping at the near plane (Sutherland & Hodgman 1974), in the camera frame, before the division by depth.
 
-use super::Corner;
+use super::corner::Corner;
 use crate::numeric::Linear;
 use glam::DVec3;
 

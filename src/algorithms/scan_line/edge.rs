@@ -1,16 +1,9 @@
 //! An edge of the edge table.
 
-use super::{Event, Varying, first_centre};
+use super::corner::ScreenCorner;
+use super::event::Event;
+use super::varying::Varying;
 use crate::numeric::Ramp;
-
-/// A corner on the screen.
-#[derive(Clone, Copy, Debug)]
-pub struct ScreenCorner<V> {
-    pub x: f64,
-    pub y: f64,
-    pub inverse_depth: f64,
-    pub value: V,
-}
 
 /// An edge from its upper to its lower end, and where the current scan line cuts it.
 ///
@@ -125,4 +118,11 @@ impl<V: Varying> Edge<V> {
             lower: self.lower.value.recorded(),
         }
     }
+}
+
+/// The first row or column, within 0..=size, whose centre is not before `edge`.
+#[inline]
+pub fn first_centre(edge: f64, size: u32) -> u32 {
+    // A cast from float saturates, and takes NaN to 0.
+    ((edge - 0.5).ceil() as u32).min(size)
 }

@@ -1,9 +1,11 @@
 //! The edge table of a polygon, its active edge list, and the spans between the active edges.
 
 use super::clip::clip_near;
-use super::edge::{Edge, ScreenCorner};
+use super::corner::{Corner, ScreenCorner};
+use super::edge::Edge;
+use super::event::Event;
 use super::span::Span;
-use super::{Corner, Event, Varying};
+use super::varying::Varying;
 use crate::algorithms::focus::Region;
 use crate::record::Recorder;
 use crate::scene::View;

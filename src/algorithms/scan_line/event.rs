@@ -1,75 +1,7 @@
 //! The events of scan conversion, whatever is interpolated from the corners to the pixels.
 
-use super::Varying;
+use super::varying::{Named, Varying};
 use crate::color::Rgb;
-use crate::numeric::Linear;
-use crate::record::Value;
-use glam::DVec3;
-use std::fmt::Debug;
-
-/// An interpolated quantity that is recorded under the names of its values. Flat shading interpolates none, which is `()`.
-pub trait Named: Linear + Default + PartialEq + Debug + Send + Sync + 'static {
-    const NAMES: Option<&'static Names>;
-    fn value(self) -> Option<Value>;
-}
-
-/// The names of the interpolated values: `I_1` … `I_P` of Gouraud shading, as on the slide.
-#[derive(Debug)]
-pub struct Names {
-    pub corner: &'static str,
-    pub upper: &'static str,
-    pub lower: &'static str,
-    pub left: &'static str,
-    pub left_incremental: &'static str,
-    pub right: &'static str,
-    pub pixel: &'static str,
-    pub pixel_incremental: &'static str,
-    /// The increment from one scan line to the next.
-    pub step: &'static str,
-}
-
-impl Named for () {
-    const NAMES: Option<&'static Names> = None;
-    fn value(self) -> Option<Value> {
-        None
-    }
-}
-
-/// An intensity.
-impl Named for Rgb {
-    const NAMES: Option<&'static Names> = Some(&Names {
-        corner: "I",
-        upper: "I_1",
-        lower: "I_2",
-        left: "I_4",
-        left_incremental: "I_4_incremental",
-        right: "I_5",
-        pixel: "I_P",
-        pixel_incremental: "I_P_incremental",
-        step: "dI_dy",
-    });
-    fn value(self) -> Option<Value> {
-        Some(self.into())
-    }
-}
-
-/// A normal.
-impl Named for DVec3 {
-    const NAMES: Option<&'static Names> = Some(&Names {
-        corner: "N",
-        upper: "N_1",
-        lower: "N_2",
-        left: "N_4",
-        left_incremental: "N_4_incremental",
-        right: "N_5",
-        pixel: "N_P",
-        pixel_incremental: "N_P_incremental",
-        step: "dN_dy",
-    });
-    fn value(self) -> Option<Value> {
-        Some(self.into())
-    }
-}
 
 /// Indices: `edge` and `corner` count within the polygon as it is after clipping at the near plane.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,10 @@
 //! Filling a polygon without recording any interpolation.
 
-use super::{Corner, EdgeTable, Event, Pixel, Varying};
+use super::corner::Corner;
+use super::edge_table::EdgeTable;
+use super::event::Event;
+use super::span::Pixel;
+use super::varying::Varying;
 use crate::algorithms::frame::Frame;
 use crate::color::Rgb;
 use crate::record::Recorder;

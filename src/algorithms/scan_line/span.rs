@@ -1,7 +1,8 @@
 //! A span, its pixels, and the depth test of each.
 
-use super::edge::Edge;
-use super::{Event, Varying, first_centre};
+use super::edge::{Edge, first_centre};
+use super::event::Event;
+use super::varying::Varying;
 use crate::algorithms::frame::Frame;
 use crate::color::Rgb;
 use crate::numeric::{Linear, Ramp};

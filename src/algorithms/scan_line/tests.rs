@@ -4,6 +4,7 @@ use crate::algorithms::frame::Frame;
 use crate::color::Rgb;
 use crate::record::Unrecorded;
 use crate::scene::{Camera, View};
+use glam::DVec3;
 use proptest::prelude::*;
 
 const SIZE: u32 = 24;

@@ -6,7 +6,7 @@ use crate::color::Rgb;
 use crate::language::{Language, Message};
 use crate::picture::{Image, Ink, Picture, Rect, Stroke, Style, Tag, Text, measure};
 use crate::record::Value;
-use crate::replay::shading::{Interpolated, State, Varying};
+use crate::replay::shading::{Interpolated, State};
 use glam::{DVec3, Vec2};
 
 const WEIGHTS: Message = Message("scan-line-weights");
@@ -61,7 +61,7 @@ pub(super) struct Interpolation {
 impl Interpolation {
     /// That of the pixel in hand on its span, or of the edge in hand on the scan line.
     pub fn current(state: &State) -> Option<Self> {
-        let Varying { names, .. } = state.varying?;
+        let names = state.names?;
         if let (Some(pixel), Some(span)) = (&state.pixel, &state.span) {
             let [four, five] = span.ends?;
             return Some(Interpolation {

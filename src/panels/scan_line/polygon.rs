@@ -7,7 +7,7 @@ use super::corners::{Corner, corners, draw_normal};
 use crate::language::Language;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
 use crate::record::Value;
-use crate::replay::shading::{ActiveEdge, CurrentRow, State, Varying};
+use crate::replay::shading::{ActiveEdge, CurrentRow, State};
 use glam::{DVec2, Vec2};
 
 /// Radius of a corner, with its number in it, and of a point on the scan line.
@@ -206,7 +206,7 @@ impl Drawing<'_> {
     /// Where the scan line cuts the edges, and the pixel in hand, with what is carried there.
     fn draw_cuts(&mut self, picture: &mut Picture, row: CurrentRow) {
         let state = self.state;
-        let names = state.varying.map(|varying| varying.names);
+        let names = state.names;
         let mut points = Vec::new();
         if let Some(span) = &state.span {
             let [four, five] = span.ends.map_or([None; 2], |ends| ends.map(Some));
@@ -317,7 +317,7 @@ impl Drawing<'_> {
 
     /// I_1 and I_2 are the upper and the lower end of the edge in hand, as on the slide.
     fn label_corners(&mut self, picture: &mut Picture) {
-        let Some(Varying { names, .. }) = self.state.varying else {
+        let Some(names) = self.state.names else {
             return;
         };
         let edge = self.state.edge.and_then(|edge| self.state.edges.get(edge));
