@@ -12,7 +12,7 @@
 //! | [`fast_phong`] | cosines as Taylor series over a triangle | Bishop & Weimer 1986 |
 //! | [`exact`] | lit with the normal of the true surface: the reference for the other three | |
 //! | [`shading`], [`vertex_cache`] | what these have in common | |
-//! | [`texture`] | textures on polygons, and what linear interpolation of (u, v) does to them | Heckbert & Moreton 1991 |
+//! | [`texture`], [`mapping`] | textures on polygons, and what linear interpolation of (u, v) does to them | Heckbert & Moreton 1991 |
 //! | [`primary`], [`visible`], [`surface`] | a ray per pixel, the nearest object that it meets, the point that is lit | Appel 1968 |
 //! | [`ray_casting`] | the visible surface, lit | Appel 1968, Roth 1982 |
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays | Whitted 1980 |
@@ -49,6 +49,7 @@ pub mod gouraud;
 pub mod illumination;
 pub mod incidence;
 pub mod intensity;
+pub mod mapping;
 pub mod patch_view;
 pub mod phong;
 pub mod prepared_scene;

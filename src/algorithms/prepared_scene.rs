@@ -3,7 +3,7 @@
 use super::focus::{Focus, Region};
 use super::frame::Frame;
 use super::illumination::Lighting;
-use super::texture::Mapping;
+use super::mapping::Mapping;
 use crate::color::Rgb;
 use crate::scene::primitives::{self, Primitives};
 use crate::scene::{

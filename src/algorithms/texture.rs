@@ -6,6 +6,7 @@
 //! shading", 1991): it is recorded beside the right one, and drawn with [`Mapping::Linear`].
 
 use super::intensity::Intensity;
+use super::mapping::Mapping;
 use super::prepared_scene::{Polygon, PreparedScene};
 use crate::color::Rgb;
 use crate::record::{Listing, Recorder};
@@ -29,18 +30,6 @@ pub static PSEUDOCODE: Listing = Listing {
         ),
     ],
 };
-
-named! {
-    /// Where (u, v) come from.
-    #[derive(Default)]
-    pub enum Mapping {
-        /// From the point that the pixel shows.
-        #[default]
-        Perspective = "perspective",
-        /// From the corners, linearly on the screen: a mistake worth looking at.
-        Linear = "linear",
-    }
-}
 
 /// The texture of a polygon. The polygon interpolates the (u, v) of its corners.
 pub struct PolygonTexture<'a> {

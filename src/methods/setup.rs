@@ -3,9 +3,9 @@
 use super::{Family, Method};
 use crate::algorithms::enclosure::{self, Enclosure};
 use crate::algorithms::focus::Focus;
+use crate::algorithms::mapping::Mapping;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary;
-use crate::algorithms::texture::Mapping;
 use crate::scene::patches::PatchError;
 use crate::scene::{LeftOut, Light, Needs, Parts, View};
 use std::sync::{Arc, OnceLock};

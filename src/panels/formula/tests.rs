@@ -2,7 +2,7 @@ use super::super::fixture::{self, Fixture};
 use super::super::fixtures::{self, SIZES, assert_legible, texts};
 use super::*;
 use crate::algorithms::focus::Focus;
-use crate::algorithms::texture::Mapping;
+use crate::algorithms::mapping::Mapping;
 use crate::render::Method;
 use crate::vocabulary::FAMILIES;
 use std::collections::HashSet;
