@@ -5,7 +5,7 @@ use crate::color::Rgb;
 use crate::scene::primitives::{Hit, Ray};
 use glam::DVec3;
 
-/// The origin of a ray.
+/// The kinds of rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RayKind {
     Primary,

@@ -1,4 +1,4 @@
-//! The edge table of the polygon in hand: which edges are active on the scan line, where it cuts them, what they carry there.
+//! The edge table of the current polygon: which edges are active on the scan line, where it cuts them, and the values there.
 
 mod columns;
 
@@ -53,7 +53,7 @@ struct Row {
     number: usize,
     turn: Turn,
     current: bool,
-    /// What is carried where the scan line cuts the edge.
+    /// The value where the scan line cuts the edge.
     color: Option<Value>,
     /// In the order of [`columns::ORDER`].
     cells: [String; 7],
@@ -118,7 +118,7 @@ fn table(input: &PanelInput, state: &State, size: Vec2) -> Picture {
     picture
 }
 
-/// The scan line in hand; as it is left, the one that was.
+/// The current scan line; while it is being closed, that one still.
 fn current_row(walk: &dyn Walk, state: &State) -> Option<u32> {
     let recorded = || match walk.fields(walk.position()).get("y") {
         Some(Value::Integer(y)) => u32::try_from(y).ok(),
@@ -134,7 +134,7 @@ fn row(edge: &ActiveEdge, y: Option<u32>, current: bool, language: Language) -> 
         _ => Turn::Waits,
     };
     let cut = edge.cut.as_ref();
-    let carried = cut
+    let value = cut
         .and_then(|cut| cut.values)
         .map(|values| values.incremental);
     let yet = match turn {
@@ -148,13 +148,13 @@ fn row(edge: &ActiveEdge, y: Option<u32>, current: bool, language: Language) -> 
         number: edge.edge as usize,
         turn,
         current,
-        color: carried,
+        color: value,
         cells: [
             format!("{}–{}", edge.upper + 1, edge.lower + 1),
             edge.first.to_string(),
             (edge.end - 1).to_string(),
             cut.map_or(yet.to_string(), |cut| language.fixed(cut.x_4, 2)),
-            carried.map_or_else(String::new, numbers),
+            value.map_or_else(String::new, numbers),
             step.map_or_else(String::new, numbers),
             language.fixed(edge.slope, 3),
         ],
@@ -178,8 +178,8 @@ fn numbers(value: Value, digits: usize, language: Language) -> String {
 }
 
 fn titles(state: &State, language: Language) -> [String; 7] {
-    let carried = state.names.map_or("", |names| names.corner);
-    let step = match carried {
+    let symbol = state.names.map_or("", |names| names.corner);
+    let step = match symbol {
         "" => String::new(),
         name => format!("Δ{name}/{}", A_LINE.text(language)),
     };
@@ -188,7 +188,7 @@ fn titles(state: &State, language: Language) -> [String; 7] {
         FROM.text(language).to_string(),
         TO.text(language).to_string(),
         "x".to_string(),
-        carried.to_string(),
+        symbol.to_string(),
         step,
         "Δx/Δy".to_string(),
     ]

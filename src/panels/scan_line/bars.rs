@@ -59,7 +59,7 @@ pub(super) struct Interpolation {
 }
 
 impl Interpolation {
-    /// That of the pixel in hand on its span, or of the edge in hand on the scan line.
+    /// At the current pixel on its span, or of the current edge on the scan line.
     pub fn current(state: &State) -> Option<Self> {
         let names = state.names?;
         if let (Some(pixel), Some(span)) = (&state.pixel, &state.span) {

@@ -1,4 +1,4 @@
-//! The corners of the polygon in hand, with what is known of them.
+//! The corners of the current polygon, with the values known so far.
 
 use super::super::labels::Labels;
 use crate::picture::{Picture, Stroke, Tag};
@@ -13,13 +13,13 @@ const NORMAL: f32 = 36.0;
 pub(super) struct Corner {
     pub place: DVec2,
     pub tag: Tag,
-    /// What is carried there, once it is known.
+    /// The value there, once it is known.
     pub value: Option<Value>,
     /// Whether it is what the step is about.
     pub current: bool,
 }
 
-/// The corners of the polygon in hand, as they were told; before that, as the stage has them.
+/// The corners of the current polygon as recorded; before that, as prepared.
 pub(super) fn corners(state: &State) -> Vec<Corner> {
     if !state.edges.is_empty() {
         let recorded = state.corners.iter().enumerate();

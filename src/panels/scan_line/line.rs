@@ -8,7 +8,7 @@ use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::{Replay, wireframe};
 use glam::{DVec2, Vec2};
 
-/// The least zoom, in points a pixel: of longer lines the part around the pixel in hand is shown.
+/// The least zoom, in points a pixel: of longer lines the part around the current pixel is shown.
 const ZOOM: f64 = 10.0;
 
 pub(super) fn draw(
@@ -71,7 +71,7 @@ pub(super) fn draw(
     });
 }
 
-/// The pixels plotted on the edge in hand up to this step.
+/// The pixels plotted on the current edge up to this step.
 fn plotted(replay: &Replay<Event, wireframe::State>) -> impl Iterator<Item = (u32, u32)> {
     let (timeline, position) = (replay.timeline(), replay.position());
     let entered = timeline

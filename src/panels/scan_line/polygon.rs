@@ -1,4 +1,4 @@
-//! The polygon in hand as the scan line meets it, with the names that the slide gives to its points.
+//! The current polygon with its scan line, and the names that the slide gives to its points.
 
 use super::super::fit::Fit;
 use super::super::labels::Labels;
@@ -149,7 +149,7 @@ impl Drawing<'_> {
         );
     }
 
-    /// y_1 and y_2, the heights between which the edge in hand runs.
+    /// y_1 and y_2, the heights between which the current edge runs.
     fn draw_ticks(&mut self, picture: &mut Picture, edge: &ActiveEdge) {
         for (name, corner) in [("y_1", edge.upper), ("y_2", edge.lower)] {
             let Some(corner) = self.corners.get(corner as usize) else {
@@ -203,7 +203,7 @@ impl Drawing<'_> {
         }
     }
 
-    /// Where the scan line cuts the edges, and the pixel in hand, with what is carried there.
+    /// Where the scan line cuts the edges, and the current pixel, with the values there.
     fn draw_cuts(&mut self, picture: &mut Picture, row: CurrentRow) {
         let state = self.state;
         let names = state.names;
@@ -315,7 +315,7 @@ impl Drawing<'_> {
         );
     }
 
-    /// I_1 and I_2 are the upper and the lower end of the edge in hand, as on the slide.
+    /// I_1 and I_2 are the upper and the lower end of the current edge, as on the slide.
     fn label_corners(&mut self, picture: &mut Picture) {
         let Some(names) = self.state.names else {
             return;
