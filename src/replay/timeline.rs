@@ -227,7 +227,7 @@ mod tests {
         }
 
         #[test]
-        fn what_is_told_comes_from_the_step_and_the_headings_around_it(trace in trace()) {
+        fn what_is_recorded_comes_from_the_step_and_the_headings_around_it(trace in trace()) {
             let timeline = Timeline::new(trace.recording(), Heard::default());
             let mark = |step| timeline.recording.mark(step);
             for step in 0..timeline.len() {

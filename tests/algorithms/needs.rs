@@ -172,7 +172,7 @@ fn rays_between_patches_that_nothing_can_part_are_never_blocked() {
 }
 
 #[test]
-fn a_stage_that_does_everything_draws_the_same_picture() {
+fn a_scene_drawn_with_everything_forced_is_the_same_picture() {
     let setup = lesson_scene("open-scene");
     let picture = |setup: &Setup| render(setup, Method::RayTracing, NonZeroUsize::MIN, &|_, _| {});
     let everything = setup.with_forced(Parts::ALL);

@@ -95,7 +95,7 @@ fn broken_meshes_are_refused_with_file_and_line() {
 }
 
 #[test]
-fn all_problems_of_values_and_references_are_told_in_one_go() {
+fn all_problems_of_values_and_references_are_reported_in_one_go() {
     let text = GOOD
         .replace("\"radius\": 0.8", "\"radius\": -1")
         .replace("\"ior\": 1.5", "\"ior\": -1")

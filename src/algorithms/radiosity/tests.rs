@@ -185,7 +185,7 @@ fn conjugate_gradients_are_not_stopped_by_a_slit() {
 }
 
 #[test]
-fn told_or_not_the_result_is_the_same_and_scopes_balance() {
+fn recorded_or_not_the_result_is_the_same_and_scopes_balance() {
     let (f, area) = cube(2);
     let n = area.len();
     let rho: Vec<f64> = (0..n).map(|i| 0.1 * (i % 9) as f64).collect();

@@ -164,7 +164,7 @@ fn an_index_stands_low_and_the_space_after_it_stays() {
 }
 
 #[test]
-fn the_title_of_the_window_tells_the_step() {
+fn the_title_of_the_window_names_the_step() {
     let mut screen = triangle([]);
     screen.press(Modifiers::NONE, Key::ArrowRight);
     let last = screen.session().last_step();

@@ -162,7 +162,7 @@ fn words_name_symbols_as_the_formula_sets_them() {
 }
 
 #[test]
-fn of_a_thousand_values_told_before_the_last_one_counts() {
+fn of_a_thousand_values_recorded_before_the_last_one_counts() {
     let rays = 1024;
     let settings = crate::algorithms::enclosure::Settings {
         form_factors: crate::algorithms::form_factor::Method::MonteCarlo { rays, seed: 0 },

@@ -164,7 +164,7 @@ fn the_plain_texture_is_right_only_where_the_depth_does_not_change() {
 }
 
 #[test]
-fn both_textures_are_told_at_the_pixel() {
+fn both_textures_are_recorded_at_the_pixel() {
     let json = scene(&format!("{CLAY}{CHECKER}"), &[polygon(&TILTED)], LAMP);
     let setup = Arc::new(crate::common::setup(&json, SIZE, SIZE));
     for method in FAMILY {

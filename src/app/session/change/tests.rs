@@ -203,7 +203,7 @@ fn a_colour_keeps_its_hue_and_comes_back_from_black() {
 }
 
 #[test]
-fn a_ball_is_divided_as_finely_as_is_asked() {
+fn a_ball_is_divided_as_finely_as_requested() {
     let mut session = Session::new(ball()).unwrap();
     let polygons = |session: &Session| session.prepared().tessellation.polygon_count();
     assert_eq!(polygons(&session), 2 * 4 * 4);
