@@ -1,4 +1,4 @@
-//! The catalogues of text: complete in every language, and used.
+//! The catalogues of text: complete in every language, used, and the only place of text on screen.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -53,7 +53,28 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Every text in quotes in `src` that could be a key: lower-case words with hyphens between them.
+fn is_key(text: &str) -> bool {
+    !text.is_empty()
+        && text
+            .bytes()
+            .all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-')
+}
+
+/// A name of the program as the catalogues write it: `EdgeInterpolated` as `edge-interpolated`.
+fn hyphenated(name: &str) -> String {
+    let mut key = String::new();
+    for c in name.chars() {
+        let follows_small = key.ends_with(|c: char| c.is_ascii_lowercase() || c.is_ascii_digit());
+        if c.is_ascii_uppercase() && follows_small || !c.is_ascii_alphanumeric() {
+            key.push('-');
+        }
+        key.extend(c.is_ascii_alphanumeric().then(|| c.to_ascii_lowercase()));
+    }
+    key
+}
+
+/// Every text in quotes in `src` that could be a key: lower-case words with hyphens between them; and the keys in braces, as
+/// pseudocode has them.
 fn quoted() -> BTreeMap<String, bool> {
     let mut files = Vec::new();
     sources(
@@ -69,12 +90,18 @@ fn quoted() -> BTreeMap<String, bool> {
             rest = &rest[at + 1..];
             let end = rest.find('"').unwrap_or(rest.len());
             let text = &rest[..end];
-            let is_key = text.contains('-')
-                && text
-                    .bytes()
-                    .all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-');
-            if is_key {
+            if text.contains('-') && is_key(text) {
                 *quoted.entry(text.to_string()).or_insert(false) |= named;
+            }
+            for space in ["kind", "quantity", "value"] {
+                let key = format!("{space}-{}", hyphenated(text));
+                quoted.entry(key).or_insert(false);
+            }
+            let braced = text.split('{').skip(1);
+            for key in braced.filter_map(|rest| Some(rest.split_once('}')?.0)) {
+                if is_key(key) {
+                    *quoted.entry(key.to_string()).or_insert(false) |= key.contains('-');
+                }
             }
         }
     }
@@ -121,4 +148,83 @@ fn every_key_in_the_code_is_in_the_catalogue_and_every_message_is_used() {
         .filter(|key| !quoted.contains_key(*key))
         .collect();
     assert!(unused.is_empty(), "no code names {unused:?}");
+}
+
+/// Names of widgets for egui, which nobody reads.
+const UNSEEN: [&str; 8] = [
+    "a slider has the focus",
+    "column border",
+    "key sheet",
+    "left out",
+    "on front",
+    "own error",
+    "the words of this step take another height",
+    "time line",
+];
+
+/// What stands in quotes in code that is no test, with comments and messages of broken invariants left out.
+fn literals(source: &str) -> Vec<&str> {
+    let code = source.split("#[cfg(test)]\nmod tests").next().unwrap();
+    let mut literals = Vec::new();
+    for line in code.lines().map(|line| line.split("//").next().unwrap()) {
+        let mut rest = line;
+        while let Some(at) = rest.find('"') {
+            let is_invariant = ["expect(", "panic!(", "assert!(", "unreachable!("]
+                .iter()
+                .any(|call| rest[..at].ends_with(call));
+            rest = &rest[at + 1..];
+            let end = rest.find('"').unwrap_or(rest.len());
+            if !is_invariant {
+                literals.push(&rest[..end]);
+            }
+            rest = rest.get(end + 1..).unwrap_or_default();
+        }
+    }
+    literals
+}
+
+/// Whether a text has two words of a language beside each other; what stands in braces is none.
+fn is_prose(text: &str) -> bool {
+    let mut without_braces = String::new();
+    let mut depth = 0;
+    for c in text.chars() {
+        depth += i32::from(c == '{');
+        if depth == 0 {
+            without_braces.push(c);
+        }
+        depth -= i32::from(c == '}');
+    }
+    let is_word = |word: &str| {
+        let word = word.trim_matches(|c: char| !c.is_alphabetic());
+        word.len() > 1 && word.chars().all(|c| c.is_ascii_lowercase())
+    };
+    let words: Vec<bool> = without_braces.split_whitespace().map(is_word).collect();
+    words.windows(2).any(|pair| pair == [true, true])
+}
+
+#[test]
+fn panels_and_window_have_no_text_outside_of_the_catalogues() {
+    assert!(is_prose("{count} more of them") && !is_prose("cos θ_i {angle}"));
+    let mut files = Vec::new();
+    for folder in ["src/panels", "src/app"] {
+        sources(
+            &Path::new(env!("CARGO_MANIFEST_DIR")).join(folder),
+            &mut files,
+        );
+    }
+    for file in files {
+        let name = file.to_string_lossy();
+        // Without a window nobody has chosen a language.
+        let is_other = ["/tests", "fixture", "painter", "main_window", "sample"];
+        if is_other.iter().any(|other| name.contains(other)) {
+            continue;
+        }
+        let source = fs::read_to_string(&file).unwrap();
+        for text in literals(&source) {
+            assert!(
+                !is_prose(text) || UNSEEN.contains(&text),
+                "{name}: `{text}` is in no catalogue"
+            );
+        }
+    }
 }

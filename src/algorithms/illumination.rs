@@ -19,21 +19,21 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "illumination",
     lines: &[
         ("head", "illumination(P, N)"),
-        ("viewer", "  V ← toward the eye;  turn N toward V"),
+        ("viewer", "  V ← {toward-the-eye};  {turn-n-toward-v}"),
         ("ambient", "  I ← I_a = k_a · A"),
-        ("light", "  for each light"),
+        ("light", "  {for-each-light}"),
         (
             "to-light",
-            "    L ← toward the light;  f_att ← 1/(a0 + a1·d + a2·d²)",
+            "    L ← {toward-the-light};  f_att ← 1/(a0 + a1·d + a2·d²)",
         ),
         ("diffuse", "    I_d = k_d · I_light · f_att · max(0, N·L)"),
-        ("highlight", "    R ← 2(N·L)N − L   or   H ← (L+V)/|L+V|"),
+        ("highlight", "    R ← 2(N·L)N − L   {or}   H ← (L+V)/|L+V|"),
         (
             "specular",
-            "    I_s = k_s · I_light · f_att · max(0, R·V)^n   or   (N·H)^n",
+            "    I_s = k_s · I_light · f_att · max(0, R·V)^n   {or}   (N·H)^n",
         ),
         ("light-added", "    I ← I + I_d + I_s"),
-        ("return", "  return I"),
+        ("return", "  {return} I"),
     ],
 };
 

@@ -20,13 +20,13 @@ pub static PSEUDOCODE: Listing = Listing {
         ("", "texture(x_P, y_P)"),
         (
             "point",
-            "  P ← the point of the polygon that the pixel shows",
+            "  P ← {the-point-of-the-polygon-that-the-pixel-shows}",
         ),
-        ("chart", "  (u, v) ← the object's chart at P"),
-        ("texture", "  T ← colour of the texture at (u, v)"),
+        ("chart", "  (u, v) ← {the-chart-of-the-object-at-p}"),
+        ("texture", "  T ← {colour-of-the-texture-at-u-v}"),
         (
             "applied",
-            "  k_d ← T · k_d,   and so   I ← I − I_d + T · I_d",
+            "  k_d ← T · k_d,   {and-so}   I ← I − I_d + T · I_d",
         ),
     ],
 };

@@ -16,12 +16,12 @@ use std::collections::HashSet;
 pub static PSEUDOCODE: Listing = Listing {
     name: "wireframe",
     lines: &[
-        ("polygon", "for each polygon"),
-        ("edge", "  for each edge not yet drawn"),
-        ("clip", "    clip the edge to what the eye sees"),
-        ("steps", "    n ← max(|Δx|, |Δy|), rounded up"),
-        ("", "    for i = 0 … n"),
-        ("plot", "      plot the pixel at (x, y)"),
+        ("polygon", "{for-each-polygon}"),
+        ("edge", "  {for-each-edge-not-yet-drawn}"),
+        ("clip", "    {clip-the-edge-to-what-the-eye-sees}"),
+        ("steps", "    n ← max(|Δx|, |Δy|), {rounded-up}"),
+        ("", "    {for} i = 0 … n"),
+        ("plot", "      {plot-the-pixel-at-x-y}"),
         ("", "      x ← x + Δx/n;  y ← y + Δy/n"),
     ],
 };

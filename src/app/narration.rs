@@ -5,7 +5,7 @@ use super::session::{Command, Session};
 use super::tiles::panel_on;
 use super::window_state::Window;
 use super::{panel_view, question_card, strings, style};
-use crate::panels::Panel;
+use crate::panels::{Panel, kind_name};
 use crate::picture::{Ink, Tag};
 use egui::{Frame, Margin, Rect, RichText, ScrollArea, Ui};
 
@@ -100,7 +100,8 @@ fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui:
         return;
     }
     if !session.walk().is_empty() {
-        ui.label(style::strong(session.walk().kind(session.step()), 14.0));
+        let kind = kind_name(session.walk().kind(session.step()), language);
+        ui.label(style::strong(kind, 14.0));
     }
     ui.label(prose(session, in_words(session, window), 15.0, Ink::Text));
     if session.follows_lesson() && session.last_narration().is_none() && !session.is_silent() {

@@ -4,6 +4,7 @@ use super::button::button;
 use super::session::{Command, Direction, Session};
 use super::window_state::Window;
 use super::{strings, style};
+use crate::panels::kind_name;
 use crate::picture::Ink;
 use crate::replay::query;
 use egui::containers::menu::MenuButton;
@@ -146,7 +147,8 @@ fn run_to(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         }
         let here = walk.kind(session.step());
         let language = session.look.language;
-        let next = strings::NEXT_OF_THIS_KIND.format(language, &[("kind", here)]);
+        let name = |kind| kind_name(kind, language);
+        let next = strings::NEXT_OF_THIS_KIND.format(language, &[("kind", &name(here))]);
         if ui.button(RichText::new(next).strong()).clicked() {
             commands.push(Command::Find(here.to_owned()));
         }
@@ -155,7 +157,7 @@ fn run_to(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             .max_height(320.0)
             .show(ui, |ui| {
                 for (kind, count) in query::kinds(walk) {
-                    if ui.button(format!("{kind}  ({count})")).clicked() {
+                    if ui.button(format!("{}  ({count})", name(kind))).clicked() {
                         commands.push(Command::Find(kind.to_owned()));
                         ui.close();
                     }

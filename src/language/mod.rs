@@ -31,6 +31,23 @@ impl Language {
     }
 }
 
+/// What something with a name of its own in the program is called: the message whose key is `space`, a hyphen, and the name in
+/// small letters with hyphens: `kind-edge-interpolated` for `EdgeInterpolated`. None where the catalogue has no such message.
+pub fn called(space: &str, name: &str, language: Language) -> Option<String> {
+    let mut key = format!("{space}-");
+    let mut follows_small = false;
+    for c in name.chars() {
+        if c.is_ascii_uppercase() && follows_small || !c.is_ascii_alphanumeric() {
+            key.push('-');
+        }
+        if c.is_ascii_alphanumeric() {
+            key.push(c.to_ascii_lowercase());
+        }
+        follows_small = c.is_ascii_lowercase() || c.is_ascii_digit();
+    }
+    catalogue::of(language).format(&key, &[])
+}
+
 /// A message of the catalogues, by its key.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Message(pub &'static str);

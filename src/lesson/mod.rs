@@ -13,6 +13,8 @@ mod resolve;
 mod settings;
 mod synthetic;
 pub mod template;
+#[cfg(test)]
+mod translated;
 
 pub use builtin::{Builtin, builtin, builtins};
 pub use error::LessonError;

@@ -2,7 +2,7 @@
 
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
-use super::strings::Words;
+use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Script, Style, Tag, braced, math, measure};
 use crate::record::{Line, Listing};
 use crate::replay::Walk;
@@ -19,15 +19,13 @@ const SMALLEST: f32 = 11.0;
 /// The largest text whose lines are continued on the next rather than made smaller still.
 const CONTINUED: f32 = 13.0;
 
-const SAYS: Words = Words::new("Pseudocode, at the line: ", "Kode semu, pada baris: ");
-
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let walk = input.run.walk();
     if walk.is_empty() {
         return message(NO_STEPS, input.language, size);
     }
     let blocks = blocks(walk, walk.position());
-    let (text_size, rows) = lay_out(&blocks, size);
+    let (text_size, rows) = lay_out(&blocks, input.language, size);
     let height = LINE_HEIGHT * text_size;
     let visible = (((size.y - 2.0 * MARGIN) / height) as usize).max(1);
     let current = rows.iter().position(|row| row.mark == Mark::Current);
@@ -50,11 +48,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         }
     }
     let Line { listing, number } = walk.line(walk.position());
-    picture.alt = format!(
-        "{}{}",
-        SAYS.in_language(input.language),
-        listing.text(number).trim()
-    );
+    let line = listing.text(number, input.language);
+    picture.alt = Message("code-at-line").format(input.language, &[("line", line.trim())]);
     picture
 }
 
@@ -144,7 +139,7 @@ impl Row {
 
 /// The largest text at which all lines fit. Where that is too small, of the calling listings only the lines that call;
 /// where that does not do, long lines are continued on the next; where even then not all fit, the smallest text.
-fn lay_out(blocks: &[Line], size: Vec2) -> (f32, Vec<Row>) {
+fn lay_out(blocks: &[Line], language: Language, size: Vec2) -> (f32, Vec<Row>) {
     let fits = |text_size: f32, rows: &[Row]| {
         rows.len() as f32 * LINE_HEIGHT * text_size <= size.y - 2.0 * MARGIN
     };
@@ -157,7 +152,7 @@ fn lay_out(blocks: &[Line], size: Vec2) -> (f32, Vec<Row>) {
         sizes(LARGEST)
             .take_while(move |&text_size| text_size >= smallest)
             .find_map(|text_size| {
-                let rows = rows(blocks, callers, text_size, f32::INFINITY);
+                let rows = rows(blocks, callers, language, text_size, f32::INFINITY);
                 let narrow = rows.iter().all(|row| {
                     let indent = row.indent as f32 * measure(" ", Style::Mono, text_size);
                     indent + set_width(&row.text, text_size) <= width(text_size)
@@ -170,7 +165,7 @@ fn lay_out(blocks: &[Line], size: Vec2) -> (f32, Vec<Row>) {
             .map(|text_size| {
                 (
                     text_size,
-                    rows(blocks, callers, text_size, width(text_size)),
+                    rows(blocks, callers, language, text_size, width(text_size)),
                 )
             })
             .find(|(text_size, rows)| fits(*text_size, rows))
@@ -180,7 +175,13 @@ fn lay_out(blocks: &[Line], size: Vec2) -> (f32, Vec<Row>) {
         .or_else(|| unbroken(Callers::CallingLine, 12.0))
         .or_else(|| continued(Callers::CallingLine))
         .unwrap_or_else(|| {
-            let rows = rows(blocks, Callers::CallingLine, SMALLEST, width(SMALLEST));
+            let rows = rows(
+                blocks,
+                Callers::CallingLine,
+                language,
+                SMALLEST,
+                width(SMALLEST),
+            );
             (SMALLEST, rows)
         })
 }
@@ -193,7 +194,7 @@ enum Callers {
 }
 
 /// The rows of all blocks, lines wider than `width` continued.
-fn rows(blocks: &[Line], callers: Callers, size: f32, width: f32) -> Vec<Row> {
+fn rows(blocks: &[Line], callers: Callers, language: Language, size: f32, width: f32) -> Vec<Row> {
     let space = measure(" ", Style::Mono, size);
     let mut rows = Vec::new();
     for (i, block) in blocks.iter().enumerate() {
@@ -208,10 +209,11 @@ fn rows(blocks: &[Line], callers: Callers, size: f32, width: f32) -> Vec<Row> {
                 text: String::new(),
             });
         }
-        for (number, (_, line)) in block.listing.lines.iter().enumerate() {
+        for number in 0..block.listing.lines.len() {
             if !current && callers == Callers::CallingLine && number != block.number {
                 continue;
             }
+            let line = block.listing.text(number, language);
             let text = line.trim_start();
             let indent = line.len() - text.len();
             let mark = match (number == block.number, current) {
@@ -296,7 +298,6 @@ fn set(text: &str, style: Style, size: f32, mut put: impl FnMut(String, Vec2, f3
 #[cfg(test)]
 mod tests {
     use super::super::fixtures::{self, SIZES, assert_legible};
-    use super::super::strings::Language;
     use super::*;
     use crate::picture::Shape;
     use crate::render::Method;
@@ -334,7 +335,7 @@ mod tests {
                 let line = fixture.walk().line(step);
                 let expected: String = line
                     .listing
-                    .text(line.number)
+                    .text(line.number, Language::English)
                     .chars()
                     .filter(|c| !matches!(c, ' ' | '_' | '^'))
                     .collect();
@@ -353,15 +354,15 @@ mod tests {
         let mut fixture = fixtures::fixtures(Method::Gouraud);
         let step = fixture.first("Diffuse");
         let blocks = blocks(fixture.seek(step).walk(), step);
-        let lines: Vec<&str> = blocks
+        let lines: Vec<String> = blocks
             .iter()
-            .map(|block| block.listing.text(block.number).trim())
+            .map(|block| block.listing.text(block.number, Language::English))
             .collect();
         assert_eq!(
             lines,
             [
-                "I_v ← illumination(v, N_v)",
-                "I_d = k_d · I_light · f_att · max(0, N·L)"
+                "    I_v ← illumination(v, N_v)",
+                "    I_d = k_d · I_light · f_att · max(0, N·L)"
             ]
         );
     }

@@ -1,9 +1,9 @@
 //! Relative residual and error bound, iteration by iteration, on a logarithmic axis: two lines for every channel told so far.
 
-use super::PanelInput;
 use super::labels::Labels;
 use super::message::{NO_PATCHES, message};
 use super::values::told_in_words;
+use super::{PanelInput, names};
 use crate::algorithms::focus::Focus;
 use crate::language::{Language, Message, power_of_ten};
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, elide};
@@ -382,7 +382,7 @@ fn in_words(input: &PanelInput, state: &State) -> String {
         let Some(last) = last_told(channel) else {
             continue;
         };
-        let name = channel.channel.unwrap_or_default();
+        let name = names::word(channel.channel.unwrap_or_default(), input.language);
         strings = format!(
             "{strings} {name}: {} {}, {} {}",
             localize(ITERATION),

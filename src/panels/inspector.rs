@@ -4,8 +4,8 @@
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::names;
-use super::strings::Words;
 use super::values::shown;
+use crate::language::Message;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide, measure};
 use crate::record::{Field, Value};
 use crate::replay::{RecordedField, Walk};
@@ -18,15 +18,6 @@ const LINE_HEIGHT: f32 = 1.6;
 const SWATCH: f32 = 1.4;
 const LARGEST: f32 = 14.0;
 const SMALLEST: f32 = 11.0;
-
-const STEP: Words = Words::new("step", "langkah");
-const DEPTH: Words = Words::new("depth", "kedalaman");
-const THIS_STEP: Words = Words::new("this step", "langkah ini");
-const MORE: Words = Words::new("more", "lagi");
-const NO_VALUES: Words = Words::new(
-    "This step tells no values.",
-    "Langkah ini tidak memuat nilai.",
-);
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let walk = input.run.walk();
@@ -43,7 +34,11 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if recorded.is_empty() {
         let style = Style::Body.size(12.0).ink(Ink::Muted);
         let line = Rect::new(MARGIN, TITLE, size.x - 2.0 * MARGIN, 20.0);
-        picture.text_in(line, NO_VALUES.in_language(input.language), style);
+        picture.text_in(
+            line,
+            Message("inspector-no-values").text(input.language),
+            style,
+        );
         return picture;
     }
     let room = layout.capacity(size);
@@ -59,7 +54,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     }
     if more > 0 {
         let style = Style::Body.size(layout.size).ink(Ink::Muted);
-        let text = format!("… {more} {}", MORE.in_language(input.language));
+        let count = more.to_string();
+        let text = Message("inspector-more").format(input.language, &[("count", &count)]);
         picture.text_in(layout.place(rows, size), text, style);
     }
     picture
@@ -72,25 +68,24 @@ fn title(picture: &mut Picture, input: &PanelInput, size: Vec2) {
     let walk = input.run.walk();
     let step = walk.position();
     let line = Rect::new(MARGIN, 6.0, size.x - 2.0 * MARGIN, 20.0);
-    let strings = |strings: Words| strings.in_language(input.language);
     let place = Style::Body.size(12.0).ink(Ink::Muted).end();
-    let long = format!(
-        "{} {} · {} {}",
-        strings(STEP),
-        step,
-        strings(DEPTH),
-        walk.outline().depth(step)
-    );
-    let short = format!("{} {}", strings(STEP), step);
+    let depth = walk.outline().depth(step).to_string();
+    let number = step.to_string();
+    let number = ("step", number.as_str());
+    let long =
+        Message("inspector-step-and-depth").format(input.language, &[number, ("depth", &depth)]);
+    let short = Message("inspector-step").format(input.language, &[number]);
+    let name = names::kind(walk.kind(step), input.language);
     let kind = Style::Bold.size(14.0).ink(Ink::This);
-    let room = line.width - kind.width(walk.kind(step)) - GAP;
+    let room = line.width - kind.width(&name) - GAP;
     let text = if place.width(&long) <= room {
         long
     } else {
         short
     };
+    let room = line.width - place.width(&text) - GAP;
     picture.tagged(Tag::Step(step), |picture| {
-        picture.text_in(line, walk.kind(step), kind);
+        picture.text_in(line, elide(&name, kind.style, kind.size, room), kind);
         picture.text_in(line, text, place);
     });
     let y = TITLE - 3.0;
@@ -173,7 +168,6 @@ impl Layout {
         with_kind: bool,
     ) -> Self {
         let walk = input.run.walk();
-        let strings = |strings: Words| strings.in_language(input.language);
         let prepared = input.run.prepared();
         let value = |field: Field| {
             let value = shown(field.value, decimals, input.language);
@@ -189,13 +183,21 @@ impl Layout {
                 name: walk
                     .declared(recorded.step)
                     .quantity(recorded.field.name)
-                    .map_or(recorded.field.name, |quantity| quantity.symbol)
-                    .to_string(),
+                    .map_or_else(
+                        || recorded.field.name.to_string(),
+                        |quantity| names::quantity(quantity, input.language),
+                    ),
                 value: value(recorded.field),
                 from: match (recorded.step == walk.position(), with_kind) {
-                    (true, _) => strings(THIS_STEP).to_string(),
-                    (false, true) => format!("{} {}", walk.kind(recorded.step), recorded.step),
-                    (false, false) => format!("{} {}", strings(STEP), recorded.step),
+                    (true, _) => Message("inspector-this-step")
+                        .text(input.language)
+                        .to_string(),
+                    (false, true) => {
+                        let kind = names::kind(walk.kind(recorded.step), input.language);
+                        format!("{kind} {}", recorded.step)
+                    }
+                    (false, false) => Message("inspector-step")
+                        .format(input.language, &[("step", &recorded.step.to_string())]),
                 },
             })
             .collect();
@@ -291,15 +293,14 @@ impl Layout {
             .filter(|recorded| recorded.step == step)
             .map(|recorded| {
                 let value = shown(recorded.field.value, 4, input.language);
-                format!("{} = {value}", recorded.field.name)
+                let name = names::field(recorded.field.name, input.language);
+                format!("{name} = {value}")
             })
             .collect();
-        let head = format!(
-            "{} {}, {}",
-            STEP.in_language(input.language),
-            step,
-            walk.kind(step)
-        );
+        let number =
+            Message("inspector-step").format(input.language, &[("step", &step.to_string())]);
+        let kind = names::kind(walk.kind(step), input.language);
+        let head = format!("{number}, {kind}");
         if own.is_empty() {
             format!("{head}.")
         } else {

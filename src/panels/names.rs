@@ -1,66 +1,31 @@
 //! What objects, lights and rays are called.
 
-use super::strings::{Language, Words};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::language::{Language, Message, called};
 use crate::record::Value;
 use crate::replay::Walk;
 use crate::scene::Light;
+use crate::vocabulary::Quantity;
 
-const POINT: Words = Words::new("point light", "cahaya titik");
-const DIRECTIONAL: Words = Words::new("directional light", "cahaya terarah");
-const LIGHT: Words = Words::new("light", "cahaya");
-const BACKGROUND: Words = Words::new("background", "latar belakang");
+/// A word that an event records, as people read it.
+pub(super) fn word(word: &'static str, language: Language) -> String {
+    called("value", word, language).unwrap_or_else(|| word.to_string())
+}
 
-/// The kinds of ray as events name them, in words, and the letters that stand for them in drawings.
-const RAYS: [(&str, Words, &str); 4] = [
-    ("primary", Words::new("primary", "primer"), "P"),
-    ("reflected", Words::new("reflected", "pantul"), "R"),
-    ("transmitted", Words::new("transmitted", "bias"), "T"),
-    (
-        "total_internal_reflection",
-        Words::new("total internal reflection", "pantulan internal total"),
-        "TIR",
-    ),
-];
+/// A kind of event, as people read it.
+pub fn kind(kind: &str, language: Language) -> String {
+    called("kind", kind, language).unwrap_or_else(|| kind.to_string())
+}
 
-/// Words that events tell, where a sentence has others for them.
-const WORDS: [(&str, Words); 11] = [
-    ("red", Words::new("red", "merah")),
-    ("green", Words::new("green", "hijau")),
-    ("blue", Words::new("blue", "biru")),
-    ("jacobi", Words::new("Jacobi’s iteration", "iterasi Jacobi")),
-    (
-        "gauss-seidel",
-        Words::new("Gauss–Seidel iteration", "iterasi Gauss–Seidel"),
-    ),
-    (
-        "over-relaxation",
-        Words::new(
-            "successive over-relaxation",
-            "relaksasi lebih berturut-turut",
-        ),
-    ),
-    ("shooting", Words::new("shooting", "penembakan")),
-    (
-        "overshooting",
-        Words::new("overshooting", "penembakan lebih"),
-    ),
-    (
-        "chebyshev",
-        Words::new("Chebyshev’s iteration", "iterasi Chebyshev"),
-    ),
-    (
-        "conjugate-gradients",
-        Words::new("conjugate gradients", "gradien konjugat"),
-    ),
-    ("direct", Words::new("elimination", "eliminasi")),
-];
+/// The name of a recorded value in a sentence: as lessons and searches write it, unless it is a word.
+pub(super) fn field(name: &'static str, language: Language) -> String {
+    called("quantity", name, language).unwrap_or_else(|| name.to_string())
+}
 
-/// A word that an event tells, in a sentence.
-pub(super) fn word(word: &'static str, language: Language) -> &'static str {
-    let known = WORDS.iter().find(|(recorded, _)| *recorded == word);
-    known.map_or(word, |(_, strings)| strings.in_language(language))
+/// A recorded quantity: its symbol, where it has one that is no word.
+pub(super) fn quantity(quantity: &Quantity, language: Language) -> String {
+    called("quantity", quantity.name, language).unwrap_or_else(|| quantity.symbol.to_string())
 }
 
 /// The object of that number.
@@ -83,7 +48,7 @@ pub(super) fn patch(prepared: &PreparedScene, room: &Enclosure, number: usize) -
 
 /// The light of that number: lights have no names.
 pub(super) fn light(number: u32, language: Language) -> String {
-    format!("{} {number}", LIGHT.in_language(language))
+    Message("names-light").format(language, &[("number", &number.to_string())])
 }
 
 /// What the number told under a field's name stands for, where it stands for a thing of the scene.
@@ -100,18 +65,22 @@ pub(super) fn of_field<'a>(
     match field {
         "object" | "blocker" => Some(object(prepared, number)).filter(|name| !name.is_empty()),
         "light" => Some(match prepared.scene.lights.get(number as usize)? {
-            Light::Point { .. } => POINT.in_language(language),
-            Light::Directional { .. } => DIRECTIONAL.in_language(language),
+            Light::Point { .. } => Message("names-point-light").text(language),
+            Light::Directional { .. } => Message("names-directional-light").text(language),
         }),
         _ => None,
     }
 }
 
-/// A kind of ray in words, and the letters for it.
-pub(super) fn ray_kind(name: &str, language: Language) -> (&'static str, &'static str) {
-    let known = RAYS.iter().find(|(kind, ..)| *kind == name);
-    let (_, strings, letters) = known.unwrap_or(&RAYS[0]);
-    (strings.in_language(language), letters)
+/// A kind of ray in words, and the letters that stand for it in drawings.
+pub(super) fn ray_kind(name: &'static str, language: Language) -> (String, &'static str) {
+    let letters = match name {
+        "reflected" => "R",
+        "transmitted" => "T",
+        "total_internal_reflection" => "TIR",
+        _ => "P",
+    };
+    (word(name, language), letters)
 }
 
 /// What the ray is called that `scope` opens, from the longest form to the shortest: its kind and what it meets, its kind,
@@ -131,10 +100,12 @@ pub(super) fn ray(
         _ => ray_kind("primary", language),
     };
     let goes = match goal(walk, scope, prepared, language) {
-        Some(goal) => format!("{kind} → {goal}"),
-        None => kind.to_string(),
+        Some(goal) => {
+            Message("names-ray-meets").format(language, &[("ray", &kind), ("thing", &goal)])
+        }
+        None => kind.clone(),
     };
-    Some([goes, kind.to_string(), letters.to_string()])
+    Some([goes, kind, letters.to_string()])
 }
 
 /// What the ray meets that `scope` opens: its search says so at its end.
@@ -156,6 +127,6 @@ fn goal(
     match found.get("met")? {
         Value::Word("object") => Some(object(prepared, number("object")?).to_string()),
         Value::Word("light") => Some(light(number("light")?, language)),
-        _ => Some(BACKGROUND.in_language(language).to_string()),
+        _ => Some(Message("names-background").text(language).to_string()),
     }
 }

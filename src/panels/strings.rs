@@ -1,30 +1,8 @@
-//! The words of panels and window in both languages: one typed table, so that no text can be missing in one of them.
+//! What the part of a run is called that is looked at.
 
 use crate::algorithms::focus::Focus;
 pub use crate::language::Language;
 use crate::language::Message;
-
-/// A text in both languages.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Words {
-    pub en: &'static str,
-    pub id: &'static str,
-}
-
-impl Words {
-    pub const fn new(en: &'static str, id: &'static str) -> Self {
-        Words { en, id }
-    }
-
-    pub fn in_language(self, language: Language) -> &'static str {
-        match language {
-            Language::English => self.en,
-            Language::Indonesian => self.id,
-            #[cfg(test)]
-            Language::Pseudo => self.en,
-        }
-    }
-}
 
 /// The part of a run that is looked at.
 pub fn focus(focus: Focus, language: Language) -> String {

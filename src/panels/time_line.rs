@@ -9,7 +9,7 @@ mod rows;
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::names;
-use super::strings::{Language, Words};
+use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::record::Value;
 use crate::replay::Walk;
@@ -18,9 +18,6 @@ use glam::Vec2;
 use rows::{Bar, MARGIN, Row, Span, TRACK, rows, track};
 
 const TEXT: f32 = 12.0;
-
-const SAYS: Words = Words::new("Time line at step", "Garis waktu pada langkah");
-const OF: Words = Words::new("of", "dari");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let walk = input.run.walk();
@@ -177,16 +174,17 @@ fn number_of(walk: &dyn Walk, scope: usize, language: Language) -> Option<String
     let name = walk.declared(scope).number?;
     match walk.own_fields(scope).get(name)? {
         Value::Integer(number) => Some(number.to_string()),
-        Value::Word(word) => Some(names::word(word, language).to_string()),
+        Value::Word(word) => Some(names::word(word, language)),
         _ => None,
     }
 }
 
 /// What the scope is called that an event of `kind` opens.
 fn in_text(kind: &Kind, language: Language) -> String {
-    kind.scope
-        .map_or(kind.name, |scope| scope.text(language))
-        .to_string()
+    match kind.scope {
+        Some(scope) => scope.text(language).to_string(),
+        None => names::kind(kind.name, language),
+    }
 }
 
 /// From the bar in hand to the row below, which shows the inside of it.
@@ -271,13 +269,9 @@ fn in_words(input: &PanelInput, rows: &[Row]) -> String {
             })
         })
         .collect();
-    let head = format!(
-        "{} {} {} {}",
-        SAYS.in_language(input.language),
-        walk.position(),
-        OF.in_language(input.language),
-        walk.len()
-    );
+    let [step, steps] = [walk.position(), walk.len()].map(|number| number.to_string());
+    let head =
+        Message("time-line-at-step").format(input.language, &[("step", &step), ("steps", &steps)]);
     if scopes.is_empty() {
         format!("{head}.")
     } else {

@@ -18,7 +18,7 @@ pub(super) fn short(value: Value, digits: usize, language: Language) -> String {
         Value::Rgb(color) => color.channels().map(decimal).join(" "),
         Value::Vector(vector) => vector.to_array().map(decimal).join(" "),
         Value::Truth(truth) => yes_or_no(truth).text(language).to_string(),
-        Value::Word(word) => names::word(word, language).to_string(),
+        Value::Word(word) => names::word(word, language),
     }
 }
 
@@ -60,7 +60,10 @@ pub(super) fn step_in_words(input: &PanelInput) -> String {
         return format!("{step} –");
     }
     let position = walk.position();
-    format!("{step} {position}, {}", walk.kind(position))
+    format!(
+        "{step} {position}, {}",
+        names::kind(walk.kind(position), input.language)
+    )
 }
 
 fn yes_or_no(truth: bool) -> Message {
@@ -82,7 +85,7 @@ pub(super) fn shown(value: Value, decimals: usize, language: Language) -> String
             format!("({})", language.list(components))
         }
         Value::Truth(truth) => yes_or_no(truth).text(language).to_string(),
-        Value::Word(word) => names::word(word, language).to_string(),
+        Value::Word(word) => names::word(word, language),
     }
 }
 
@@ -107,7 +110,10 @@ pub(super) fn told_in_words(input: &PanelInput) -> String {
     let values: Vec<String> = walk
         .own_fields(walk.position())
         .iter()
-        .map(|field| format!("{} = {}", field.name, short(field.value, 6, input.language)))
+        .map(|field| {
+            let name = names::field(field.name, input.language);
+            format!("{name} = {}", short(field.value, 6, input.language))
+        })
         .collect();
     if values.is_empty() {
         return format!("{}.", step_in_words(input));

@@ -1,6 +1,7 @@
 //! What every event can say of itself: its kind, its line in the pseudocode, its values by name.
 
 use crate::color::Rgb;
+use crate::language::{Language, Message};
 use glam::DVec3;
 
 /// A typed event of one algorithm. Small and `Copy`: bulk data stays in the scene and is named by index.
@@ -22,14 +23,25 @@ pub trait Event: Copy + Send + Sync + 'static {
 #[derive(PartialEq, Eq, Debug)]
 pub struct Listing {
     pub name: &'static str,
-    /// Each line after the labels, apart by spaces, by which events name it.
+    /// Each line after the labels, apart by spaces, by which events name it. Words stand in the catalogues of the languages,
+    /// under the keys in braces.
     pub lines: &'static [(&'static str, &'static str)],
 }
 
 impl Listing {
     /// The text of a line, counted from 0.
-    pub fn text(&self, number: usize) -> &'static str {
-        self.lines[number].1
+    pub fn text(&self, number: usize, language: Language) -> String {
+        let mut rest = self.lines[number].1;
+        let mut text = String::new();
+        while let Some((before, (key, after))) = rest
+            .split_once('{')
+            .and_then(|(before, after)| Some((before, after.split_once('}')?)))
+        {
+            text += before;
+            text += Message(key).text(language);
+            rest = after;
+        }
+        text + rest
     }
 
     /// The line of that label.

@@ -1,5 +1,5 @@
 use super::*;
-use crate::language::Language;
+use crate::language::{Language, called};
 use std::collections::HashSet;
 
 #[test]
@@ -47,5 +47,28 @@ fn every_quantity_is_declared_once_and_used() {
     for (name, ..) in quantity::QUANTITIES {
         assert!(used.contains(name), "no kind has {name}");
         assert!(seen.insert(name), "{name} is declared twice");
+    }
+}
+
+#[test]
+fn every_kind_and_every_symbol_that_is_a_word_has_a_name_in_every_language() {
+    let is_word = |symbol: &str| symbol.len() > 2 && symbol.bytes().all(|b| b.is_ascii_lowercase());
+    for (kind, language) in FAMILIES
+        .into_iter()
+        .flatten()
+        .flat_map(|kind| Language::ALL.map(|language| (kind, language)))
+    {
+        assert!(
+            called("kind", kind.name, language).is_some(),
+            "{} in {language:?}",
+            kind.name
+        );
+        for quantity in kind.quantities {
+            assert!(
+                !is_word(quantity.symbol) || called("quantity", quantity.name, language).is_some(),
+                "{} in {language:?}",
+                quantity.name
+            );
+        }
     }
 }

@@ -13,8 +13,8 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "area to area",
     lines: &[
         ("", "areaToArea(i, j)"),
-        ("", "  for each Gauss point x of i, with weight w_x"),
-        ("", "    for each Gauss point y of j, with weight w_y"),
+        ("", "  {for-each-gauss-point-x-of-i-with-weight-w-x}"),
+        ("", "    {for-each-gauss-point-y-of-j-with-weight-w-y}"),
         ("points", "      r ← y − x"),
         (
             "pair",

@@ -13,13 +13,10 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "auto",
     lines: &[
         ("", "auto(i, j)"),
-        ("", "  clip i to the front of j, and j to the front of i"),
-        ("area_to_area", "  far, both small:       areaToArea"),
-        (
-            "element_to_polygon",
-            "  apart, i small:        elementToPolygon",
-        ),
-        ("contour", "  near or touching:      contour"),
+        ("", "  {clip-each-to-the-front-of-the-other}"),
+        ("area_to_area", "  {far-area-to-area}"),
+        ("element_to_polygon", "  {apart-element-to-polygon}"),
+        ("contour", "  {near-or-touching-contour}"),
     ],
 };
 

@@ -16,11 +16,11 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "contour",
     lines: &[
         ("", "contour(i, j)"),
-        ("", "  for each edge of i, with direction e"),
-        ("", "    for each edge of j, with direction f"),
+        ("", "  {for-each-edge-of-i-with-direction-e}"),
+        ("", "    {for-each-edge-of-j-with-direction-f}"),
         (
             "",
-            "      I ← ∫∫ ln r ds dt:  exact along s;  exact along t on one line, else by Gauss points",
+            "      I ← ∫∫ ln r ds dt:  {exact-along-s-else-by-gauss-points}",
         ),
         ("edge-pair", "      A_i F_ij ← A_i F_ij + e·f I / 2π"),
     ],

@@ -14,12 +14,9 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "element to polygon",
     lines: &[
         ("", "elementToPolygon(i, j)"),
-        ("element", "  for each Gauss point x of i, with weight w"),
-        ("", "    for each edge R_k, R_k+1 of j seen from x"),
-        (
-            "",
-            "      Γ_k ← angle between R_k and R_k+1, along R_k × R_k+1",
-        ),
+        ("element", "  {for-each-gauss-point-x-of-i-with-weight-w}"),
+        ("", "    {for-each-edge-of-j-seen-from-x}"),
+        ("", "      Γ_k ← {angle-between-r-k-and-the-next}"),
         ("edge", "      F_x ← F_x + N_i·Γ_k / 2π"),
         ("element-seen", "    A_i F_ij ← A_i F_ij + w F_x"),
     ],

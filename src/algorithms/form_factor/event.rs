@@ -93,13 +93,13 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "form factor",
     lines: &[
         ("form-factor", "formFactor(i, j)"),
-        ("", "  for each piece of i and of j"),
+        ("", "  {for-each-piece-of-i-and-of-j}"),
         (
             "pieces",
-            "    clip both to the front of the other;  nothing left: 0",
+            "    {clip-both-to-the-front-of-the-other-nothing-left-0}",
         ),
-        ("", "    A_i F_ij ← A_i F_ij + exchange of the two"),
-        ("", "  A_i F_ij ← A_i F_ij · share that nothing blocks"),
-        ("found", "  return A_i F_ij / A_i"),
+        ("", "    A_i F_ij ← A_i F_ij + {exchange-of-the-two}"),
+        ("", "  A_i F_ij ← A_i F_ij · {share-that-nothing-blocks}"),
+        ("found", "  {return} A_i F_ij / A_i"),
     ],
 };

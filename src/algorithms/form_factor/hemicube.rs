@@ -15,18 +15,15 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "hemicube",
     lines: &[
         ("", "hemicube(i, j)"),
-        ("hemicube", "  for each of n × n points x of i"),
+        ("hemicube", "  {for-each-of-n-by-n-points-x-of-i}"),
+        ("", "    {draw-what-stands-in-the-way-onto-the-five-faces}"),
         (
             "",
-            "    draw what stands in the way onto the five faces, keeping the nearest",
-        ),
-        (
-            "",
-            "    for each pixel (u, v) whose centre j covers, nearest of all",
+            "    {for-each-pixel-u-v-whose-centre-j-covers-nearest-of-all}",
         ),
         (
             "pixel",
-            "      F_x ← F_x + ΔF,  ΔF = ΔA/(π(u² + v² + 1)²) on top,  v ΔA/(π(u² + v² + 1)²) at the sides",
+            "      F_x ← F_x + ΔF,  ΔF = ΔA/(π(u² + v² + 1)²) {on-top},  v ΔA/(π(u² + v² + 1)²) {at-the-sides}",
         ),
         ("hemicube-seen", "    F_ij ← F_ij + F_x / n²"),
     ],

@@ -16,20 +16,17 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "Monte Carlo",
     lines: &[
         ("", "monteCarlo(i, j)"),
+        ("", "  {for-each-of-n-points-s-t-u-v-of-a-sobol-sequence}"),
+        ("", "    x ← {the-point-of-i-at-s-t}"),
         (
             "",
-            "  for each of n points (s, t, u, v) of a Sobol sequence",
-        ),
-        ("", "    x ← the point of i at (s, t)"),
-        (
-            "",
-            "    direction ← √u (cos 2πv, sin 2πv) across N_i, √(1 − u) along it",
+            "    {direction} ← √u (cos 2πv, sin 2πv) {across-n-i}, √(1 − u) {along-it}",
         ),
         (
             "ray",
-            "    if the ray meets the front of j and nothing before: hits ← hits + 1",
+            "    {if-the-ray-meets-the-front-of-j-and-nothing-before} hits ← hits + 1",
         ),
-        ("", "  return hits / n"),
+        ("", "  {return} hits / n"),
     ],
 };
 

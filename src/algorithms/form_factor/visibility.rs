@@ -19,23 +19,14 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "visibility",
     lines: &[
         ("", "visible(i, j)"),
-        (
-            "",
-            "  if no group of patches can stand between i and j: return 1",
-        ),
-        (
-            "",
-            "  for each of n points (s, t, u, v) of a Sobol sequence",
-        ),
-        (
-            "",
-            "    x ← point of i at (s, t);  y ← point of j at (u, v)",
-        ),
+        ("", "  {if-nothing-can-stand-between-return-1}"),
+        ("", "  {for-each-of-n-points-s-t-u-v-of-a-sobol-sequence}"),
+        ("", "    x ← {point-of-i-at-s-t};  y ← {point-of-j-at-u-v}"),
         (
             "sight",
-            "    K ← cosθ_x cosθ_y / (π r²);  blocked ← whether the ray from x to y meets a surface",
+            "    K ← cosθ_x cosθ_y / (π r²);  blocked ← {whether-the-ray-from-x-to-y-meets-a-surface}",
         ),
-        ("visible", "  return Σ K over what is not blocked / Σ K"),
+        ("visible", "  {return} Σ K {over-what-is-not-blocked} / Σ K"),
     ],
 };
 

@@ -23,11 +23,11 @@ pub static PSEUDOCODE: Listing = Listing {
         ),
         (
             "iteration",
-            "for k = 0, 1, 2, … until ‖r‖ ≤ ε‖E‖, r = E − (I − ρF)B",
+            "{for} k = 0, 1, 2, … {until} ‖r‖ ≤ ε‖E‖, r = E − (I − ρF)B",
         ),
         (
             "weight",
-            "  ω ← 1, then 1 / (1 − σ²/2), then 1 / (1 − σ²ω/4)",
+            "  ω ← 1, {then} 1 / (1 − σ²/2), {then} 1 / (1 − σ²ω/4)",
         ),
         ("updated", "  B' ← B_before + ω (γ r + B − B_before)"),
         ("", "  B_before ← B;  B ← B'"),

@@ -22,7 +22,10 @@ pub static PSEUDOCODE: Listing = Listing {
             "started",
             "B ← E;  s ← w (E − (I − ρF)B);  p ← M⁻¹s, M = w;  δ ← s·M⁻¹s",
         ),
-        ("iteration", "for k = 0, 1, 2, … until ‖r‖ ≤ ε‖E‖, r = M⁻¹s"),
+        (
+            "iteration",
+            "{for} k = 0, 1, 2, … {until} ‖r‖ ≤ ε‖E‖, r = M⁻¹s",
+        ),
         ("", "  α ← δ / (p·Sp)"),
         ("updated", "  B ← B + α p"),
         (

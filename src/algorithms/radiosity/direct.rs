@@ -17,9 +17,9 @@ pub static PSEUDOCODE: Listing = Listing {
         ("start started", "P (I − ρF) = L U;  B ← E"),
         (
             "iteration",
-            "for k = 0, 1, … until ‖r‖ ≤ ε‖E‖, r = E − (I − ρF)B",
+            "{for} k = 0, 1, … {until} ‖r‖ ≤ ε‖E‖, r = E − (I − ρF)B",
         ),
-        ("", "  solve L U d = P r"),
+        ("", "  {solve} L U d = P r"),
         ("updated", "  B ← B + d"),
     ],
 };

@@ -14,10 +14,10 @@ pub static PSEUDOCODE: Listing = Listing {
         ("start started", "B ← E"),
         (
             "iteration weight",
-            "for k = 0, 1, 2, … until ‖E − (I − ρF)B‖ ≤ ε‖E‖",
+            "{for} k = 0, 1, 2, … {until} ‖E − (I − ρF)B‖ ≤ ε‖E‖",
         ),
-        ("gathering", "  for each patch i"),
-        ("", "    for each patch j"),
+        ("gathering", "  {for-each-patch-i}"),
+        ("", "    {for-each-patch-j}"),
         ("exchange", "      sum ← sum + F_ij B_j"),
         ("gathered", "    B_i ← B_i + ω (E_i + ρ_i sum − B_i)"),
     ],

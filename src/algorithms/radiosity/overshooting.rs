@@ -12,16 +12,16 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "overshooting",
     lines: &[
         ("start started", "B ← 0;  unshot ← E"),
-        ("iteration", "for k = 0, 1, 2, … until ‖unshot‖ ≤ ε‖E‖"),
+        ("iteration", "{for} k = 0, 1, 2, … {until} ‖unshot‖ ≤ ε‖E‖"),
         (
             "ambient",
-            "  ambient ← ⟨ρ⟩⟨unshot⟩ / (1 − ⟨ρ⟩), means by area",
+            "  ambient ← ⟨ρ⟩⟨unshot⟩ / (1 − ⟨ρ⟩), {means-by-area}",
         ),
         (
             "shooting",
-            "  i ← the patch of largest |unshot_i + ambient| A_i",
+            "  i ← {the-patch-of-largest} |unshot_i + ambient| A_i",
         ),
-        ("", "  for each patch j"),
+        ("", "  {for-each-patch-j}"),
         ("", "    F_ji ← F_ij A_i / A_j"),
         (
             "received",
@@ -29,7 +29,7 @@ pub static PSEUDOCODE: Listing = Listing {
         ),
         (
             "shot",
-            "  B_i ← B_i + unshot_i + ambient;  unshot_i ← −ambient + what it received",
+            "  B_i ← B_i + unshot_i + ambient;  unshot_i ← −ambient + {what-it-received}",
         ),
     ],
 };

@@ -19,14 +19,14 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "shooting",
     lines: &[
         ("start started", "B ← 0;  unshot ← E"),
-        ("iteration", "for k = 0, 1, 2, … until ‖unshot‖ ≤ ε‖E‖"),
-        ("shooting", "  i ← the patch of largest |unshot_i| A_i"),
-        ("", "  for each patch j"),
+        ("iteration", "{for} k = 0, 1, 2, … {until} ‖unshot‖ ≤ ε‖E‖"),
+        ("shooting", "  i ← {the-patch-of-largest} |unshot_i| A_i"),
+        ("", "  {for-each-patch-j}"),
         ("", "    F_ji ← F_ij A_i / A_j"),
         ("received", "    unshot_j ← unshot_j + ρ_j F_ji unshot_i"),
         (
             "shot",
-            "  B_i ← B_i + unshot_i;  unshot_i ← what it received",
+            "  B_i ← B_i + unshot_i;  unshot_i ← {what-it-received}",
         ),
     ],
 };

@@ -7,10 +7,9 @@ mod template;
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::names;
-use super::strings::{Language, Words};
 use super::values::shown;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::language::Message;
+use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Style, symbol, wrap};
 use crate::record::Value;
 use crate::vocabulary::{Entry, Formula, Kind, When};
@@ -19,11 +18,7 @@ use set::{Atom, Voice, flow, set_pieces};
 use template::{Known, Piece, parse, places};
 
 const MARGIN: f32 = 10.0;
-const CHANNELS: [Words; 3] = [
-    Words::new("red", "merah"),
-    Words::new("green", "hijau"),
-    Words::new("blue", "biru"),
-];
+const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let walk = input.run.walk();
@@ -145,7 +140,7 @@ fn filled(
     sentence.format_with(language, |name| {
         let value = known.get(name)?.field.value;
         if let Value::Word(word) = value {
-            return Some(names::word(word, language).to_string());
+            return Some(names::word(word, language));
         }
         let number = shown(value, 4, language);
         // Lights have no names, only kinds.
@@ -335,7 +330,7 @@ fn formula_lines(
     for (channel, name) in CHANNELS.iter().enumerate().take(channels) {
         let mut row = Vec::new();
         if coloured {
-            let name = name.in_language(language).to_string();
+            let name = names::word(name, language);
             let style = Style::Body.size(text.min(12.0)).ink(Ink::Muted);
             row.push(Atom::text(name, style));
         }
