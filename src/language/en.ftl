@@ -995,7 +995,7 @@ inspector-step = step { $step }
 inspector-step-and-depth = step { $step } · depth { $depth }
 inspector-this-step = this step
 inspector-more = … { $count } more
-inspector-no-values = This step tells no values.
+inspector-no-values = This step records no values.
 time-line-at-step = Time line at step { $step } of { $steps }
 
 ## what the size of a setting counts, and what errors are errors of

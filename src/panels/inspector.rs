@@ -1,5 +1,5 @@
 //! All values known at the step: its own first, then those of the scopes around it from the innermost outwards, each with
-//! where it was told. A name that several scopes tell is shown once: the inner one holds.
+//! where it was recorded. Of a name that several scopes record the innermost value is shown.
 
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
@@ -34,11 +34,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if recorded.is_empty() {
         let style = Style::Body.size(12.0).ink(Ink::Muted);
         let line = Rect::new(MARGIN, TITLE, size.x - 2.0 * MARGIN, 20.0);
-        picture.text_in(
-            line,
-            Message("inspector-no-values").text(input.language),
-            style,
-        );
+        let nothing = Message("inspector-no-values").text(input.language);
+        picture.text_in(line, nothing, style);
         return picture;
     }
     let room = layout.capacity(size);
@@ -69,20 +66,15 @@ fn title(picture: &mut Picture, input: &PanelInput, size: Vec2) {
     let step = walk.position();
     let line = Rect::new(MARGIN, 6.0, size.x - 2.0 * MARGIN, 20.0);
     let place = Style::Body.size(12.0).ink(Ink::Muted).end();
-    let depth = walk.outline().depth(step).to_string();
-    let number = step.to_string();
-    let number = ("step", number.as_str());
-    let long =
-        Message("inspector-step-and-depth").format(input.language, &[number, ("depth", &depth)]);
-    let short = Message("inspector-step").format(input.language, &[number]);
+    let [number, depth] = [step, walk.outline().depth(step)].map(|number| number.to_string());
+    let long = Message("inspector-step-and-depth")
+        .format(input.language, &[("step", &number), ("depth", &depth)]);
+    let short = step_in_words(step, input);
     let name = names::kind(walk.kind(step), input.language);
     let kind = Style::Bold.size(14.0).ink(Ink::This);
     let room = line.width - kind.width(&name) - GAP;
-    let text = if place.width(&long) <= room {
-        long
-    } else {
-        short
-    };
+    let fits = place.width(&long) <= room;
+    let text = if fits { long } else { short };
     let room = line.width - place.width(&text) - GAP;
     picture.tagged(Tag::Step(step), |picture| {
         picture.text_in(line, elide(&name, kind.style, kind.size, room), kind);
@@ -169,6 +161,7 @@ impl Layout {
     ) -> Self {
         let walk = input.run.walk();
         let prepared = input.run.prepared();
+        let this_step = Message("inspector-this-step").text(input.language);
         let value = |field: Field| {
             let value = shown(field.value, decimals, input.language);
             match names::of_field(prepared, field.name, field.value, input.language) {
@@ -189,15 +182,12 @@ impl Layout {
                     ),
                 value: value(recorded.field),
                 from: match (recorded.step == walk.position(), with_kind) {
-                    (true, _) => Message("inspector-this-step")
-                        .text(input.language)
-                        .to_string(),
+                    (true, _) => this_step.to_string(),
                     (false, true) => {
                         let kind = names::kind(walk.kind(recorded.step), input.language);
                         format!("{kind} {}", recorded.step)
                     }
-                    (false, false) => Message("inspector-step")
-                        .format(input.language, &[("step", &recorded.step.to_string())]),
+                    (false, false) => step_in_words(recorded.step, input),
                 },
             })
             .collect();
@@ -297,16 +287,18 @@ impl Layout {
                 format!("{name} = {value}")
             })
             .collect();
-        let number =
-            Message("inspector-step").format(input.language, &[("step", &step.to_string())]);
         let kind = names::kind(walk.kind(step), input.language);
-        let head = format!("{number}, {kind}");
+        let head = format!("{}, {kind}", step_in_words(step, input));
         if own.is_empty() {
             format!("{head}.")
         } else {
             format!("{head}: {}.", own.join(", "))
         }
     }
+}
+
+fn step_in_words(step: usize, input: &PanelInput) -> String {
+    Message("inspector-step").format(input.language, &[("step", &step.to_string())])
 }
 
 fn swatch(row: &Row) -> Option<Ink> {
