@@ -14,7 +14,7 @@
 //! | [`color`], [`numeric`] | linear RGB and the one place of clamping and sRGB; kernels that several algorithms share: interpolation, forward differences, Taylor series, roots, elimination |
 //! | [`language`] | the languages, a catalogue of all text in each, and how numbers are written |
 //! | [`picture`] | display lists with tags, text, formulas, themes, and their rasteriser; uses [`color`] alone |
-//! | [`figure`] | what panels and studies are made of: plots, colour scales, labels; knows no algorithm |
+//! | [`figure`] | what panels and studies are made of: scales, plots, legends, colour strips, cells, arrows, labels, views; knows no algorithm |
 //! | [`record`] | recorders of an algorithm's events, and the tree of scopes over them; knows no algorithm |
 //! | [`scene`] | scene files and their checks, camera, lights, materials, meshes, division into polygons; where rays meet them ([`scene::primitives`]), what a scene needs, and the patches of radiosity ([`scene::patches`]) |
 //! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud, Phong, Fast Phong, textures, ray casting, ray tracing; [`algorithms::form_factor`] and [`algorithms::radiosity`] with a file a method or solver |

@@ -8,6 +8,7 @@ mod main_window;
 mod narration;
 mod panel_view;
 mod parameter_card;
+mod picture_view;
 mod prose;
 mod question_card;
 pub mod session;

@@ -1,30 +1,23 @@
-//! A panel on the screen: its picture, drawn anew only when what it depends on has changed, with the pointer on it.
+//! A panel on the screen.
 
+use super::picture_view::{PictureView, Place};
 use super::session::{Command, Session};
 use super::strings;
 use super::style;
 use crate::algorithms::focus::Focus;
 use crate::language::Language;
 use crate::panels::{Panel, TreeView, draw};
-use crate::picture::{Ink, Picture, Tag, Theme, draw_over, rasterize};
+use crate::picture::Tag;
 use crate::record::Value;
-use egui::{
-    ColorImage, Pos2, Rect, Response, Role, Sense, TextureHandle, TextureOptions, Ui, WidgetInfo,
-};
-use tiny_skia::Pixmap;
+use egui::{Rect, Response, Sense, Ui};
 
-/// All that a panel's pixels depend on, highlights aside.
+/// All that a panel's picture depends on, its place and highlights aside.
 #[derive(Clone, PartialEq)]
-struct Key {
+pub struct Key {
     recording: u64,
     /// Of what is made in the background; always 0 where a panel does not show it.
     pictures: u64,
     step: usize,
-    /// In physical pixels.
-    size: [u32; 2],
-    /// Pixels a point.
-    scale: f32,
-    theme: Theme,
     language: Language,
     breakpoints: Vec<usize>,
     /// Of the ray tree alone.
@@ -33,23 +26,10 @@ struct Key {
     smooth: bool,
 }
 
-/// What is kept of a panel from frame to frame.
-#[derive(Default)]
-pub struct PanelView {
-    key: Option<Key>,
-    picture: Picture,
-    /// Without highlights.
-    pixels: Option<Pixmap>,
-    highlighted: Vec<Tag>,
-    texture: Option<TextureHandle>,
-}
+/// A panel from frame to frame.
+pub type PanelView = PictureView<Key>;
 
 impl PanelView {
-    /// What the picture says, in words.
-    pub fn alt(&self) -> &str {
-        &self.picture.alt
-    }
-
     /// Shows the panel in `rect`. Returns the response, and what lies under the pointer.
     pub fn show(
         &mut self,
@@ -58,14 +38,7 @@ impl PanelView {
         rect: Rect,
         ui: &mut Ui,
     ) -> (Response, Option<Tag>) {
-        // Where a card cannot hold a texture of that size, the picture is a little coarser.
-        let largest =
-            ui.input(|input| input.max_texture_side) as f32 / rect.width().max(rect.height());
-        let scale = ui.pixels_per_point().min(largest);
-        // Whole pixels: each of the texture's covers one of the screen's.
-        let corner = (rect.min.to_vec2() * scale).round() / scale;
-        let size = (rect.size() * scale).floor().max(egui::Vec2::splat(1.0));
-        let rect = Rect::from_min_size(corner.to_pos2(), size / scale);
+        let place = Place::on_pixels(rect, session.look.theme, ui);
         let key = Key {
             recording: session.recording(),
             pictures: match panel {
@@ -74,36 +47,16 @@ impl PanelView {
                 _ => 0,
             },
             step: session.step(),
-            size: [size.x as u32, size.y as u32],
-            scale,
-            theme: session.look.theme,
             language: session.look.language,
             breakpoints: session.breakpoints().to_vec(),
             tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
             smooth: panel == Panel::Radiosity && session.look.smooth,
         };
-        let mut highlighted: Vec<Tag> = session
-            .hovered()
-            .into_iter()
-            .chain(session.lit())
-            .flat_map(alike)
-            .collect();
-        highlighted.retain(|&tag| {
-            self.picture.items.iter().any(|item| item.tag == Some(tag)) || is_place(tag)
+        let lit = session.hovered().into_iter().chain(session.lit());
+        let lit = lit.flat_map(alike).collect();
+        self.draw(place, key, lit, ui, |size| {
+            draw(panel, &session.panel_input(), size)
         });
-        if self.key.as_ref() != Some(&key) {
-            self.picture = draw(
-                panel,
-                &session.panel_input(),
-                glam::Vec2::new(rect.width(), rect.height()),
-            );
-            self.pixels = rasterize(&self.picture, key.theme, scale).ok();
-            self.key = Some(key);
-            self.upload(highlighted, panel, session.look.theme, scale, ui);
-        } else if self.highlighted != highlighted {
-            self.upload(highlighted, panel, session.look.theme, scale, ui);
-        }
-
         let sense = if matches!(
             panel,
             Panel::TimeLine | Panel::RayTree | Panel::Rays | Panel::Vectors
@@ -112,56 +65,9 @@ impl PanelView {
         } else {
             Sense::click()
         };
-        let response = ui.interact(rect, ui.scope_id().with(panel.name()), sense);
-        let name = session.localize(panel.title());
-        response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name));
-        ui.ctx()
-            .accesskit_node_builder(response.id, |node| node.set_description(spoken(self.alt())));
-        if let Some(texture) = &self.texture {
-            let whole = Rect::from_min_max(Pos2::ZERO, Pos2::new(1.0, 1.0));
-            ui.painter()
-                .image(texture.id(), rect, whole, egui::Color32::WHITE);
-        }
-        if response.has_focus() {
-            let stroke = egui::Stroke::new(2.0, style::color(session.look.theme, Ink::Linked));
-            ui.painter()
-                .rect_stroke(rect, 2.0, stroke, egui::StrokeKind::Inside);
-        }
-        let under = response.hover_pos().and_then(|at| {
-            let at = at - rect.min;
-            self.picture.hit(glam::Vec2::new(at.x, at.y))
-        });
-        if under.is_some() {
-            ui.ctx().set_cursor_icon(egui::CursorIcon::PointingHand);
-        }
+        let response = ui.interact(place.rect, ui.scope_id().with(panel.name()), sense);
+        let under = self.paint(place, session.localize(panel.title()), &response, ui);
         (response, under)
-    }
-
-    fn upload(&mut self, highlighted: Vec<Tag>, panel: Panel, theme: Theme, scale: f32, ui: &Ui) {
-        let Some(pixels) = &self.pixels else { return };
-        let size = [pixels.width() as usize, pixels.height() as usize];
-        let items: Vec<_> = highlighted
-            .iter()
-            .flat_map(|&tag| self.picture.highlight(tag))
-            .collect();
-        let image = if items.is_empty() {
-            ColorImage::from_rgba_premultiplied(size, pixels.data())
-        } else {
-            let mut lit = pixels.clone();
-            draw_over(&mut lit, &items, theme, scale);
-            ColorImage::from_rgba_premultiplied(size, lit.data())
-        };
-        self.highlighted = highlighted;
-        match &mut self.texture {
-            Some(texture) => texture.set(image, TextureOptions::NEAREST),
-            None => {
-                self.texture = Some(ui.ctx().load_texture(
-                    panel.name(),
-                    image,
-                    TextureOptions::NEAREST,
-                ))
-            }
-        }
     }
 }
 
@@ -173,11 +79,6 @@ fn alike(tag: Tag) -> impl Iterator<Item = Tag> {
         _ => None,
     };
     std::iter::once(tag).chain(other)
-}
-
-/// Whether a tag can be found in an image's pixels, which carry no tags of their own.
-fn is_place(tag: Tag) -> bool {
-    matches!(tag, Tag::Pixel { .. } | Tag::ScanLine(_))
 }
 
 /// What else can be done at a place of a picture, as a menu.
@@ -217,11 +118,6 @@ pub fn menu(session: &Session, tag: Option<Tag>, ui: &mut Ui) -> Option<Command>
 /// The part of the run that is looked at, in words.
 pub fn focus_words(session: &Session) -> String {
     crate::panels::strings::focus(session.focus(), session.look.language)
-}
-
-/// Without the braces that only tell how a symbol is set.
-fn spoken(text: &str) -> String {
-    text.replace(['{', '}'], "")
 }
 
 /// The quiet words at the right of a panel's title.

@@ -1,14 +1,15 @@
-//! Error against run time: a study is chosen and measured, and what it finds is told curve by curve and point by point.
+//! Error against run time: a study is chosen and measured, and what it finds is shown curve by curve and point by point.
 
 use super::button::button;
 use super::session::{Command, Outcome, PointAt, Session, StudyCommand};
-use super::{strings, study_plot, study_words, style};
+use super::study_plot::StudyPlot;
+use super::{strings, study_words, style};
+use crate::figure::Series;
 use crate::picture::Ink;
 use crate::study::families;
 use crate::study::fit::{Fit, Law};
 use crate::study::form::Axes;
 use crate::study::harness::{Line, Part};
-use crate::study::plot::curve::Look;
 use crate::study::report::strings as report;
 use egui::{Button, ComboBox, Frame, Margin, ProgressBar, RichText, ScrollArea, Ui};
 use std::time::Duration;
@@ -17,10 +18,10 @@ use std::time::Duration;
 const LOOK_AGAIN: Duration = Duration::from_millis(50);
 /// Of the list of points.
 const LIST: f32 = 330.0;
-/// Of what is told of one point.
-const TOLD: f32 = 118.0;
+/// Of what is said of one point.
+const WORDS: f32 = 118.0;
 
-pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+pub fn show(session: &Session, plot: &mut StudyPlot, commands: &mut Vec<Command>, ui: &mut Ui) {
     if session.studying().percent().is_some() {
         ui.ctx().request_repaint_after(LOOK_AGAIN);
     }
@@ -31,7 +32,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         ui.add_space(4.0);
         let studying = session.studying();
         match studying.parts.get(studying.part) {
-            Some(part) => found(session, part, commands, ui),
+            Some(part) => found(session, part, plot, commands, ui),
             None if studying.percent().is_none() => {
                 ui.label(session.localize(strings::NOTHING_MEASURED));
             }
@@ -104,8 +105,14 @@ fn state(session: &Session, ui: &mut Ui) {
     }
 }
 
-/// The parts that have come, and of one its plot, its points, and what is told of one of them.
-fn found(session: &Session, part: &Part, commands: &mut Vec<Command>, ui: &mut Ui) {
+/// The parts that have come, and of one its plot, its points, and one of them in words.
+fn found(
+    session: &Session,
+    part: &Part,
+    plot: &mut StudyPlot,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
     let studying = session.studying();
     let mut heading = String::new();
     if let Some((study, _)) = studying.of {
@@ -128,12 +135,12 @@ fn found(session: &Session, part: &Part, commands: &mut Vec<Command>, ui: &mut U
     let lit_before: Option<PointAt> = ui.data(|data| data.get_temp(lit)).flatten();
     let shown = lit_before.or(studying.picked);
     let mut now_lit = None;
-    let height = (room.y - TOLD).max(160.0);
+    let height = (room.y - WORDS).max(160.0);
     ui.horizontal_top(|ui| {
         let width = (room.x - LIST - 12.0).max(240.0);
         let down = egui::Layout::top_down(egui::Align::Min);
         ui.allocate_ui_with_layout(egui::vec2(width, height), down, |ui| {
-            let pointed = study_plot::show(session, part, shown, ui);
+            let pointed = plot.show(session, part, shown, ui);
             now_lit = pointed.at;
             if let Some(at) = pointed.at.filter(|_| pointed.clicked) {
                 commands.push(Command::Study(StudyCommand::Pick(at)));
@@ -149,7 +156,7 @@ fn found(session: &Session, part: &Part, commands: &mut Vec<Command>, ui: &mut U
     if now_lit != lit_before {
         ui.ctx().request_repaint();
     }
-    ScrollArea::vertical().id_salt("told").show(ui, |ui| {
+    ScrollArea::vertical().id_salt("words").show(ui, |ui| {
         match shown.and_then(|at| studying.point(at)) {
             Some((_, line, point)) => {
                 ui.label(study_words::recorded(session, line, point));
@@ -188,7 +195,7 @@ fn points(
 ) -> Option<PointAt> {
     let mut lit = None;
     for (number, line) in part.lines.iter().enumerate() {
-        let color = style::color(session.look.theme, Look::of(number).ink);
+        let color = style::color(session.look.theme, Series::of(number).ink);
         ui.label(style::strong(&line.name, 13.0).color(color));
         ui.label(RichText::new(laws(session, part, line)).small());
         for (index, point) in line.points.iter().enumerate() {

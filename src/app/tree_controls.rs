@@ -1,9 +1,11 @@
-//! How the ray tree is zoomed and dragged.
+//! How a figure is zoomed and dragged: by the pointer, and the ray tree by buttons too.
 
 use super::button::button;
 use super::session::{Command, Session};
 use super::strings;
+use crate::figure::View;
 use crate::panels::{tree_area, tree_middle};
+use crate::picture::Rect;
 use egui::{Button, Response, RichText, Ui};
 use glam::Vec2;
 
@@ -15,19 +17,19 @@ const WHEEL: f32 = 200.0;
 /// Fit, larger and smaller, from the right.
 pub fn buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.x = 4.0;
-    let tree = session.tree();
+    let shown = session.tree().shown;
     for (sign, view, name) in [
-        ("−", tree.zoomed(1.0 / PRESS), strings::SMALLER_TREE),
-        ("+", tree.zoomed(PRESS), strings::LARGER_TREE),
+        ("−", shown.zoomed(1.0 / PRESS), strings::SMALLER_TREE),
+        ("+", shown.zoomed(PRESS), strings::LARGER_TREE),
         (
             session.localize(strings::TREE_FIT),
-            tree.fit(),
+            View::WHOLE,
             strings::WHOLE_TREE,
         ),
     ] {
         let sign = RichText::new(sign).size(13.0);
         let small = Button::new(sign).min_size(egui::vec2(24.0, 22.0));
-        let command = Command::ViewTree(view);
+        let command = Command::ViewTree(session.tree().showing(view));
         button(
             session,
             small,
@@ -39,30 +41,38 @@ pub fn buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     }
 }
 
-/// What the pointer does in the panel: the wheel and a pinch zoom about it, dragging drags, a double click fits.
+/// What the pointer does in the ray tree.
 pub fn pointed(session: &Session, response: &Response, ui: &Ui) -> Option<Command> {
     let tree = session.tree();
-    if response.double_clicked() {
-        return Some(Command::ViewTree(tree.fit()));
-    }
+    let size = Vec2::new(response.rect.width(), response.rect.height());
+    let middle = || tree_middle(&session.panel_input(), size);
+    let view = looked_at(tree.shown, middle, tree_area(size), response, ui)?;
+    Some(Command::ViewTree(tree.showing(view)))
+}
+
+/// The wheel and a pinch zoom about the pointer, dragging drags, a double click fits. The figure stands in `area` of what is pointed at,
+/// with `middle` in its middle. None where nothing changes.
+pub fn looked_at(
+    view: View,
+    middle: impl FnOnce() -> Option<Vec2>,
+    area: Rect,
+    response: &Response,
+    ui: &Ui,
+) -> Option<View> {
     let (wheel, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
     let factor = pinch * (wheel / WHEEL).exp();
     let drag = response.drag_delta();
-    let pointer = response.hover_pos().filter(|_| factor != 1.0);
-    if pointer.is_none() && drag == egui::Vec2::ZERO {
-        return None;
-    }
-    let size = Vec2::new(response.rect.width(), response.rect.height());
-    let area = tree_area(size);
     let extent = Vec2::new(area.width, area.height);
-    let middle = tree_middle(&session.panel_input(), size)?;
-    let view = match pointer {
-        Some(at) => {
-            let at = at - response.rect.min;
-            let from_middle = Vec2::new(at.x, at.y) - area.center();
-            tree.zoomed_about(factor, middle, from_middle, extent)
-        }
-        None => tree.dragged(Vec2::new(drag.x, drag.y), middle, extent),
+    let changed = if response.double_clicked() {
+        View::WHOLE
+    } else if let Some(at) = response.hover_pos().filter(|_| factor != 1.0) {
+        let at = at - response.rect.min;
+        let from_middle = Vec2::new(at.x, at.y) - area.center();
+        view.zoomed_about(factor, middle()?, from_middle, extent)
+    } else if drag != egui::Vec2::ZERO {
+        view.dragged(Vec2::new(drag.x, drag.y), middle()?, extent)
+    } else {
+        view
     };
-    (view != *tree).then_some(Command::ViewTree(view))
+    (changed != view).then_some(changed)
 }

@@ -34,7 +34,7 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     let size = ui.available_size();
     top_bar::show(session, &mut commands, ui);
     if session.studying().is_open {
-        study_view::show(session, &mut commands, ui);
+        study_view::show(session, &mut window.study_plot, &mut commands, ui);
         return window.finish(session, commands, &ctx);
     }
     let margin = Margin::same(GAP as i8);

@@ -1,6 +1,7 @@
 //! What the window remembers from frame to frame.
 
 use super::panel_view::PanelView;
+use super::study_plot::StudyPlot;
 use super::tiles::Arrangement;
 use crate::panels::Panel;
 use crate::picture::Theme;
@@ -10,6 +11,7 @@ use std::collections::HashMap;
 #[derive(Default)]
 pub struct Window {
     pub(super) views: HashMap<Panel, PanelView>,
+    pub(super) study_plot: StudyPlot,
     pub(super) arrangement: Arrangement,
     pub(super) answer: String,
     /// Whether the answer was given, and is no number.

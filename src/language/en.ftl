@@ -49,8 +49,6 @@ app-no-findings = No result: { $why }
 app-nothing-measured = Choose a study and measure it. It runs in the background, on one thread.
 app-debug-build = This is a debug build: its times say nothing about the algorithms.
 app-study-plot = plot of the study
-app-time-of-a-run = time of a run (median)
-app-rms-error-of = rms error of { $quantity }
 app-on-the-front = On the Pareto front: no other setting is as quick and as exact.
 app-time-is = time
 app-point-time = time: { $median } (quartiles { $lower } – { $upper }, { $runs }×)
@@ -1065,3 +1063,10 @@ part-one-channel = One channel; a sweep is an iteration, or as many shots as pat
 part-squares-at-distance-1 = Parallel squares at distance 1
 part-squares-at-distance-0-1 = Parallel squares at distance 0.1
 part-squares-with-a-common-edge = Squares with a common edge at 90°
+
+## plots of studies
+
+study-time = time of a run (median)
+study-rms-error = rms error of { $quantity }
+study-own-error = the reference's own error
+study-no-result = No setting has a result.

@@ -49,8 +49,6 @@ app-no-findings = Tidak ada hasil: { $why }
 app-nothing-measured = Pilih sebuah studi lalu ukur. Studi berjalan di latar belakang, pada satu utas.
 app-debug-build = Ini build debug: waktunya tidak mengatakan apa-apa tentang algoritme.
 app-study-plot = grafik studi
-app-time-of-a-run = waktu satu kali jalan (median)
-app-rms-error-of = galat rms dari { $quantity }
 app-on-the-front = Di front Pareto: tidak ada pengaturan lain yang secepat dan seteliti ini.
 app-time-is = waktu
 app-point-time = waktu: { $median } (kuartil { $lower } – { $upper }, { $runs }×)
@@ -1065,3 +1063,10 @@ part-one-channel = Satu kanal; satu sapuan adalah satu iterasi, atau tembakan se
 part-squares-at-distance-1 = Persegi sejajar pada jarak 1
 part-squares-at-distance-0-1 = Persegi sejajar pada jarak 0,1
 part-squares-with-a-common-edge = Persegi dengan sisi bersama pada 90°
+
+## plots of studies
+
+study-time = waktu satu kali jalan (median)
+study-rms-error = galat rms dari { $quantity }
+study-own-error = galat acuan itu sendiri
+study-no-result = Tidak ada pengaturan yang memberi hasil.

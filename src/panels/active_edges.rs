@@ -5,6 +5,7 @@ mod columns;
 use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
 use super::values::told_in_words;
+use crate::figure::Cell;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
 use crate::record::Value;
@@ -16,8 +17,8 @@ use glam::Vec2;
 const SIZE: f32 = 12.5;
 const ROW: f32 = 24.0;
 const MARGIN: f32 = 8.0;
-/// Side of the square that shows a colour.
-const SWATCH: f32 = 11.0;
+/// What the square that shows a colour takes.
+const SWATCH: f32 = 17.0;
 
 const NO_EDGES: Message = Message("active-edges-no-edges");
 const NO_TABLE: Message = Message("active-edges-no-table");
@@ -227,7 +228,6 @@ fn draw_row(
         picture.rect(area, Ink::Surface);
     }
     for &(column, right, width) in columns {
-        let cell = Rect::new(right - width, area.y, width, area.height);
         let text = &row.cells[place(column)];
         let strings = [WAITS, DONE].map(|strings| strings.text(language));
         let set = match column {
@@ -235,14 +235,14 @@ fn draw_row(
             _ if strings.contains(&text.as_str()) => in_body(set).end(),
             _ => set.end(),
         };
-        picture.text_in(cell, text.clone(), set);
-        if column == Column::Value
-            && let Some(Value::Rgb(color)) = row.color
-        {
-            let top = area.center().y - 0.5 * SWATCH;
-            let paint = Ink::Rgb(color).fill().outlined(Ink::Rule.stroke(1.0));
-            picture.rect(Rect::new(cell.x, top, SWATCH, SWATCH), paint);
-        }
+        let swatch = match row.color {
+            Some(Value::Rgb(color)) if column == Column::Value => Some(Ink::Rgb(color)),
+            _ => None,
+        };
+        let cell = Rect::new(right - width, area.y, width, area.height);
+        Cell::new(text.as_str(), set)
+            .swatch(swatch)
+            .draw(picture, cell);
     }
 }
 

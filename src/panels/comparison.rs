@@ -9,13 +9,11 @@ use super::message::{NOT_COMPARED, message};
 use super::values::told_in_words;
 use crate::language::Message;
 use crate::methods::Method;
-use crate::picture::{Image, Ink, Picture, Rect, Style, elide};
+use crate::picture::{Image, Ink, Picture};
 use crate::render::compare::Compared;
-use cells::{Cell, cells};
+use cells::cells;
 use cursor::Cursor;
 use glam::Vec2;
-
-const TEXT: f32 = 11.0;
 
 const ILLUMINATED: Message = Message("comparison-illuminated");
 const INTERPOLATED: Message = Message("comparison-interpolated");
@@ -62,7 +60,9 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             }
         });
         let lines = [figures.1, figures.0, here];
-        cell.lines(&mut picture, &lines);
+        let inks = [Ink::Muted, Ink::Muted, Ink::Text];
+        let written = lines.iter().map(String::as_str).zip(inks);
+        cell.lines(&mut picture, written);
         alt = format!("{alt} {}: {}.", compared.method.name(), lines.join("; "));
     }
     picture.alt = alt;
@@ -99,24 +99,6 @@ fn figures(input: &PanelInput, compared: &Compared) -> (String, String) {
             localize(A_PIXEL)
         ),
     )
-}
-
-impl Cell {
-    /// Lines under the image, as many as there is room for.
-    fn lines(&self, picture: &mut Picture, lines: &[String]) {
-        let style = Style::Body.size(TEXT).ink(Ink::Muted);
-        for (row, line) in lines.iter().enumerate() {
-            let y = self.below.y + cells::ROW * row as f32;
-            let place = Rect {
-                y,
-                height: cells::ROW,
-                ..self.below
-            };
-            let ink = if row == 2 { Ink::Text } else { Ink::Muted };
-            let text = elide(line, style.style, style.size, place.width);
-            picture.text_in(place, text, style.ink(ink));
-        }
-    }
 }
 
 #[cfg(test)]

@@ -1,22 +1,19 @@
-//! Relative residual and error bound, iteration by iteration, on a logarithmic axis: two lines for every channel told so far.
+//! Relative residual and error bound, iteration by iteration, on a logarithmic axis: two lines for every channel recorded so far.
 
-use super::labels::Labels;
+use super::channels;
 use super::message::{NO_PATCHES, message};
 use super::values::told_in_words;
 use super::{PanelInput, names};
 use crate::algorithms::focus::Focus;
-use crate::language::{Language, Message, power_of_ten};
-use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, elide};
+use crate::figure::{Axis, LEGEND_ROW, Labels, Plot, Scale, elided, legend};
+use crate::language::{Language, Message};
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::replay::Run;
 use crate::replay::radiosity::{ChannelNow, IterationNow, State};
 use glam::Vec2;
 
 const MARGIN: f32 = 8.0;
 const TEXT: f32 = 11.0;
-const ROW: f32 = 18.0;
-/// Between two ticks, at least, in points.
-const TICKS_APART: f32 = 22.0;
-const TICKS_BESIDE: f32 = 56.0;
 /// With more iterations some are passed over.
 const MOST_POINTS: usize = 70;
 /// Points so far apart have a mark each.
@@ -30,13 +27,6 @@ const RESIDUAL: Message = Message("common-relative-residual");
 const BOUND: Message = Message("convergence-bound");
 const ITERATION: Message = Message("convergence-iteration");
 const NONE_YET: Message = Message("convergence-none-yet");
-/// Channels with their letter and ink.
-const CHANNELS: [(&str, &str, Ink); 3] = [
-    ("red", "R", Ink::Series(3)),
-    ("green", "G", Ink::Series(2)),
-    ("blue", "B", Ink::Series(0)),
-];
-
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let Run::Radiosity(setup, replay) = input.run else {
         return message(NO_PATCHES, input.language, size);
@@ -45,40 +35,37 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
     picture.alt = in_words(input, state);
     let whole = picture.bounds().grown(-MARGIN);
-    legend(
-        &mut picture,
-        Rect {
-            height: ROW,
-            ..whole
-        },
-        input.language,
-    );
-    let axes = Axes::new(
-        setup.settings.radiosity.stop.tolerance,
-        state,
-        input.focus,
-        whole,
-    );
-    axes.draw(&mut picture, input.language);
-    let mut labels = Labels::new(axes.place.grown(2.0));
-    let name = axes.tolerance(
-        &mut picture,
-        setup.settings.radiosity.stop.tolerance,
-        input.language,
-    );
+    let tolerance = setup.settings.radiosity.stop.tolerance;
+    let kinds = [(RESIDUAL, false), (BOUND, true)].map(|(strings, dashed)| {
+        let stroke = kind_of_line(Ink::Text, dashed);
+        (stroke, strings.text(input.language))
+    });
+    let row = Rect {
+        height: LEGEND_ROW,
+        ..whole
+    };
+    // The legend stands where the upright axis has its name.
+    let below = legend(&mut picture, kinds, row, whole.x) - 0.5 * LEGEND_ROW;
+    let place = Rect::between((whole.x, below), whole.max());
+    let mut iterations = Iterations::new(tolerance, state, input, place);
+    iterations.plot.draw(&mut picture);
+    let name = iterations.tolerance(&mut picture, tolerance, input.language);
     if let Some(name) = name {
-        labels.reserve(name);
+        iterations.labels.reserve(name);
     }
     let recorded = |channel: &ChannelNow| !channel.history.is_empty();
     if !state.channels.iter().any(recorded) {
-        axes.nothing(&mut picture, name, input.language);
+        iterations.nothing(&mut picture, name, input.language);
     }
-    axes.cursor(&mut picture, state);
+    if let Some(k) = state.iteration {
+        let stroke = Ink::This.stroke(1.5);
+        iterations.plot.upright(&mut picture, k.into(), stroke);
+    }
     for channel in &state.channels {
         let letters = letters(channel, &state.channels);
-        axes.curves(&mut picture, channel, &letters, &mut labels);
+        iterations.curves(&mut picture, channel, &letters);
     }
-    axes.newest(&mut picture, state);
+    iterations.newest(&mut picture, state);
     picture
 }
 
@@ -89,34 +76,12 @@ fn letters(channel: &ChannelNow, channels: &[ChannelNow]) -> String {
         None => std::ptr::eq(*other, channel),
     };
     let letters = channels.iter().filter(alike).filter_map(|other| {
-        let known = CHANNELS
-            .iter()
-            .find(|(name, ..)| other.channel == Some(name));
-        known.map(|(_, letter, _)| *letter)
+        other
+            .channel
+            .and_then(channels::channel)
+            .map(|known| known.letter)
     });
     letters.collect::<Vec<_>>().join(" ")
-}
-
-/// What the two kinds of line mean.
-fn legend(picture: &mut Picture, row: Rect, language: Language) {
-    const SAMPLE: f32 = 22.0;
-    let style = Style::Body.size(TEXT).ink(Ink::Muted);
-    let mut x = row.x;
-    for (strings, dashed) in [(RESIDUAL, false), (BOUND, true)] {
-        let strings = strings.text(language);
-        let width = SAMPLE + 5.0 + style.width(strings);
-        if x + width > row.right() {
-            return;
-        }
-        let y = row.center().y;
-        picture.line((x, y), (x + SAMPLE, y), kind_of_line(Ink::Text, dashed));
-        let place = Rect {
-            x: x + SAMPLE + 5.0,
-            ..row
-        };
-        picture.text_in(place, strings, style);
-        x += width + 14.0;
-    }
 }
 
 /// Residuals have whole lines, bounds broken ones.
@@ -127,25 +92,21 @@ fn kind_of_line(ink: Ink, dashed: bool) -> Stroke {
     }
 }
 
-/// Iterations to the right, powers of ten upward.
-struct Axes {
-    place: Rect,
-    /// Iterations, the first and the last.
+/// Iterations to the right, residuals and bounds upward.
+struct Iterations {
+    plot: Plot,
     first: u32,
-    last: u32,
-    /// Exponents, the lowest and the highest.
-    low: i32,
-    high: i32,
+    labels: Labels,
 }
 
-impl Axes {
+impl Iterations {
     /// As far as the finished solution goes, where there is one, so that the axes stay as they are from step to step.
-    fn new(tolerance: f64, state: &State, focus: Focus, whole: Rect) -> Self {
+    fn new(tolerance: f64, state: &State, input: &PanelInput, whole: Rect) -> Self {
         let ends = state.solved.as_ref().map_or(&[][..], |solved| &solved.ends);
         let mut values = vec![tolerance, 1.0];
         let mut last = ends.iter().map(|&(iterations, _)| iterations).max();
         last = last.map(|iterations| iterations.saturating_sub(1));
-        let first = match focus {
+        let first = match input.focus {
             Focus::Iterations { start, end } => {
                 last = last.map(|last| last.min(end.saturating_sub(1)));
                 start.min(LATEST)
@@ -165,82 +126,17 @@ impl Axes {
             values.extend(recorded.error_bound);
             last = last.max(recorded.k);
         }
-        let exponents = values
-            .into_iter()
-            .filter(|value| value.is_finite() && *value > 0.0)
-            .map(|value| value.max(LEAST).log10());
-        let (low, high) = exponents.fold((0.0_f64, 0.0_f64), |(low, high), exponent| {
-            (low.min(exponent), high.max(exponent))
-        });
-        let (low, high) = (
-            low.floor() as i32,
-            (high.ceil() as i32).max(low.floor() as i32 + 1),
+        let values = values.into_iter().map(|value| value.max(LEAST));
+        let iterations = Scale::whole(first.into(), last.max(first + 1).into());
+        let plot = Plot::new(
+            Axis::new(iterations, ITERATION.text(input.language), input.language),
+            Axis::new(Scale::decades(values), "", input.language),
+            whole,
         );
-        let style = Style::Body.size(TEXT);
-        let names = [low, high].map(|exponent| style.width(&power_of_ten(exponent)));
-        let left = names[0].max(names[1]) + 6.0;
-        Axes {
-            place: Rect::new(
-                whole.x + left,
-                whole.y + ROW + 6.0,
-                whole.width - left - 4.0,
-                whole.height - 2.0 * ROW - 8.0,
-            ),
+        Iterations {
+            labels: Labels::new(plot.place.grown(2.0)),
+            plot,
             first,
-            last: last.max(first + 1),
-            low,
-            high,
-        }
-    }
-
-    fn x(&self, k: u32) -> f32 {
-        let share = f64::from(k.saturating_sub(self.first)) / f64::from(self.last - self.first);
-        self.place.x + self.place.width * share as f32
-    }
-
-    /// What is too small to be shown, or nothing, stands at the lower end.
-    fn y(&self, value: f64) -> f32 {
-        let exponent = value.log10().clamp(self.low.into(), self.high.into());
-        let share = (exponent - f64::from(self.low)) / f64::from(self.high - self.low);
-        self.place.bottom() - self.place.height * share as f32
-    }
-
-    fn draw(&self, picture: &mut Picture, language: Language) {
-        let style = Style::Body.size(TEXT).ink(Ink::Muted);
-        let Rect { x, y, .. } = self.place;
-        let (right, bottom) = (self.place.right(), self.place.bottom());
-        let room = (self.place.height / TICKS_APART).max(1.0) as i32;
-        let stride = ((self.high - self.low) / room + 1).max(1);
-        for exponent in (self.low..=self.high).filter(|exponent| exponent % stride == 0) {
-            let at = self.y(10_f64.powi(exponent));
-            picture.line((x, at), (right, at), Ink::Rule.stroke(1.0).opacity(0.6));
-            let baseline = at + style.baseline_below_middle();
-            picture.text((x - 5.0, baseline), power_of_ten(exponent), style.end());
-        }
-        picture.line((x, y), (x, bottom), Ink::Muted.stroke(1.0));
-        picture.line((x, bottom), (right, bottom), Ink::Muted.stroke(1.0));
-        let row = Rect::new(x, bottom + 2.0, self.place.width, ROW);
-        let title = ITERATION.text(language);
-        picture.text_in(row, title, style.end());
-        self.iterations(picture, row, right - style.width(title) - 8.0);
-    }
-
-    /// Numbers of iterations under the axis, as many as stand apart before `end`.
-    fn iterations(&self, picture: &mut Picture, row: Rect, end: f32) {
-        let style = Style::Body.size(TEXT).ink(Ink::Muted);
-        let most = (self.place.width / TICKS_BESIDE).max(1.0) as u32;
-        let stride = round_stride((self.last - self.first).div_ceil(most));
-        let ticks = (self.first.next_multiple_of(stride)..=self.last).step_by(stride as usize);
-        for k in ticks {
-            let text = k.to_string();
-            let width = style.width(&text);
-            let left = (self.x(k) - 0.5 * width).max(row.x);
-            if left + width <= end {
-                let place = Rect { x: left, ..row };
-                picture.text_in(place, text, style);
-                let mark = Vec2::new(self.x(k), self.place.bottom());
-                picture.line(mark, mark + Vec2::new(0.0, 3.0), Ink::Muted.stroke(1.0));
-            }
         }
     }
 
@@ -249,13 +145,13 @@ impl Axes {
         if tolerance <= 0.0 {
             return None;
         }
-        let y = self.y(tolerance);
         let stroke = Ink::Good.stroke(1.5).dotted();
-        picture.line((self.place.x, y), (self.place.right(), y), stroke);
+        self.plot.level(picture, tolerance, stroke);
+        let Vec2 { x, y } = self.plot.point(self.first.into(), tolerance);
         let text = format!("ε = {}", language.number(tolerance));
         let style = Style::Body.size(TEXT).ink(Ink::Good);
-        let above = y - self.place.y > ROW;
-        let at = Vec2::new(self.place.x + 5.0, if above { y - 4.0 } else { y + 13.0 });
+        let above = y - self.plot.place.y > LEGEND_ROW;
+        let at = Vec2::new(x + 5.0, if above { y - 4.0 } else { y + 13.0 });
         let place = style.bounds(at, &text);
         picture.text(at, text, style);
         Some(place)
@@ -264,53 +160,33 @@ impl Axes {
     /// Says that there are no points yet, away from the name of the tolerance.
     fn nothing(&self, picture: &mut Picture, name: Option<Rect>, language: Language) {
         let style = Style::Body.size(12.0).ink(Ink::Muted).middle();
+        let field = self.plot.place;
         let strings = NONE_YET.text(language);
-        let strings = elide(strings, style.style, style.size, self.place.width);
-        let high = name.is_some_and(|name| name.center().y < self.place.center().y);
-        let height = 0.5 * self.place.height;
-        let upper = Rect {
-            height,
-            ..self.place
-        };
+        let high = name.is_some_and(|name| name.center().y < field.center().y);
+        let height = 0.5 * field.height;
+        let upper = Rect { height, ..field };
         let down = if high { height } else { 0.0 };
-        picture.text_in(upper.shifted(Vec2::new(0.0, down)), strings, style);
+        elided(picture, upper.shifted(Vec2::new(0.0, down)), strings, style);
     }
 
-    /// The iteration in hand.
-    fn cursor(&self, picture: &mut Picture, state: &State) {
-        if let Some(k) = state.iteration {
-            let x = self.x(k);
-            let stroke = Ink::This.stroke(1.5);
-            picture.line((x, self.place.y), (x, self.place.bottom()), stroke);
-        }
-    }
-
-    /// The point of the iteration in hand, once it is told.
+    /// The point of the current iteration, once it is recorded.
     fn newest(&self, picture: &mut Picture, state: &State) {
-        let Some(last) = state.channel().and_then(last_told) else {
+        let Some(last) = state.channel().and_then(last_recorded) else {
             return;
         };
         if state.iteration == Some(last.k) {
-            let at = Vec2::new(self.x(last.k), self.y(last.residual));
+            let at = self.plot.point(last.k.into(), last.residual);
             picture.tagged(Tag::Step(last.step as usize), |picture| {
                 picture.circle(at, 4.0, Ink::This);
             });
         }
     }
 
-    fn curves(
-        &self,
-        picture: &mut Picture,
-        channel: &ChannelNow,
-        letters: &str,
-        labels: &mut Labels,
-    ) {
-        let known = CHANNELS
-            .iter()
-            .find(|(name, ..)| channel.channel == Some(name));
-        let ink = known.map_or(Ink::Text, |&(_, _, ink)| ink);
+    fn curves(&mut self, picture: &mut Picture, channel: &ChannelNow, letters: &str) {
+        let known = channel.channel.and_then(channels::channel);
+        let ink = known.map_or(Ink::Text, |known| known.ink);
         let recorded = few(channel);
-        let place = |k: u32, value: f64| Vec2::new(self.x(k), self.y(value));
+        let place = |k: u32, value: f64| self.plot.point(k.into(), value);
         let bounds = recorded.iter().filter_map(|recorded| {
             Some((
                 place(recorded.k, recorded.error_bound?),
@@ -334,7 +210,8 @@ impl Axes {
                 picture.line(from, to, kind_of_line(ink, false));
             });
         }
-        let apart = self.x(self.first + 1) - self.place.x;
+        let second = self.plot.point(f64::from(self.first) + 1.0, 1.0);
+        let apart = second.x - self.plot.place.x;
         for (points, fill) in [(&bounds, Ink::Surface), (&residuals, ink)] {
             for &(at, step) in points {
                 if apart >= MARKED || points.len() == 1 {
@@ -345,23 +222,15 @@ impl Axes {
             }
             if let Some(&(at, _)) = points.last() {
                 let style = Style::Bold.size(12.0);
-                labels.put(picture, (at, 3.0), Vec2::new(1.0, -0.4), letters, style);
+                let toward = Vec2::new(1.0, -0.4);
+                self.labels.put(picture, (at, 3.0), toward, letters, style);
             }
         }
     }
 }
 
-fn last_told(channel: &ChannelNow) -> Option<&IterationNow> {
+fn last_recorded(channel: &ChannelNow) -> Option<&IterationNow> {
     channel.history.get(channel.history.len().checked_sub(1)?)
-}
-
-/// The least of 1, 2, 5, 10, 20, … that is not less than `least`.
-fn round_stride(least: u32) -> u32 {
-    let steps = (0..9).flat_map(|exponent| [1, 2, 5].map(|digit| digit * 10_u32.pow(exponent)));
-    steps
-        .into_iter()
-        .find(|&step| step >= least)
-        .unwrap_or(1_000_000_000)
 }
 
 /// The iterations of a channel that are drawn: not more than there is room for, and always the last.
@@ -379,7 +248,7 @@ fn in_words(input: &PanelInput, state: &State) -> String {
     let localize = |strings: Message| strings.text(input.language);
     let mut strings = told_in_words(input);
     for channel in &state.channels {
-        let Some(last) = last_told(channel) else {
+        let Some(last) = last_recorded(channel) else {
             continue;
         };
         let name = names::word(channel.channel.unwrap_or_default(), input.language);

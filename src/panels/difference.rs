@@ -5,9 +5,9 @@ use super::comparison::cells::{ROW, cells};
 use super::comparison::cursor::Cursor;
 use super::message::{NOT_COMPARED, message};
 use super::values::told_in_words;
-use crate::color::Rgb;
+use crate::figure::{color_strip, diverging, elided};
 use crate::language::Message;
-use crate::picture::{Image, Ink, Picture, Rect, Style, elide};
+use crate::picture::{Image, Ink, Picture, Rect, Style};
 use crate::render::compare::{Compared, Difference};
 use glam::Vec2;
 
@@ -78,18 +78,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             true => [&figures, &here],
             false => [&rms, &largest],
         };
-        for (row, line) in lines.into_iter().enumerate() {
-            let place = Rect {
-                y: cell.below.y + ROW * row as f32,
-                height: ROW,
-                ..cell.below
-            };
-            picture.text_in(
-                place,
-                elide(line, style.style, style.size, place.width),
-                style,
-            );
-        }
+        let lines = lines.map(|line| (line.as_str(), Ink::Text));
+        cell.lines(&mut picture, lines);
         alt = format!("{alt} {}: {figures}.", compared.method.name());
     }
     scale(&mut picture, most, reference, input, size);
@@ -110,23 +100,8 @@ fn image(compared: &Compared, difference: &Difference, most: f64) -> Image {
     )
 }
 
-/// From −1, blue, over 0, nearly white, to 1, orange: distinct also to those who see red and green alike.
-fn diverging(share: f64) -> Rgb {
-    const ENDS: [[u8; 3]; 2] = [[0x08, 0x45, 0x94], [0xb3, 0x58, 0x06]];
-    const MIDDLE: [u8; 3] = [0xf7, 0xf7, 0xf7];
-    let share = share.clamp(-1.0, 1.0);
-    let end = ENDS[usize::from(share > 0.0)];
-    // A root, so that small differences are seen too.
-    let part = share.abs().sqrt();
-    Rgb::from_srgb8([0, 1, 2].map(|c| {
-        let [from, to] = [MIDDLE[c], end[c]].map(f64::from);
-        (from + part * (to - from)).round() as u8
-    }))
-}
-
 /// Under the images: what the colours mean.
 fn scale(picture: &mut Picture, most: f64, reference: &Compared, input: &PanelInput, size: Vec2) {
-    const COLORS: u32 = 65;
     let style = Style::Body.size(TEXT).ink(Ink::Muted);
     let row = Rect::new(6.0, size.y - SCALE - ROW, size.x - 12.0, ROW);
     let strings = format!(
@@ -134,33 +109,11 @@ fn scale(picture: &mut Picture, most: f64, reference: &Compared, input: &PanelIn
         AGAINST.text(input.language),
         reference.method.name()
     );
-    picture.text_in(
-        row,
-        elide(&strings, style.style, style.size, row.width),
-        style,
-    );
+    elided(picture, row, &strings, style);
     let row = Rect::new(6.0, size.y - SCALE, size.x - 12.0, SCALE - 2.0);
-    let (low, high) = (
-        format!("−{}", input.language.significant(most, 3)),
-        format!("+{}", input.language.significant(most, 3)),
-    );
-    let around = style.width(&low) + style.width(&high) + 12.0;
-    let strip = Rect::new(
-        row.x + style.width(&low) + 6.0,
-        row.y + 3.0,
-        (row.width - around).clamp(20.0, 200.0),
-        row.height - 6.0,
-    );
-    let middle = f64::from(COLORS / 2);
-    let bytes: Vec<u8> = (0..COLORS)
-        .flat_map(|step| diverging(f64::from(step) / middle - 1.0).to_srgb8())
-        .collect();
-    picture.text_in(row, low, style);
-    picture.image(strip, Image::new(COLORS, 1, bytes));
-    picture.rect(strip, Ink::Rule.stroke(1.0));
-    let right = Rect {
-        x: strip.right() + 6.0,
-        ..row
-    };
-    picture.text_in(right, high, style);
+    let ends = ["−", "+"].map(|sign| format!("{sign}{}", input.language.significant(most, 3)));
+    let ends = ends.each_ref().map(String::as_str);
+    color_strip(picture, row, ends, style, |share| {
+        diverging(2.0 * share - 1.0)
+    });
 }

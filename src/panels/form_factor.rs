@@ -13,8 +13,9 @@ use super::values::told_in_words;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::figure::elided;
 use crate::language::{Language, Message};
-use crate::picture::{Ink, Picture, Rect, Style, Text, elide};
+use crate::picture::{Ink, Picture, Rect, Style, Text};
 use crate::replay::Run;
 use crate::replay::form_factor::{Running, State, Way};
 use glam::Vec2;
@@ -106,8 +107,7 @@ impl Layout<'_> {
         for (at, (text, set)) in lines.into_iter().enumerate() {
             let y = top + at as f32 * LINE;
             let place = Rect::new(beside.x, y, beside.width, LINE);
-            let text = elide(&text, set.style, set.size, place.width);
-            picture.text_in(place, text, set);
+            elided(picture, place, &text, set);
         }
         let free = |top: f32| top - beside.y - 6.0;
         if self.state.resolution.is_some() && free(top) >= 60.0 {

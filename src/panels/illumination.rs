@@ -5,7 +5,7 @@ use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::values::{short, told_in_words};
 use crate::color::Rgb;
-use crate::figure::LogAxes;
+use crate::figure::{Axis, Cell, Plot, Scale};
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, symbol};
 use crate::record::Value;
@@ -93,7 +93,7 @@ struct Row {
     name: String,
     value: String,
     tag: Tag,
-    told_by: &'static str,
+    recorded_by: &'static str,
     ink: Ink,
     /// Share of the longest bar.
     bar: Option<f32>,
@@ -121,11 +121,11 @@ fn rows(point: &CurrentPoint, language: Language) -> Vec<Row> {
     let longest = recorded.map(Rgb::max_channel).fold(1.0, f64::max);
     let mut rows: Vec<Row> = terms
         .into_iter()
-        .map(|(name, term, told_by, ink)| Row {
+        .map(|(name, term, recorded_by, ink)| Row {
             name: symbol(name),
             value: term.map_or("–".into(), |term| short(Value::from(term), 3, language)),
             tag: Tag::Field(name),
-            told_by,
+            recorded_by,
             ink,
             bar: Some(term.map_or(0.0, |term| (term.max_channel() / longest) as f32)),
         })
@@ -140,7 +140,7 @@ fn rows(point: &CurrentPoint, language: Language) -> Vec<Row> {
             name,
             value: language.short(value, 4),
             tag: Tag::Field(tag),
-            told_by: "ToLight",
+            recorded_by: "ToLight",
             ink,
             bar: None,
         });
@@ -162,35 +162,28 @@ fn standard(light: &CurrentLight, n_dot_l: f64) -> f64 {
 
 impl Row {
     fn draw(&self, picture: &mut Picture, kind: &str, place: Rect) {
-        let here = self.told_by == kind;
+        let here = self.recorded_by == kind;
         let value = Style::Mono
             .size(TEXT)
             .ink(if here { Ink::This } else { Ink::Text });
         let name = Style::Label.size(TEXT).ink(Ink::Muted);
         picture.tagged(self.tag, |picture| {
             let y = place.center().y;
-            let mut x = place.x;
-            match self.bar {
+            let from = |x: f32| Rect::between((x.min(place.right()), place.y), place.max());
+            let mark = Some(self.ink).filter(|_| self.bar.is_some());
+            let cell = Cell::new(self.name.as_str(), name).swatch(mark);
+            let x = match mark {
                 Some(_) => {
-                    let mark = Rect::new(x, y - 4.5, 9.0, 9.0);
-                    picture.rect(mark, self.ink.fill().outlined(Ink::Muted.stroke(1.0)));
+                    cell.draw(picture, place);
+                    place.x + 44.0
                 }
                 None => {
-                    picture.line((x, y), (x + 12.0, y), self.ink.stroke(2.5));
+                    picture.line((place.x, y), (place.x + 12.0, y), self.ink.stroke(2.5));
+                    cell.draw(picture, from(place.x + 18.0)) + 10.0
                 }
-            }
-            x += 18.0;
-            let names = Rect::between((x, place.y), (place.right(), place.bottom()));
-            picture.text_in(names, self.name.as_str(), name);
-            x += match self.bar {
-                Some(_) => 26.0,
-                None => name.width(&self.name) + 10.0,
             };
-            let shown = value.width(&self.value);
-            if x + shown <= place.right() {
-                let numbers = Rect::new(x, place.y, shown, place.height);
-                picture.text_in(numbers, self.value.as_str(), value);
-            }
+            let values = [self.value.as_str(), ""].map(|text| (text.to_string(), value));
+            Cell::forms(values).draw(picture, from(x));
             // Bars begin in one line, behind the longest number that there may be.
             let start = x + value.width("0.000, 0.000, 0.000") + 10.0;
             if let Some(share) = self.bar.filter(|_| start + 30.0 < place.right()) {
@@ -226,23 +219,23 @@ fn curves(
         return;
     };
     let factors = |sample: &Sample| [sample.standard, sample.slide].map(|factor| factor * n_dot_l);
-    let axes = LogAxes::new(
-        samples.iter().map(|sample| sample.distance),
-        samples.iter().flat_map(factors),
+    let distances = samples.iter().map(|sample| sample.distance);
+    let values = samples.iter().flat_map(factors);
+    let plot = Plot::new(
+        Axis::new(Scale::decades(distances), DISTANCE.text(language), language),
+        Axis::new(Scale::decades(values), FACTOR.text(language), language),
         place,
     );
-    let strings = |strings: Message| strings.text(language);
-    axes.draw(picture, strings(FACTOR), strings(DISTANCE));
-    let x = axes.point(light.distance, 1.0).x;
-    let (top, bottom) = (axes.place.y, axes.place.bottom());
-    picture.line((x, top), (x, bottom), Ink::This.stroke(1.5).dashed());
+    plot.draw(picture);
+    let cursor = Ink::This.stroke(1.5).dashed();
+    plot.upright(picture, light.distance, cursor);
     let mut curve = |factor: usize, here: f64, ink: Ink, field| {
         let points = samples
             .iter()
-            .map(|sample| axes.point(sample.distance, factors(sample)[factor]));
+            .map(|sample| plot.point(sample.distance, factors(sample)[factor]));
         picture.tagged(Tag::Field(field), |picture| {
             picture.polyline(points, ink.stroke(2.5));
-            let at = axes.point(light.distance, here);
+            let at = plot.point(light.distance, here);
             picture.circle(at, 4.0, ink.fill().outlined(Ink::Surface.stroke(1.5)));
         });
     };

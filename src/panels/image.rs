@@ -6,11 +6,11 @@
 mod marks;
 
 use super::PanelInput;
-use super::fit::Fit;
 use super::strings::focus;
 use super::values::step_in_words;
 use crate::algorithms::focus::Focus;
 use crate::color::Rgb;
+use crate::figure::{Fit, joined};
 use crate::language::{Language, Message};
 use crate::picture::{Image, Ink, Picture, Rect, Style, ascent, elide};
 use crate::replay::shading::Dot;
@@ -177,7 +177,7 @@ fn caption(
     } else {
         format!("{:.0} %", 100.0 * zoom)
     };
-    let mut text = format!("{width} × {height}, {zoom}");
+    let size = format!("{width} × {height}, {zoom}");
     let focus = format!(
         "{} {}",
         ONLY.text(input.language),
@@ -185,12 +185,8 @@ fn caption(
     );
     let room = picture.width - 8.0;
     let set = Style::Body.size(CAPTION);
-    for more in iter::once(focus).chain(current(marks, input.language)) {
-        let longer = format!("{text} · {more}");
-        if set.width(&longer) <= room {
-            text = longer;
-        }
-    }
+    let more = iter::once(focus).chain(current(marks, input.language));
+    let text = joined(iter::once(size).chain(more), " · ", set, room);
     let text = elide(&text, Style::Body, CAPTION, room);
     let baseline = picture.height - 0.5 * (CAPTION_HEIGHT - ascent(Style::Body, CAPTION)) - 1.0;
     let middle = 0.5 * picture.width;

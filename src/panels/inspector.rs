@@ -5,8 +5,9 @@ use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::names;
 use super::values::shown;
+use crate::figure::Cell;
 use crate::language::Message;
-use crate::picture::{Ink, Picture, Rect, Style, Tag, elide, measure};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::record::{Field, Value};
 use crate::replay::{RecordedField, Walk};
 use glam::Vec2;
@@ -14,8 +15,6 @@ use glam::Vec2;
 const MARGIN: f32 = 10.0;
 const GAP: f32 = 14.0;
 const LINE_HEIGHT: f32 = 1.6;
-/// Room for a swatch, in sizes of the text.
-const SWATCH: f32 = 1.4;
 const LARGEST: f32 = 14.0;
 const SMALLEST: f32 = 11.0;
 
@@ -101,20 +100,39 @@ fn known(walk: &dyn Walk, step: usize) -> Vec<RecordedField> {
     known
 }
 
+/// A value: its name, the value itself, and where it was recorded.
 struct Row {
     recorded: RecordedField,
-    name: String,
-    value: String,
-    from: String,
+    cells: [String; 3],
+}
+
+impl Row {
+    /// Set in text of `size` points; the step's own values stand out.
+    fn cells(&self, size: f32, step: usize) -> [Cell; 3] {
+        let own = self.recorded.step == step;
+        let (style, ink, link) = match own {
+            true => (Style::MonoBold, Ink::This, Ink::This),
+            false => (Style::Mono, Ink::Text, Ink::Linked),
+        };
+        let [name, value, from] = self.cells.each_ref().map(String::as_str);
+        let swatch = match self.recorded.field.value {
+            Value::Rgb(color) => Some(Ink::Rgb(color)),
+            _ => None,
+        };
+        [
+            Cell::new(name, Style::Label.size(size).ink(Ink::Muted)),
+            Cell::new(value, style.size(size).ink(ink)).swatch(swatch),
+            Cell::new(from, Style::Body.size(size).ink(link)),
+        ]
+    }
 }
 
 /// The rows as they are written, and the widths of their columns.
 struct Layout {
     rows: Vec<Row>,
     size: f32,
-    name: f32,
-    value: f32,
-    from: f32,
+    /// Of names, values and origins.
+    widths: [f32; 3],
     /// Columns of rows beside each other: a low, wide panel has several.
     columns: usize,
 }
@@ -145,14 +163,15 @@ impl Layout {
             layout.set_size(SMALLEST, size);
             layout.columns = 1;
             // Long names are shortened; a longer value takes the place of its origin.
-            let room = size.x - 2.0 * MARGIN - layout.from - 2.0 * GAP;
-            layout.value = layout.value.min(room - layout.name.min(60.0));
-            layout.name = room - layout.value;
+            let [name, value, from] = &mut layout.widths;
+            let room = size.x - 2.0 * MARGIN - *from - 2.0 * GAP;
+            *value = value.min(room - name.min(60.0));
+            *name = room - *value;
             layout
         })
     }
 
-    /// The widths are in sizes of the text until it has one.
+    /// In the largest text.
     fn with(
         recorded: &[RecordedField],
         input: &PanelInput,
@@ -173,37 +192,31 @@ impl Layout {
             .iter()
             .map(|&recorded| Row {
                 recorded,
-                name: walk
-                    .declared(recorded.step)
-                    .quantity(recorded.field.name)
-                    .map_or_else(
-                        || recorded.field.name.to_string(),
-                        |quantity| names::quantity(quantity, input.language),
-                    ),
-                value: value(recorded.field),
-                from: match (recorded.step == walk.position(), with_kind) {
-                    (true, _) => this_step.to_string(),
-                    (false, true) => {
-                        let kind = names::kind(walk.kind(recorded.step), input.language);
-                        format!("{kind} {}", recorded.step)
-                    }
-                    (false, false) => step_in_words(recorded.step, input),
-                },
+                cells: [
+                    walk.declared(recorded.step)
+                        .quantity(recorded.field.name)
+                        .map_or_else(
+                            || recorded.field.name.to_string(),
+                            |quantity| names::quantity(quantity, input.language),
+                        ),
+                    value(recorded.field),
+                    match (recorded.step == walk.position(), with_kind) {
+                        (true, _) => this_step.to_string(),
+                        (false, true) => {
+                            let kind = names::kind(walk.kind(recorded.step), input.language);
+                            format!("{kind} {}", recorded.step)
+                        }
+                        (false, false) => step_in_words(recorded.step, input),
+                    },
+                ],
             })
             .collect();
-        let widest = |width: &dyn Fn(&Row) -> f32| rows.iter().map(width).fold(0.0, f32::max);
-        let name = widest(&|row| measure(&row.name, Style::Label, 1.0));
-        let value = widest(&|row| {
-            let swatch = if swatch(row).is_some() { SWATCH } else { 0.0 };
-            swatch + measure(&row.value, Style::Mono, 1.0)
-        });
-        let from = widest(&|row| measure(&row.from, Style::Body, 1.0));
+        let cells = |row: &Row| row.cells(LARGEST, walk.position()).map(|cell| cell.width());
+        let widest = |all: [f32; 3], row: [f32; 3]| std::array::from_fn(|i| all[i].max(row[i]));
         Layout {
+            widths: rows.iter().map(cells).fold([0.0; 3], widest),
             rows,
-            size: 1.0,
-            name,
-            value,
-            from,
+            size: LARGEST,
             columns: 0,
         }
     }
@@ -211,15 +224,9 @@ impl Layout {
     /// Scales the columns to a size of text, and says how many stand beside each other in a panel of `size`.
     fn set_size(&mut self, text: f32, size: Vec2) {
         let factor = text / self.size;
-        for width in [
-            &mut self.size,
-            &mut self.name,
-            &mut self.value,
-            &mut self.from,
-        ] {
-            *width *= factor;
-        }
-        let column = self.name + self.value + self.from + 2.0 * GAP;
+        self.size = text;
+        self.widths = self.widths.map(|width| factor * width);
+        let column = self.widths.iter().sum::<f32>() + 2.0 * GAP;
         self.columns = ((size.x - 2.0 * MARGIN + 2.0 * GAP) / (column + 2.0 * GAP)) as usize;
     }
 
@@ -246,32 +253,23 @@ impl Layout {
     }
 
     fn draw(&self, picture: &mut Picture, row: &Row, place: Rect, step: usize) {
-        let own = row.recorded.step == step;
-        let name = elide(&row.name, Style::Label, self.size, self.name);
-        picture.text_in(place, name, Style::Label.size(self.size).ink(Ink::Muted));
-
-        let mut x = place.x + self.name + GAP;
-        if let Some(color) = swatch(row) {
-            let side = (0.85 * self.size).round();
-            let swatch = Rect::new(x, place.center().y - 0.5 * side, side, side);
-            picture.rect(swatch, color.fill().outlined(Ink::Rule.stroke(1.0)));
-            x += SWATCH * self.size;
+        let [name, value, from] = row.cells(self.size, step);
+        name.draw(
+            picture,
+            Rect {
+                width: self.widths[0],
+                ..place
+            },
+        );
+        let start = place.x + self.widths[0] + GAP;
+        let end = value.draw(picture, Rect::between((start, place.y), place.max()));
+        // A long value takes the place of its origin.
+        let x = start + self.widths[1] + GAP;
+        if x >= end {
+            picture.tagged(Tag::Step(row.recorded.step), |picture| {
+                from.draw(picture, Rect::between((x, place.y), place.max()));
+            });
         }
-        let style = if own { Style::MonoBold } else { Style::Mono };
-        let ink = if own { Ink::This } else { Ink::Text };
-        let value = elide(&row.value, style, self.size, place.right() - x);
-        let end = x + measure(&value, style, self.size);
-        picture.text_in(Rect { x, ..place }, value, style.size(self.size).ink(ink));
-
-        let x = place.x + self.name + self.value + 2.0 * GAP;
-        if x < end {
-            return;
-        }
-        let ink = if own { Ink::This } else { Ink::Linked };
-        picture.tagged(Tag::Step(row.recorded.step), |picture| {
-            let from = Style::Body.size(self.size).ink(ink);
-            picture.text_in(Rect { x, ..place }, row.from.as_str(), from);
-        });
     }
 
     /// The step with its own values.
@@ -299,13 +297,6 @@ impl Layout {
 
 fn step_in_words(step: usize, input: &PanelInput) -> String {
     Message("inspector-step").format(input.language, &[("step", &step.to_string())])
-}
-
-fn swatch(row: &Row) -> Option<Ink> {
-    match row.recorded.field.value {
-        Value::Rgb(color) => Some(Ink::Rgb(color)),
-        _ => None,
-    }
 }
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
 //! The panels: what each draws of a run at its step. A picture depends on a [`PanelInput`] and its size alone.
 
 mod active_edges;
+mod channels;
 mod code;
 mod comparison;
 mod convergence;
 mod difference;
-mod fit;
 #[cfg(test)]
 pub(crate) mod fixture;
 #[cfg(test)]
@@ -15,7 +15,6 @@ mod formula;
 mod illumination;
 mod image;
 mod inspector;
-pub(crate) mod labels;
 mod matrix;
 mod message;
 mod names;

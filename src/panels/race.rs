@@ -2,21 +2,19 @@
 //! there is room, the residual, which a solver knows, stands above the error, which it does not.
 
 use super::PanelInput;
-use super::labels::Labels;
 use super::message::{NO_PATCHES, message};
 use super::values::told_in_words;
 use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::{Lap, Race, Racer};
-use crate::figure::LogAxes;
+use crate::figure::{Axis, LEGEND_ROW, Labels, Plot, Scale, Series, elided, legend};
 use crate::language::{Language, Message};
-use crate::picture::{Ink, Picture, Rect, Stroke, Style, elide};
+use crate::picture::{Ink, Picture, Rect, Style};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
 use glam::Vec2;
 
 const MARGIN: f32 = 8.0;
 const TEXT: f32 = 11.0;
-const ROW: f32 = 17.0;
 /// What lies farther below the tolerance stands at the lower end: of the fields, LU would take the most for nothing.
 const BELOW: f64 = 1e-2;
 
@@ -98,16 +96,16 @@ impl Now {
 
 /// One field: what goes upward, and what to the right.
 #[derive(Clone, Copy)]
-struct Plot {
+struct Quantities {
     error: bool,
     time: bool,
 }
 
 /// Four fields where there is room for them, else two: the residual by iteration and the error by time; in a narrow panel the latter
 /// alone.
-fn plots(whole: Rect) -> Vec<(Plot, Rect)> {
+fn plots(whole: Rect) -> Vec<(Quantities, Rect)> {
     if whole.width < 330.0 {
-        let plot = Plot {
+        let plot = Quantities {
             error: true,
             time: true,
         };
@@ -119,7 +117,7 @@ fn plots(whole: Rect) -> Vec<(Plot, Rect)> {
     };
     let right = half.shifted(Vec2::new(half.width, 0.0));
     if whole.height < 270.0 {
-        let plot = |both| Plot {
+        let plot = |both| Quantities {
             error: both,
             time: both,
         };
@@ -131,13 +129,13 @@ fn plots(whole: Rect) -> Vec<(Plot, Rect)> {
             let height = 0.5 * whole.height;
             let place = Rect { height, ..place };
             let down = Vec2::new(0.0, height * row as f32);
-            plots.push((Plot { error, time }, place.shifted(down)));
+            plots.push((Quantities { error, time }, place.shifted(down)));
         }
     }
     plots
 }
 
-impl Plot {
+impl Quantities {
     fn across(self, race: &Race, racer: &Racer, lap: &Lap) -> f64 {
         match self.time {
             true => lap.seconds,
@@ -155,26 +153,21 @@ impl Plot {
             let racers = race.racers.iter();
             racers.flat_map(|racer| racer.laps.iter().map(move |lap| (racer, lap)))
         };
-        let axes = LogAxes::new(
-            laps().map(|(racer, lap)| self.across(race, racer, lap)),
-            laps()
-                .map(|(_, lap)| self.up(race, lap))
-                .chain([1.0, BELOW * race.tolerance]),
+        let across = Scale::decades(laps().map(|(racer, lap)| self.across(race, racer, lap)));
+        let up = laps().map(|(_, lap)| self.up(race, lap));
+        let up = Scale::decades(up.chain([1.0, BELOW * race.tolerance]));
+        let right = if self.time { TIME } else { ITERATIONS };
+        let above = if self.error { ERROR } else { RESIDUAL };
+        let plot = Plot::new(
+            Axis::new(across, right.text(language), language),
+            Axis::new(up, above.text(language), language),
             place,
         );
-        let up = if self.error { ERROR } else { RESIDUAL };
-        let right = if self.time { TIME } else { ITERATIONS };
-        let [up, right] = [up, right].map(|strings| {
-            let strings = strings.text(language);
-            elide(strings, Style::Body, TEXT, axes.place.width)
-        });
-        axes.draw(picture, &up, &right);
+        plot.draw(picture);
         if !self.error {
-            let y = axes.point(1.0, race.tolerance).y;
-            let stroke = Ink::Good.stroke(1.5).dotted();
-            picture.line((axes.place.x, y), (axes.place.right(), y), stroke);
+            plot.level(picture, race.tolerance, Ink::Good.stroke(1.5).dotted());
         }
-        let mut labels = Labels::new(axes.place.grown(2.0));
+        let mut labels = Labels::new(plot.place.grown(2.0));
         let mut heads = Vec::new();
         for (number, racer) in race.racers.iter().enumerate() {
             let until = if self.time { now.seconds } else { now.sweeps };
@@ -183,20 +176,18 @@ impl Plot {
                 .iter()
                 .map(|lap| (self.across(race, racer, lap), self.up(race, lap)))
                 .take_while(|&(across, _)| across <= until);
-            let points: Vec<Vec2> = shown.map(|(x, y)| axes.point(x, y)).collect();
+            let points: Vec<Vec2> = shown.map(|(x, y)| plot.point(x, y)).collect();
             let Some(&head) = points.last() else { continue };
-            let (ink, stroke) = stroke(number);
-            for pair in points.windows(2) {
-                labels.avoid(pair[0], pair[1]);
-            }
+            let series = Series::of(number);
+            labels.avoid_path(&points);
             if points.len() > 1 {
-                picture.polyline(points, stroke);
+                picture.polyline(points, series.stroke);
             }
-            picture.circle(head, 3.0, ink);
+            picture.circle(head, 3.0, series.ink);
             heads.push((head, racer.solver));
         }
         for &(head, _) in &heads {
-            labels.reserve(Rect::new(head.x, head.y, 0.0, 0.0).grown(3.0));
+            labels.reserve(Rect::between(head, head).grown(3.0));
         }
         for (head, solver) in heads {
             let style = Style::Bold.size(TEXT);
@@ -206,73 +197,52 @@ impl Plot {
     }
 }
 
-/// Told apart by colour and by dashes.
-fn stroke(number: usize) -> (Ink, Stroke) {
-    let ink = Ink::Series(number as u8);
-    let stroke = ink.stroke(1.75);
-    let stroke = match number % 3 {
-        0 => stroke,
-        1 => stroke.dashed(),
-        _ => stroke.dotted(),
-    };
-    (ink, stroke)
-}
-
-/// Under the fields, each solver with its line and how far it has come, unless that would take more than a third of the room.
-/// Returns where they begin.
+/// Under the fields, each solver with its line, its letters and how far it has come; where that would take more than a third of the
+/// room, with its letters alone. Returns where they begin.
 fn standings(picture: &mut Picture, race: &Race, now: Now, whole: Rect, language: Language) -> f32 {
-    const SAMPLE: f32 = 18.0;
     // With names, and without.
     const CELLS: [f32; 2] = [290.0, 150.0];
-    let arranged = CELLS.map(|cell| {
-        let columns = ((whole.width / cell) as usize).clamp(1, 4);
-        (columns, race.racers.len().div_ceil(columns))
-    });
-    let fits = |(_, rows): (usize, usize)| ROW * rows as f32 <= 0.34 * whole.height;
-    let Some(named) = arranged.iter().position(|&arranged| fits(arranged)) else {
-        return whole.bottom();
+    let lines = |named: bool| -> Vec<String> {
+        let line = |racer: &Racer| {
+            let standing = standing(racer, now, language);
+            match named {
+                true => format!("{}: {standing}", racer.solver.name()),
+                false => standing,
+            }
+        };
+        race.racers.iter().map(line).collect()
     };
-    let (columns, rows) = arranged[named];
-    let named = named == 0;
-    let top = whole.bottom() - ROW * rows as f32;
-    let width = whole.width / columns as f32;
-    for (index, racer) in race.racers.iter().enumerate() {
-        let (row, column) = (index % rows, index / rows);
-        let cell = Rect::new(
-            whole.x + width * column as f32,
-            top + ROW * row as f32,
-            width,
-            ROW,
-        );
-        let y = cell.center().y;
-        let (_, stroke) = stroke(index);
-        picture.line((cell.x, y), (cell.x + SAMPLE, y), stroke);
-        let style = Style::Bold.size(TEXT);
-        let name = Rect {
-            x: cell.x + SAMPLE + 5.0,
-            ..cell
-        };
-        picture.text_in(name, racer.solver.symbol(), style);
-        let text = Rect {
-            x: name.x + 30.0,
-            ..cell
-        };
+    let samples = race.racers.iter().enumerate();
+    let samples = samples.map(|(number, racer)| (Series::of(number).stroke, racer.solver.symbol()));
+    for (named, cell) in [true, false].into_iter().zip(CELLS) {
+        let columns = ((whole.width / cell) as usize).clamp(1, 4);
+        let rows = race.racers.len().div_ceil(columns);
+        let top = whole.bottom() - LEGEND_ROW * rows as f32;
+        if top < whole.y + 0.66 * whole.height {
+            continue;
+        }
+        let width = whole.width / columns as f32;
         let style = Style::Body.size(TEXT).ink(Ink::Muted);
-        let strings = elide(
-            &match named {
-                true => format!(
-                    "{}: {}",
-                    racer.solver.name(),
-                    standing(racer, now, language)
-                ),
-                false => standing(racer, now, language),
-            },
-            style.style,
-            style.size,
-            cell.right() - text.x - 4.0,
-        );
-        picture.text_in(text, strings, style);
+        for (index, (sample, line)) in samples.clone().zip(lines(named)).enumerate() {
+            let (row, column) = (index % rows, index / rows);
+            let x = whole.x + width * column as f32;
+            let y = top + LEGEND_ROW * row as f32;
+            let cell = Rect::new(x, y, width, LEGEND_ROW);
+            legend(picture, [sample], cell, x);
+            let text = Rect::new(x + 54.0, y, width - 58.0, LEGEND_ROW);
+            elided(picture, text, &line, style);
+        }
+        return top - 4.0;
     }
+    let place = |top| Rect { y: top, ..whole };
+    let height = legend(
+        &mut Picture::default(),
+        samples.clone(),
+        place(0.0),
+        whole.x,
+    );
+    let top = whole.bottom() - height;
+    legend(picture, samples, place(top), whole.x);
     top - 4.0
 }
 

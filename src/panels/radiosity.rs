@@ -1,4 +1,4 @@
-//! The patches of the room as the scene's camera sees them, each in its light so far, with the exchange in hand; where patches
+//! The patches of the room as the scene's camera sees them, each in its light so far, with the current exchange; where patches
 //! shoot, and there is room for it, beside it the light that they have still to shoot.
 
 mod colors;
@@ -8,16 +8,18 @@ mod room_view;
 mod smooth;
 
 use super::PanelInput;
+use super::channels::{CHANNELS, channel};
 use super::message::{NO_PATCHES, message};
 use super::values::told_in_words;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
+use crate::figure::{color_strip, elided, viridis};
 use crate::language::{Language, Message};
-use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, Text, elide};
+use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
-use colors::{DECADES, shares, viridis};
+use colors::{DECADES, shares};
 use exchange::Exchange;
 use glam::Vec2;
 use room_view::RoomView;
@@ -40,11 +42,6 @@ const PATCHES: Message = Message("radiosity-patches");
 const SEEN: Message = Message("radiosity-seen");
 const IN_HAND: Message = Message("common-in-hand");
 const NO_ROOM: Message = Message("radiosity-no-room");
-const CHANNELS: [(&str, Message); 3] = [
-    ("red", Message("radiosity-red")),
-    ("green", Message("radiosity-green")),
-    ("blue", Message("radiosity-blue")),
-];
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let (Run::Radiosity(setup, _) | Run::FormFactor(setup, _)) = input.run else {
@@ -149,7 +146,7 @@ fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
             title: format!(
                 "{}, {}",
                 localize(UNSHOT),
-                channel(unshot.channel, input.language)
+                channel(unshot.channel).map_or(unshot.channel, |known| localize(known.word))
             ),
             patches: shares(&unshot).into_iter().map(viridis).collect(),
             may_be_smooth: false,
@@ -178,16 +175,11 @@ fn title(state: &State, room: &Enclosure, language: Language) -> String {
     };
     let recorded = |c: usize| {
         let mut recorded = state.channels.iter();
-        recorded.any(|channel| channel.channel == Some(CHANNELS[c].0))
+        recorded.any(|channel| channel.channel == Some(CHANNELS[c].name))
     };
     let lit = (0..CHANNELS.len()).filter(|&c| recorded(c) || recorded(room.first_equal_channel(c)));
-    let names: Vec<&str> = lit.map(|c| localize(CHANNELS[c].1)).collect();
+    let names: Vec<&str> = lit.map(|c| localize(CHANNELS[c].word)).collect();
     format!("{}: {}", localize(what), names.join(", "))
-}
-
-fn channel(name: &'static str, language: Language) -> &'static str {
-    let known = CHANNELS.iter().find(|(known, _)| *known == name);
-    known.map_or(name, |(_, strings)| strings.text(language))
 }
 
 /// Two pictures beside or below each other; the first alone where there is no room for both.
@@ -217,50 +209,17 @@ impl Coloring {
             height: ROW,
             ..place
         };
-        let title = elide(&self.title, style.style, style.size, place.width);
-        picture.text_in(row, title, style);
+        elided(picture, row, &self.title, style);
         let mut inside = Rect::new(place.x, place.y + ROW, place.width, place.height - ROW);
         if let Some(scale) = &self.scale {
             inside.height -= ROW;
-            scale.draw(
-                picture,
-                row.shifted(Vec2::new(0.0, place.height - ROW)),
-                style,
-            );
+            let below = row.shifted(Vec2::new(0.0, place.height - ROW));
+            let ends = scale.ends.each_ref().map(String::as_str);
+            color_strip(picture, below, ends, style, scale.color);
         }
         // A quiet ground, on which both black and white patches stand out.
         picture.rect(inside, Ink::Faint);
         inside.grown(-4.0)
-    }
-}
-
-impl Scale {
-    /// Colours to show, one a pixel of the strip.
-    const COLORS: u32 = 64;
-
-    fn draw(&self, picture: &mut Picture, row: Rect, style: Text) {
-        let [low, high] = &self.ends;
-        let gap = 6.0;
-        let around = style.width(low) + style.width(high) + 2.0 * gap;
-        let width = (row.width - around).clamp(20.0, 160.0);
-        let strip = Rect::new(
-            row.x + style.width(low) + gap,
-            row.y + 4.0,
-            width,
-            row.height - 8.0,
-        );
-        let last = f64::from(Self::COLORS - 1);
-        let bytes: Vec<u8> = (0..Self::COLORS)
-            .flat_map(|step| (self.color)(f64::from(step) / last).to_srgb8())
-            .collect();
-        picture.text_in(row, low.clone(), style);
-        picture.image(strip, Image::new(Self::COLORS, 1, bytes));
-        picture.rect(strip, Ink::Rule.stroke(1.0));
-        let right = Rect {
-            x: strip.right() + gap,
-            ..row
-        };
-        picture.text_in(right, high.clone(), style);
     }
 }
 

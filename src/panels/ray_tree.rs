@@ -19,8 +19,9 @@ use super::PanelInput;
 use super::message::message;
 use super::values::step_in_words;
 use crate::algorithms::ray_tree::RayKind;
+use crate::figure::elided;
 use crate::methods::Method;
-use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
+use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::rays::{Outcome, RayState, State};
 use arrange::{Arrangement, Detail, arrange};
 use glam::Vec2;
@@ -333,8 +334,7 @@ fn head(picture: &mut Picture, said: &str, legend: bool, area: Rect) {
         .map(|&kind| letters.width(letter(kind)) + 42.0)
         .sum();
     let room = set.width(said) + 16.0 + width <= area.width;
-    let text = elide(said, set.style, set.size, area.width);
-    picture.text_in(area, text, set);
+    elided(picture, area, said, set);
     if !(legend && room) {
         return;
     }

@@ -94,7 +94,7 @@ pub fn grip(input: &PanelInput, size: Vec2, at: Vec2) -> Option<PlaneGrip> {
     arrows::plane(&surface, text, drawing).grip(&surface.tips(), at)
 }
 
-/// Whether the ray in hand has found out that it meets no surface.
+/// Whether the current ray has found out that it meets no surface.
 fn over(state: &State) -> bool {
     let met = state.ray().and_then(|ray| ray.met);
     matches!(

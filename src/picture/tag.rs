@@ -29,6 +29,8 @@ pub enum Tag {
     Light(usize),
     /// A scope of the time line, by the step that opens it.
     Scope(usize),
+    /// A point of a plot: its curve, and its number on that.
+    Point { curve: usize, point: usize },
     /// The sign that collapses a ray of the ray tree, by the step that opened it.
     Fold(usize),
 }

@@ -3,6 +3,7 @@
 use super::{Refused, Session};
 use crate::algorithms::focus::Focus;
 use crate::app::strings;
+use crate::figure::View;
 use crate::panels::TreeView;
 use crate::picture::Tag;
 use crate::record::{RecordingLimit, Value};
@@ -62,10 +63,11 @@ impl Session {
         self.recording += 1;
         self.play = None;
         self.around = super::playing::Loop::default();
-        self.tree = TreeView {
-            zoom: self.tree.zoom,
-            ..TreeView::WHOLE
+        let shown = View {
+            zoom: self.tree.shown.zoom,
+            ..View::WHOLE
         };
+        self.tree = TreeView::WHOLE.showing(shown);
         self.seek(step.min(self.last_step()));
         let last = self.last_step();
         if let Some(breakpoints) = self.breakpoints.get_mut(&focus) {

@@ -48,10 +48,10 @@ fn buttons_zoom_and_fit() {
     let mut screen = tree_screen();
     screen.keep("ray-tree");
     screen.click(strings::LARGER_TREE.text(Language::English));
-    assert!((tree(&screen).zoom - 1.5).abs() < 1e-6);
+    assert!((tree(&screen).shown.zoom - 1.5).abs() < 1e-6);
     screen.click(strings::LARGER_TREE.text(Language::English));
     screen.click(strings::SMALLER_TREE.text(Language::English));
-    assert!((tree(&screen).zoom - 1.5).abs() < 1e-6);
+    assert!((tree(&screen).shown.zoom - 1.5).abs() < 1e-6);
     screen.click(strings::WHOLE_TREE.text(Language::English));
     assert_eq!(tree(&screen), TreeView::WHOLE);
     // What cannot act is refused.
@@ -69,8 +69,12 @@ fn a_pinch_zooms_about_the_pointer_and_a_drag_drags() {
     screen.harness.event(egui::Event::Zoom(3.0));
     screen.harness.run();
     let zoomed = tree(&screen);
-    assert!((zoomed.zoom - 3.0).abs() < 1e-3, "{}", zoomed.zoom);
-    let before = zoomed.center.expect("a place of its own");
+    assert!(
+        (zoomed.shown.zoom - 3.0).abs() < 1e-3,
+        "{}",
+        zoomed.shown.zoom
+    );
+    let before = zoomed.shown.center.expect("a place of its own");
     screen.harness.drag_at(rect.center());
     screen.harness.step();
     screen
@@ -81,7 +85,7 @@ fn a_pinch_zooms_about_the_pointer_and_a_drag_drags() {
         .harness
         .drop_at(rect.center() + egui::vec2(60.0, 20.0));
     screen.harness.run();
-    let after = tree(&screen).center.expect("a place");
+    let after = tree(&screen).shown.center.expect("a place");
     assert!(after.x < before.x, "{before} {after}");
     screen.keep("ray-tree-zoomed");
 }

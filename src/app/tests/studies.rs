@@ -102,6 +102,25 @@ fn a_point_that_is_pointed_at_is_named_and_a_click_opens_it() {
 }
 
 #[test]
+fn a_pinch_zooms_the_plot_and_back_until_all_of_it_is_shown() {
+    let mut screen = study([]);
+    let plot = screen
+        .harness
+        .get_by_role_and_label(Role::Image, strings::STUDY_PLOT.text(Language::English));
+    let middle = plot.rect().center();
+    screen.harness.hover_at(middle);
+    screen.harness.run();
+    let whole = screen.painted();
+    screen.harness.event(egui::Event::Zoom(3.0));
+    screen.harness.run();
+    screen.keep("study-zoomed");
+    assert_ne!(screen.painted(), whole);
+    screen.harness.event(egui::Event::Zoom(0.2));
+    screen.harness.run();
+    assert_eq!(screen.painted(), whole);
+}
+
+#[test]
 fn every_point_is_a_button_that_the_keyboard_reaches() {
     let mut screen = study([]);
     screen.harness.get_by_label("fine, n = 8").focus();

@@ -42,14 +42,11 @@ pub(super) fn columns(titles: &[String; 7], rows: &[Row], room: f32) -> Vec<(Col
     let width = |column: Column| {
         let at = place(column);
         let title = measure(&titles[at], Style::Label, 12.0);
-        let cells = rows
-            .iter()
-            .map(|row| measure(&row.cells[at], Style::MonoBold, SIZE));
-        let swatch = if column == Column::Value {
-            SWATCH + 6.0
-        } else {
-            0.0
-        };
+        let cells = rows.iter().map(|row| match &row.cells[at] {
+            words if words.contains(char::is_alphabetic) => measure(words, Style::Body, 12.0),
+            number => measure(number, Style::MonoBold, SIZE),
+        });
+        let swatch = if column == Column::Value { SWATCH } else { 0.0 };
         cells.fold(title, f32::max) + swatch
     };
     let mut columns = ORDER.to_vec();

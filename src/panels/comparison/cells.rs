@@ -2,8 +2,9 @@
 
 use super::cursor::Cursor;
 use crate::algorithms::frame::Frame;
+use crate::figure::elided;
 use crate::methods::Method;
-use crate::picture::{Ink, Picture, Rect, Style, elide};
+use crate::picture::{Ink, Picture, Rect, Style};
 use glam::Vec2;
 
 /// Height of a line of text.
@@ -15,6 +16,8 @@ const NARROWEST: f32 = 115.0;
 const MUCH_SMALLER: f32 = 0.7;
 const MARGIN: f32 = 6.0;
 const TEXT: f32 = 12.0;
+/// Size of a line of text.
+const LINE: f32 = 11.0;
 
 /// One of several alike.
 pub struct Cell {
@@ -74,8 +77,23 @@ impl Cell {
     pub fn title(&self, picture: &mut Picture, method: Method, walked: bool) {
         let ink = if walked { Ink::This } else { Ink::Text };
         let style = Style::Bold.size(TEXT).ink(ink);
-        let name = elide(method.name(), style.style, style.size, self.title.width);
-        picture.text_in(self.title, name, style);
+        elided(picture, self.title, method.name(), style);
+    }
+
+    /// Lines under the image, as many as there is room for.
+    pub fn lines<'a>(
+        &self,
+        picture: &mut Picture,
+        lines: impl IntoIterator<Item = (&'a str, Ink)>,
+    ) {
+        for (row, (line, ink)) in lines.into_iter().enumerate() {
+            let place = Rect {
+                y: self.below.y + ROW * row as f32,
+                height: ROW,
+                ..self.below
+            };
+            elided(picture, place, line, Style::Body.size(LINE).ink(ink));
+        }
     }
 
     /// The image's border, and on it the cursor.

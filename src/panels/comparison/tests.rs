@@ -5,6 +5,7 @@ use super::super::{Panel, draw};
 use super::*;
 use crate::algorithms::focus::Focus;
 use crate::methods::{Settings, Setup};
+use crate::picture::Rect;
 use crate::picture::{Shape, Tag};
 use crate::render::Method;
 use crate::render::compare::compare_on;

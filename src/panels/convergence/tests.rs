@@ -98,7 +98,7 @@ fn many_iterations_make_few_lines_that_end_at_the_last_one() {
 
 #[test]
 fn the_axis_spans_the_iterations_that_are_looked_at() {
-    let axes = |focus| {
+    let shares = |focus, ks: [f64; 2]| {
         let mut fixture = Fixture::room(Solver::Shooting, focus);
         fixture.go_to("IterationDone", 2);
         let Run::Radiosity(setup, replay) = &fixture.run else {
@@ -106,16 +106,12 @@ fn the_axis_spans_the_iterations_that_are_looked_at() {
         };
         let whole = Rect::new(0.0, 0.0, SIZE.x, SIZE.y);
         let tolerance = setup.settings.radiosity.stop.tolerance;
-        let axes = Axes::new(tolerance, replay.state(), focus, whole);
-        (axes.first, axes.last)
+        let input = fixture.input();
+        let iterations = Iterations::new(tolerance, replay.state(), &input, whole);
+        ks.map(|k| iterations.plot.x.scale.share(k))
     };
-    assert_eq!(axes(Focus::Iterations { start: 5, end: 9 }), (5, 8));
-    let (first, last) = axes(Focus::Frame);
-    assert!(first == 0 && last > 200, "{last}");
-}
-
-#[test]
-fn strides_are_round() {
-    let strides = [0, 1, 2, 3, 6, 11, 99, u32::MAX].map(round_stride);
-    assert_eq!(strides, [1, 1, 2, 5, 10, 20, 100, 1_000_000_000]);
+    let focus = Focus::Iterations { start: 5, end: 9 };
+    assert_eq!(shares(focus, [5.0, 8.0]), [0.0, 1.0]);
+    let [first, second] = shares(Focus::Frame, [0.0, 1.0]);
+    assert!(first == 0.0 && second < 1.0 / 200.0, "{second}");
 }

@@ -1,4 +1,4 @@
-//! The hemicube in hand, its faces folded down into a cross: the pixels that show j.
+//! The current hemicube, its faces folded down into a cross: the pixels that show j.
 
 use super::Layout;
 use crate::picture::{Image, Ink, Picture, Rect, Style, Tag};

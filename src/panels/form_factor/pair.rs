@@ -1,9 +1,9 @@
 //! The two patches, and between them what was sampled so far.
 
-use super::super::labels::{Labels, within};
 use super::Layout;
-use super::view::View;
-use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, elide};
+use super::view::view;
+use crate::figure::{Labels, Projection, cross, elided, within};
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::record::Value;
 use crate::replay::form_factor::{Segment, Way};
 use glam::{DVec3, Vec2};
@@ -21,13 +21,13 @@ pub fn draw(picture: &mut Picture, layout: &Layout, area: Rect) {
     let (title, room) = (layout.title(), area.width - 12.0);
     let set = Style::Body.size(11.0).ink(Ink::Muted);
     let place = Rect::new(area.x + 6.0, area.y + 1.0, room, TITLE);
-    picture.text_in(place, elide(&title, Style::Body, 11.0, room), set);
+    elided(picture, place, &title, set);
 
     let camera = layout.prepared.scene.camera;
     let up = camera.map_or(layout.prepared.view.up, |camera| camera.up.normalize());
     let pair = Pair {
         layout,
-        view: View::of(&layout.room.patches, [layout.i, layout.j], up, inner),
+        view: view(&layout.room.patches, [layout.i, layout.j], up, inner),
         area: inner,
     };
     let mut labels = Labels::new(inner.grown(-1.0));
@@ -44,7 +44,7 @@ pub fn draw(picture: &mut Picture, layout: &Layout, area: Rect) {
 
 struct Pair<'a> {
     layout: &'a Layout<'a>,
-    view: View,
+    view: Projection,
     area: Rect,
 }
 
@@ -101,7 +101,7 @@ impl Pair<'_> {
             let Some(segment) = segments.get(at) else {
                 continue;
             };
-            // What was told at an earlier step is not in hand where another part of the work has begun.
+            // What was recorded at an earlier step is not in hand where another part of the work has begun.
             let newest = at + 1 == segments.len() && segment.step == step;
             picture.tagged(Tag::Step(segment.step), |picture| {
                 self.segment(picture, segment, newest);
@@ -159,9 +159,7 @@ impl Pair<'_> {
     fn barred(&self, picture: &mut Picture, at: Vec2, newest: bool) {
         let (reach, width) = if newest { (5.0, 2.25) } else { (2.5, 1.0) };
         if self.area.grown(-reach - 2.0).contains(at) {
-            for side in [Vec2::new(reach, reach), Vec2::new(reach, -reach)] {
-                picture.line(at - side, at + side, Ink::Bad.stroke(width));
-            }
+            cross(picture, at, reach, width);
         }
     }
 

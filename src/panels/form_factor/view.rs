@@ -1,52 +1,27 @@
 //! A parallel projection in which both patches of a pair are seen well.
 
-use super::super::fit::Fit;
+use crate::figure::Projection;
 use crate::picture::Rect;
 use crate::scene::patches::Patches;
-use glam::{DVec2, DVec3, Vec2};
+use glam::DVec3;
 use std::f64::consts::{GOLDEN_RATIO, TAU};
 
 /// Directions that are tried.
 const TRIED: u32 = 400;
 
-/// Where places of the room are drawn.
-pub struct View {
-    across: DVec3,
-    up: DVec3,
-    fit: Fit,
-}
-
-impl View {
-    /// Of the two patches, with some room around them.
-    pub fn of(patches: &Patches, [i, j]: [usize; 2], up: DVec3, area: Rect) -> View {
-        let toward = toward_viewer(patches, [i, j], up);
-        let across = up
-            .cross(toward)
-            .normalize_or(toward.any_orthonormal_vector());
-        let up = toward.cross(across);
-        let corners = [i, j].into_iter().flat_map(|patch| {
-            let pieces = patches.pieces(patch);
-            pieces.flat_map(|piece| piece.corners.to_vec())
-        });
-        let (low, high) = corners.fold(
-            (DVec2::INFINITY, DVec2::NEG_INFINITY),
-            |(low, high), corner| {
-                let flat = DVec2::new(corner.dot(across), -corner.dot(up));
-                (low.min(flat), high.max(flat))
-            },
-        );
-        let inner = area.grown(-(0.12 * area.width.min(area.height)));
-        View {
-            across,
-            up,
-            fit: Fit::new(low, high, inner),
-        }
-    }
-
-    pub fn place(&self, place: DVec3) -> Vec2 {
-        let flat = DVec2::new(place.dot(self.across), -place.dot(self.up));
-        self.fit.place(flat)
-    }
+/// Of the two patches, with some room around them.
+pub fn view(patches: &Patches, [i, j]: [usize; 2], up: DVec3, area: Rect) -> Projection {
+    let toward = toward_viewer(patches, [i, j], up);
+    let across = up
+        .cross(toward)
+        .normalize_or(toward.any_orthonormal_vector());
+    let up = toward.cross(across);
+    let corners = [i, j].into_iter().flat_map(|patch| {
+        let pieces = patches.pieces(patch);
+        pieces.flat_map(|piece| piece.corners.to_vec())
+    });
+    let inner = area.grown(-(0.12 * area.width.min(area.height)));
+    Projection::around(across, up, corners, inner)
 }
 
 /// The direction, of many all around, that is most across the line of centres while neither patch is seen from its edge, rather from

@@ -1,8 +1,8 @@
 //! What is in hand, drawn over the picture. Nothing here has a tag: under the pointer are the picture's pixels.
 
-use super::super::fit::{Fit, outline, staged};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::figure::Fit;
 use crate::picture::{Ink, Picture, Rect};
 use crate::replay::rays::{self, RayState};
 use crate::replay::shading::{self, Dot};
@@ -155,7 +155,7 @@ impl<'a> Marks<'a> {
             | Focus::Patch(_)
             | Focus::FormFactor { .. } => {}
             Focus::Polygon(number) => {
-                let corners = staged(self.prepared, number);
+                let corners = on_screen(self.prepared, number);
                 picture.polygon(corners.into_iter().map(|corner| fit.place(corner)), stroke);
             }
             Focus::ScanLine(y) => {
@@ -191,4 +191,28 @@ fn at_least(rect: Rect, side: f32) -> Rect {
         width,
         height,
     )
+}
+
+/// The corners of the current polygon on the screen: as they were recorded, and before that as the scene has them.
+fn outline(state: &shading::State) -> Vec<DVec2> {
+    if !state.edges.is_empty() {
+        let corners = state.corners.iter();
+        return corners
+            .map(|corner| DVec2::new(corner.x, corner.y))
+            .collect();
+    }
+    state.polygon.map_or_else(Vec::new, |polygon| {
+        on_screen(&state.prepared, polygon.polygon as usize)
+    })
+}
+
+/// The corners of a polygon of the scene, on the screen; those before the near plane have no place there.
+fn on_screen(prepared: &PreparedScene, polygon: usize) -> Vec<DVec2> {
+    prepared.polygon(polygon).map_or_else(Vec::new, |polygon| {
+        let corners = polygon.corners().map(|(_, vertex)| vertex);
+        corners
+            .filter(|vertex| vertex.camera.z >= prepared.view.near)
+            .map(|vertex| vertex.screen)
+            .collect()
+    })
 }

@@ -3,8 +3,9 @@
 use super::grid::Grid;
 use super::{Hand, Layout};
 use crate::algorithms::radiosity::SolverEvent;
-use crate::figure::viridis;
-use crate::picture::{Image, Ink, Paint, Picture, Rect, Style, Tag, elide};
+use crate::figure::{color_strip, elided, joined, viridis};
+use crate::language::power_of_ten;
+use crate::picture::{Ink, Paint, Picture, Rect, Style, Tag, elide};
 use std::ops::Range;
 
 const MARGIN: f32 = 8.0;
@@ -90,7 +91,7 @@ fn names(layout: &Layout) -> Vec<(String, Range<usize>)> {
         .collect()
 }
 
-/// The patch in hand, and the form factor in hand, as far as there is room.
+/// The current patch, and the form factor in hand, as far as there is room.
 fn title(picture: &mut Picture, layout: &Layout) {
     let room = picture.width - 2.0 * MARGIN;
     let set = Style::LabelBold.size(12.0).ink(Ink::Text);
@@ -114,20 +115,8 @@ fn title(picture: &mut Picture, layout: &Layout) {
             ));
         }
     }
-    let mut text = String::new();
-    for part in parts {
-        let longer = if text.is_empty() {
-            part
-        } else {
-            format!("{text}  ·  {part}")
-        };
-        if text.is_empty() || set.width(&longer) <= room {
-            text = longer;
-        }
-    }
-    let text = elide(&text, Style::LabelBold, 12.0, room);
     let place = Rect::new(MARGIN, MARGIN - 3.0, room, TITLE - 2.0);
-    picture.text_in(place, text, set);
+    elided(picture, place, &joined(parts, "  ·  ", set, room), set);
 }
 
 /// The colours, and over them what can be pointed at.
@@ -155,7 +144,7 @@ fn map(picture: &mut Picture, layout: &Layout, grid: &Grid) {
     }
 }
 
-/// Brackets along the left, and names where they do not cover each other: first that of the patch in hand.
+/// Brackets along the left, and names where they do not cover each other: first that of the current patch.
 fn objects_left(
     picture: &mut Picture,
     layout: &Layout,
@@ -186,8 +175,7 @@ fn objects_left(
             .iter()
             .all(|other| other.intersection(&place).is_empty())
         {
-            let name = elide(name, Style::Label, SMALL, place.width);
-            picture.text_in(place, name, small().ink(ink).end());
+            elided(picture, place, name, small().ink(ink).end());
             taken.push(place);
         }
     }
@@ -296,36 +284,14 @@ fn at_least(rect: Rect, least: f32) -> Rect {
 
 /// What the colours mean: nothing, and the powers of ten.
 fn legend(picture: &mut Picture, grid: &Grid, place: Rect) {
-    const SAMPLES: u32 = 64;
-    let power = |exponent: i32| match exponent {
-        0 => "1".to_string(),
-        _ => format!("10^{{{}}}", exponent.to_string().replace('-', "−")),
-    };
-    let decades = grid.decades().map(power);
-    let widths = decades.each_ref().map(|text| small().width(text));
-    let zero = Rect::new(place.x + 10.0, place.y + 3.0, 9.0, 9.0);
-    picture.text_in(
-        Rect {
-            width: 8.0,
-            ..place
-        },
-        "0",
-        small(),
-    );
+    let decades = grid.decades().map(power_of_ten);
+    let zero = Rect::new(place.x + 10.0, place.center().y - 4.5, 9.0, 9.0);
+    picture.text_in(place, "0", small());
     picture.rect(zero, Ink::Background);
     picture.rect(zero, Paint::from(Ink::Rule.stroke(1.0)));
-    let from = zero.right() + 8.0 + widths[0] + 3.0;
-    let length = (place.right() - from - widths[1] - 3.0).min(160.0);
-    if length < 16.0 {
-        return;
-    }
-    let label = |x: f32, width: f32| Rect { x, width, ..place };
-    picture.text_in(label(zero.right() + 8.0, widths[0]), &*decades[0], small());
-    let share = |fixture| f64::from(fixture) / f64::from(SAMPLES - 1);
-    let bytes: Vec<u8> = (0..SAMPLES).flat_map(|s| viridis(share(s))).collect();
-    let bar = Rect::new(from, place.y + 3.0, length, 9.0);
-    picture.image(bar, Image::new(SAMPLES, 1, bytes));
-    picture.text_in(label(bar.right() + 3.0, widths[1]), &*decades[1], small());
+    let colors = Rect::between((zero.right() + 8.0, place.y), place.max());
+    let ends = decades.each_ref().map(String::as_str);
+    color_strip(picture, colors, ends, small(), viridis);
 }
 
 impl Layout<'_> {

@@ -90,7 +90,8 @@ impl Grid {
         let [first, last] = self.decades().map(f64::from);
         let color = |&value: &f64| {
             if value > 0.0 {
-                let [r, g, b] = viridis((value.log10() - first) / (last - first));
+                let share = (value.log10() - first) / (last - first);
+                let [r, g, b] = viridis(share).to_srgb8();
                 [r, g, b, 255]
             } else {
                 [0; 4]

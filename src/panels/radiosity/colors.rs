@@ -1,6 +1,5 @@
 //! The unshot light of one channel on a logarithmic scale.
 
-use crate::color::Rgb;
 use crate::replay::radiosity::Unshot;
 
 /// The scale spans so many powers of ten, up to the brightest emission.
@@ -12,9 +11,4 @@ pub(super) fn shares(unshot: &Unshot) -> Vec<f64> {
     let share = |patch: f64| 1.0 + (patch.abs() / unshot.brightest).log10() / f64::from(DECADES);
     let patches = unshot.patches.iter();
     patches.map(|&patch| share(patch).clamp(0.0, 1.0)).collect()
-}
-
-/// The colour at `share` of the scale.
-pub(super) fn viridis(share: f64) -> Rgb {
-    Rgb::from_srgb8(crate::figure::viridis(share))
 }

@@ -1,13 +1,12 @@
-//! The patches in hand, what passes between them, and how that is drawn over a room.
+//! The current patches, what passes between them, and how that is drawn over a room.
 
-use super::super::fit::Fit;
-use super::super::labels::{Labels, within};
 use super::super::names;
 use super::room_view::RoomView;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::radiosity::SolverEvent;
+use crate::figure::{Fit, Labels, within};
 use crate::language::Language;
 use crate::picture::{Dash, Ink, Picture, Rect, Shape, Stroke, Style, Tag};
 use crate::record::Value;
@@ -15,13 +14,13 @@ use crate::replay::Run;
 use crate::replay::radiosity::Focused;
 use glam::Vec2;
 
-/// The patch in hand, the other one, and the value between them.
+/// The current patch, the other one, and the value between them.
 pub(super) struct Exchange {
     pub i: usize,
     pub j: Option<usize>,
     /// Whether light goes from i to j, or comes from there.
     outward: bool,
-    /// Symbol and value, once it is told.
+    /// Symbol and value, once it is recorded.
     value: Option<(&'static str, f64)>,
 }
 

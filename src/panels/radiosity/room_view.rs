@@ -2,10 +2,10 @@
 //!
 //! Only fronts are seen. Whoever stands outside looks through the backs of the near walls into the room.
 
-use super::super::fit::Fit;
 use super::order::{Placed, painters_order};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::figure::Fit;
 use crate::picture::Rect;
 use crate::scene::View;
 use glam::{DVec2, DVec3};

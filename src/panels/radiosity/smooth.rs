@@ -1,11 +1,11 @@
 //! The place in the panel of an enclosure whose light is interpolated between the corners of patches, and the size at which it is
 //! drawn.
 
-use super::super::fit::Fit;
 use super::room_view::RoomView;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Region;
 use crate::color::Rgb;
+use crate::figure::Fit;
 use crate::picture::{Image, Rect};
 use crate::render::DrawPatches;
 use crate::scene::View;

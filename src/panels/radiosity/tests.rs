@@ -169,7 +169,7 @@ fn where_patches_shoot_a_wide_panel_shows_what_is_still_unshot() {
     };
     assert_eq!([NARROW, WIDE].map(|size| pictures(&fixture, size)), [1, 2]);
     fixture.go_to("Received", 5);
-    // The patch in hand is another, so that this one has no outline beside its picture.
+    // The current patch is another, so that this one has no outline beside its picture.
     let state = state_of(&fixture).focused.expect("a shot");
     assert_eq!((state.i, state.exchange.map(|(j, _)| j)), (60, Some(5)));
     assert_eq!([NARROW, WIDE].map(|size| pictures(&fixture, size)), [1, 2]);

@@ -149,7 +149,7 @@ pub(super) fn height(rays: &Rays, tree: &Tree, node: usize, detail: Detail) -> f
 /// The most detail that fits `area` at the view's zoom.
 pub(super) fn arrange(rays: &Rays, view: &TreeView, area: Rect) -> Arrangement {
     let size = Vec2::new(area.width, area.height);
-    let room = view.zoom * size;
+    let room = view.shown.zoom * size;
     let (tree, natural) = whole(rays, view, room).unwrap_or_else(|| in_part(rays, view, room));
     place(rays, tree, natural, view, area)
 }
@@ -248,18 +248,18 @@ fn in_part(rays: &Rays, view: &TreeView, room: Vec2) -> (Tree, Natural) {
 
 fn place(rays: &Rays, tree: Tree, natural: Natural, view: &TreeView, area: Rect) -> Arrangement {
     let size = Vec2::new(area.width, area.height);
-    let room = view.zoom * size;
+    let room = view.shown.zoom * size;
     let needed = natural.size();
     let spare = (room / needed).min_element();
     let scale = if natural.details.contains(&Detail::Dot) {
         1.0
     } else {
-        spare.clamp(1.0, LARGER * view.zoom.sqrt())
+        spare.clamp(1.0, LARGER * view.shown.zoom.sqrt())
     };
-    let apart = (room.x / (scale * needed.x)).clamp(1.0, APART * view.zoom);
+    let apart = (room.x / (scale * needed.x)).clamp(1.0, APART * view.shown.zoom);
     // The levels are drawn apart alike; what height is left then goes above and below.
     let between: f32 = scale * natural.gaps.iter().sum::<f32>();
-    let spread = (1.0 + (room.y - scale * needed.y) / between).clamp(1.0, APART * view.zoom);
+    let spread = (1.0 + (room.y - scale * needed.y) / between).clamp(1.0, APART * view.shown.zoom);
     let left_over = room.y - scale * needed.y - (spread - 1.0) * between;
 
     let (left, right) = natural.extent;
@@ -287,7 +287,7 @@ fn place(rays: &Rays, tree: Tree, natural: Natural, view: &TreeView, area: Rect)
     let overhang = (0.5 * (scale * apart * (right - left) - room.x)).max(0.0);
     let low = Vec2::new(-overhang, 0.0) + 0.5 * size;
     let high = Vec2::new(room.x + overhang, room.y.max(y)) - 0.5 * size;
-    let wanted = match view.center {
+    let wanted = match view.shown.center {
         Some(center) => center * room,
         None => rects[tree.current].center(),
     };

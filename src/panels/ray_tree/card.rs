@@ -4,7 +4,8 @@ mod entry;
 pub(super) mod sections;
 
 use super::node::{Describer, color, mark};
-use crate::picture::{Ink, Picture, Rect, Style, elide, symbol};
+use crate::figure::elided;
+use crate::picture::{Ink, Picture, Rect, Style, symbol};
 use crate::replay::rays::RayState;
 use entry::{Entry, Section};
 
@@ -67,8 +68,7 @@ pub(super) fn line(picture: &mut Picture, describer: &Describer, ray: &RayState,
         _ => {}
     }
     let set = Style::Label.size(11.0);
-    let text = elide(&parts.join(" · "), set.style, set.size, area.width);
-    picture.text_in(area, text, set);
+    elided(picture, area, &parts.join(" · "), set);
 }
 
 /// Sections from the top down, each line as far as there is room.
@@ -125,10 +125,7 @@ fn write(picture: &mut Picture, entry: &Entry, area: Rect, mut y: f32) -> f32 {
                 Ink::Rgb(color).fill().outlined(Ink::Muted.stroke(1.0)),
             );
         }
-        let text = elide(row, entry.set.style, entry.set.size, place.width);
-        let add = |picture: &mut Picture| {
-            picture.text_in(place, text, entry.set);
-        };
+        let add = |picture: &mut Picture| elided(picture, place, row, entry.set);
         match entry.tag {
             Some(tag) => {
                 picture.tagged(tag, add);

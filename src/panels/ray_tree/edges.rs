@@ -4,8 +4,8 @@ use super::arrange::{Arrangement, Detail};
 use super::node::{color, letter, line, nothing_passes, too_deep};
 use super::pick::Rays;
 use crate::algorithms::ray_tree::{End, RayKind};
+use crate::figure::{cross, crosses, within};
 use crate::language::Language;
-use crate::panels::labels::crosses;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::rays::{CurrentBranch, Outcome};
 use glam::Vec2;
@@ -44,7 +44,7 @@ pub(super) fn draw(
             Vec2::new(from.center().x, from.bottom()),
             Vec2::new(rect.center().x, rect.y),
         ];
-        let Some([top, bottom]) = within(ends, area) else {
+        let Some([top, bottom]) = within(ends, area.grown(-BAND)) else {
             continue;
         };
         let ray = rays.ray(node);
@@ -219,29 +219,7 @@ fn stubs(
                 center - Vec2::Y * 4.0,
                 Ink::Muted.stroke(1.0).dashed(),
             );
-            for along in [Vec2::new(3.5, 3.5), Vec2::new(3.5, -3.5)] {
-                picture.line(center - along, center + along, Ink::Bad.stroke(1.5));
-            }
+            cross(picture, center, 3.5, 1.5);
         }
     }
-}
-
-/// The part of a line within a rectangle (Liang and Barsky 1984), kept off its border by the width of a band.
-fn within([from, to]: [Vec2; 2], area: Rect) -> Option<[Vec2; 2]> {
-    let area = area.grown(-BAND);
-    let along = to - from;
-    let (mut first, mut last) = (0.0_f32, 1.0_f32);
-    for axis in 0..2 {
-        let (low, high) = (area.min()[axis] - from[axis], area.max()[axis] - from[axis]);
-        if along[axis] == 0.0 {
-            if low > 0.0 || high < 0.0 {
-                return None;
-            }
-            continue;
-        }
-        let (enter, leave) = (low / along[axis], high / along[axis]);
-        first = first.max(enter.min(leave));
-        last = last.min(enter.max(leave));
-    }
-    (first < last).then(|| [from + first * along, from + last * along])
 }

@@ -5,9 +5,10 @@ use super::strings::*;
 use crate::algorithms::ray_tree::{End, RayKind};
 use crate::algorithms::visible::Intersection;
 use crate::color::Rgb;
+use crate::figure::Cell;
 use crate::panels::names;
 use crate::panels::strings::Language;
-use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, Text, elide, symbol};
+use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, Text, symbol};
 use crate::replay::rays::{Outcome, RayState, State};
 
 /// Width of the strip that shows a node's light.
@@ -307,21 +308,9 @@ struct Writer<'a> {
 impl Writer<'_> {
     /// The first of several wordings that fits, else the last, shortened.
     fn line(&mut self, wordings: &[String], set: Text) {
-        let width = self.right - self.left;
-        let fitting = wordings.iter().find(|text| set.width(text) <= width);
-        let text = match fitting {
-            Some(text) => text.clone(),
-            None => elide(
-                wordings.last().map_or("", |last| last),
-                set.style,
-                set.size,
-                width,
-            ),
-        };
-        if !text.is_empty() {
-            let place = Rect::new(self.left, self.y, width, self.line);
-            self.picture.text_in(place, text, set);
-        }
+        let place = Rect::new(self.left, self.y, self.right - self.left, self.line);
+        let forms = wordings.iter().map(|text| (text.clone(), set));
+        Cell::forms(forms).draw(self.picture, place);
         self.y += self.line;
     }
 

@@ -2,6 +2,7 @@ use super::super::fixture::{BALL, FLOOR, Fixture, SKY, SPARK, rays_scene};
 use super::super::fixtures::{SIZES, assert_legible, fixtures, nothing, texts};
 use super::super::strings::Language;
 use super::*;
+use crate::figure::View;
 use crate::picture::Shape;
 use crate::record::Value;
 use crate::render::Method;
@@ -53,7 +54,7 @@ fn a_large_tree_is_legible_at_any_step_zoom_and_size() {
         fixture.seek(step);
         for size in SIZES {
             for zoom in [1.0, 3.0, 20.0] {
-                let tree = TreeView::WHOLE.zoomed(zoom);
+                let tree = TreeView::WHOLE.showing(View::WHOLE.zoomed(zoom));
                 let input = PanelInput {
                     tree: &tree,
                     ..fixture.input()
@@ -245,11 +246,11 @@ fn a_node_and_its_edge_lead_to_the_step_that_opened_the_ray() {
 fn the_ray_in_hand_stays_in_view_until_the_viewer_looks_elsewhere() {
     let mut fixture = large();
     let size = Vec2::new(420.0, 320.0);
-    let follow = TreeView::WHOLE.zoomed(6.0);
-    let fixed = TreeView {
+    let follow = TreeView::WHOLE.showing(View::WHOLE.zoomed(6.0));
+    let fixed = follow.showing(View {
         center: Some(Vec2::splat(0.1)),
-        ..follow.clone()
-    };
+        ..follow.shown
+    });
     for n in (0..200).step_by(40) {
         fixture.go_to("Local", n);
         let tag = Tag::Scope(rays_of(&fixture).ray().unwrap().step);
@@ -291,8 +292,8 @@ fn of_a_huge_tree_no_more_is_drawn_than_is_legible() {
         state.rays.push(ray);
     }
     state.current = Some(COUNT - 1);
-    for zoom in [1.0, TreeView::LARGEST] {
-        let view = TreeView::WHOLE.zoomed(zoom);
+    for zoom in [1.0, View::LARGEST] {
+        let view = TreeView::WHOLE.showing(View::WHOLE.zoomed(zoom));
         let drawn = arrange(&Rays::new(&state), &view, area(Vec2::new(690.0, 620.0)));
         let tree = drawn.tree;
         assert_eq!(tree.nodes.len() + tree.hidden, COUNT);

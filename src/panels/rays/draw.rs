@@ -1,9 +1,9 @@
 //! One view: objects, eye and picture plane, lights, rays.
 
-use super::super::labels::Labels;
 use super::super::names;
 use super::outline;
 use super::view::View;
+use crate::figure::{Labels, cross};
 use crate::language::Message;
 use crate::panels::PanelInput;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
@@ -293,11 +293,8 @@ impl Layout<'_> {
 
     fn cross(&mut self, at: DVec3) {
         let at = self.view.place(at);
-        if !self.view.shows(at, 8.0) {
-            return;
-        }
-        for arm in [Vec2::new(5.0, 5.0), Vec2::new(5.0, -5.0)] {
-            self.picture.line(at - arm, at + arm, Ink::Bad.stroke(2.5));
+        if self.view.shows(at, 8.0) {
+            cross(self.picture, at, 5.0, 2.5);
         }
     }
 }

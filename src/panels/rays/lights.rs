@@ -1,9 +1,9 @@
 //! Lights in a view: where they are, or in which direction.
 
-use super::super::labels::within;
 use super::super::names;
 use super::draw::Layout;
 use crate::color::Rgb;
+use crate::figure::within;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::scene::Light;
 use glam::Vec2;

@@ -104,16 +104,16 @@ fn plane(point: DVec3, normal: DVec3, eye: DVec3, view: &View) -> Option<[Vec2; 
     // n·(eye + a·across + b·up − point) = 0, at the foot of the eye.
     let foot = eye
         - (eye - point).dot(normal) / flat.length_squared()
-            * (flat.x * view.across + flat.y * view.up);
+            * (flat.x * view.projection.across + flat.y * view.projection.up);
     let along = flat.perp().normalize();
-    let along = along.x * view.across + along.y * view.up;
+    let along = along.x * view.projection.across + along.y * view.projection.up;
     let far = view.beyond(along);
     view.line(foot - far * along, foot + far * along)
 }
 
 /// Edges between a face that is turned toward the viewer and one that is not, and edges of one face alone.
 fn silhouette(mesh: &Mesh, view: &View) -> Vec<[Vec2; 2]> {
-    let toward = view.toward_viewer();
+    let toward = view.projection.toward_viewer();
     let front: Vec<bool> = (0..mesh.face_count())
         .map(|face| mesh.normal(face).dot(toward) > 0.0)
         .collect();

@@ -92,7 +92,7 @@ fn a_light_follows_the_pointer_in_the_plane_of_its_view() {
                 grip.position(at + Vec2::new(2.0, 1.0)).distance(position) < 1e-4 / scale.min(1.0)
             );
             let moved = grip.position(at + Vec2::new(32.0, -19.0));
-            let toward = view.toward_viewer();
+            let toward = view.projection.toward_viewer();
             assert!((moved - position).dot(toward).abs() < 1e-9);
             assert!(view.place(moved).distance(at + Vec2::new(30.0, -20.0)) < 1e-2);
             // Far outside it stops at the border.

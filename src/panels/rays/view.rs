@@ -1,9 +1,8 @@
 //! A parallel projection of the scene onto a part of the panel.
 
-use super::super::fit::Fit;
-use super::super::labels::within;
 use super::outline;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::figure::{Fit, Projection, within};
 use crate::picture::{Rect, Text};
 use crate::scene::Light;
 use glam::{DVec2, DVec3, Vec2};
@@ -20,11 +19,7 @@ const NAMES: f32 = 12.0;
 /// Where places of the world are drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Unit, to the right.
-    pub across: DVec3,
-    /// Unit, upward.
-    pub up: DVec3,
-    fit: Fit,
+    pub projection: Projection,
     /// Nothing is drawn outside.
     pub area: Rect,
 }
@@ -63,39 +58,37 @@ impl View {
         // Names stand under what stands on the ground.
         inner.height -= NAMES;
         View {
-            across,
-            up,
-            fit: Fit::new(shown_low, shown_high, inner),
+            projection: Projection {
+                across,
+                up,
+                fit: Fit::new(shown_low, shown_high, inner),
+            },
             area,
         }
     }
 
-    /// Toward the one who looks.
-    pub fn toward_viewer(&self) -> DVec3 {
-        self.across.cross(self.up)
-    }
-
     /// y up.
     pub fn flat(&self, vector: DVec3) -> DVec2 {
-        DVec2::new(vector.dot(self.across), vector.dot(self.up))
+        let Projection { across, up, .. } = self.projection;
+        DVec2::new(vector.dot(across), vector.dot(up))
     }
 
     pub fn place(&self, place: DVec3) -> Vec2 {
-        let flat = self.flat(place);
-        self.fit.place(DVec2::new(flat.x, -flat.y))
+        self.projection.place(place)
     }
 
     /// The place of the world that is drawn at `at`, as far from the viewer as `beside`.
     pub fn lift(&self, at: Vec2, beside: DVec3) -> DVec3 {
         let at = at.clamp(self.area.min(), self.area.max());
-        let flat = self.fit.point(at);
-        let toward = self.toward_viewer();
-        flat.x * self.across - flat.y * self.up + beside.dot(toward) * toward
+        let Projection { across, up, fit } = self.projection;
+        let flat = fit.point(at);
+        let toward = self.projection.toward_viewer();
+        flat.x * across - flat.y * up + beside.dot(toward) * toward
     }
 
     /// Points a unit of length.
     pub fn scale(&self) -> f32 {
-        self.fit.scale as f32
+        self.projection.fit.scale as f32
     }
 
     /// The part of a line that lies in the view.
@@ -111,7 +104,7 @@ impl View {
     /// From a place in a direction to the border of the view; longer than the view is wide.
     pub fn beyond(&self, direction: DVec3) -> f64 {
         let length = self.flat(direction).length();
-        let reach = 4.0 * f64::from(self.area.width + self.area.height) / self.fit.scale;
+        let reach = 4.0 * f64::from(self.area.width + self.area.height) / self.projection.fit.scale;
         reach / length.max(1e-3)
     }
 

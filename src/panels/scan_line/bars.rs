@@ -2,9 +2,9 @@
 //! The ramp of a colour is its shades, that of a normal a fan of arrows: how it turns, and how it grows shorter on the way.
 
 use super::super::values::{difference, short};
-use crate::color::Rgb;
+use crate::figure::{Cell, gradient, mono_or_narrow};
 use crate::language::{Language, Message};
-use crate::picture::{Image, Ink, Picture, Rect, Stroke, Style, Tag, Text, measure};
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::record::Value;
 use crate::replay::shading::{Interpolated, State};
 use glam::{DVec3, Vec2};
@@ -20,8 +20,6 @@ const BAR: f32 = 24.0;
 const LINE: f32 = 16.0;
 /// The width from which on the values stand side by side.
 const WIDE: f32 = 420.0;
-/// Colours along the ramp.
-const SHADES: u32 = 64;
 
 /// By how much the fan of a normal is higher than the shades of a colour.
 const FAN: f32 = 20.0;
@@ -164,7 +162,7 @@ impl Interpolation {
             }
             _ => {
                 if let (Value::Rgb(one), Value::Rgb(two)) = (one, two) {
-                    picture.image(strip, shades(one, two));
+                    picture.image(strip, gradient(|share| one * (1.0 - share) + two * share));
                 }
                 picture.rect(strip, Ink::Rule.stroke(1.0));
                 let mark = Rect::new(x - 3.0, strip.y - 2.0, 6.0, strip.height + 4.0);
@@ -221,8 +219,8 @@ impl Interpolation {
                 title,
             );
             picture.tagged(Tag::Field(name), |picture| {
-                let set = fitted(&value, room);
-                picture.text((value_at.0, value_at.1 + below), value, set);
+                let place = Rect::new(value_at.0, value_at.1, room, LINE);
+                Cell::forms(mono_or_narrow(value, 12.0, Ink::Text)).draw(picture, place);
             });
         }
     }
@@ -236,15 +234,6 @@ fn exact(value: Value, digits: usize, language: Language) -> String {
         Value::Rgb(color) => color.channels().map(one).join(" "),
         Value::Vector(vector) => vector.to_array().map(one).join(" "),
         value => short(value, digits, language),
-    }
-}
-
-/// Typewriter where it fits, else the narrower text face.
-fn fitted(text: &str, room: f32) -> Text {
-    if measure(text, Style::Mono, 12.0) <= room {
-        Style::Mono.size(12.0)
-    } else {
-        Style::Body.size(11.0)
     }
 }
 
@@ -279,14 +268,4 @@ fn fan(picture: &mut Picture, strip: Rect, [one, two]: [DVec3; 2], at: f64) {
         arrow(f64::from(i) / f64::from(count), Ink::Muted.stroke(1.0));
     }
     arrow(at, Ink::This.stroke(2.5));
-}
-
-/// Colours from one to another, left to right.
-fn shades(one: Rgb, two: Rgb) -> Image {
-    let last = f64::from(SHADES - 1);
-    let bytes: Vec<u8> = (0..SHADES)
-        .map(|i| f64::from(i) / last)
-        .flat_map(|share| (one * (1.0 - share) + two * share).to_srgb8())
-        .collect();
-    Image::new(SHADES, 1, bytes)
 }

@@ -1,6 +1,6 @@
 //! The corners of the current polygon, with the values known so far.
 
-use super::super::labels::Labels;
+use crate::figure::Labels;
 use crate::picture::{Picture, Stroke, Tag};
 use crate::record::Value;
 use crate::replay::shading::State;

@@ -1,8 +1,7 @@
 //! An edge of the wireframe, and the pixels that stand for it.
 
-use super::super::fit::Fit;
-use super::super::labels::Labels;
 use crate::algorithms::wireframe::Event;
+use crate::figure::{Fit, Labels};
 use crate::language::Language;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::{Replay, wireframe};

@@ -1,9 +1,8 @@
 //! The current polygon with its scan line, and the names that the slide gives to its points.
 
-use super::super::fit::Fit;
-use super::super::labels::Labels;
 use super::super::values::{on_swatch, short, swatch};
 use super::corners::{Corner, corners, draw_normal};
+use crate::figure::{Fit, Labels, disc};
 use crate::language::Language;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
 use crate::record::Value;
@@ -27,10 +26,9 @@ struct Drawing<'a> {
 
 pub(super) fn draw(picture: &mut Picture, state: &State, language: Language, area: Rect) {
     let corners = corners(state);
-    let places = || corners.iter().map(|corner| corner.place);
-    let (Some(low), Some(high)) = (places().reduce(DVec2::min), places().reduce(DVec2::max)) else {
+    if corners.is_empty() {
         return;
-    };
+    }
     // Room for the labels of the outermost corners, and for y_1, y_2 at the left and y_4 at the right.
     let side = (0.15 * area.width).clamp(34.0, 76.0);
     let above = (0.09 * area.height).clamp(14.0, 34.0);
@@ -42,7 +40,7 @@ pub(super) fn draw(picture: &mut Picture, state: &State, language: Language, are
     );
     let mut drawing = Drawing {
         state,
-        fit: Fit::new(low, high, inner),
+        fit: Fit::around(corners.iter().map(|corner| corner.place), inner),
         corners,
         area,
         labels: Labels::new(area.grown(-2.0)),
@@ -193,13 +191,12 @@ impl Drawing<'_> {
                 ring,
             );
             picture.tagged(corner.tag, |picture| {
-                picture.circle(place, CORNER, swatch(corner.value).fill().outlined(ring));
+                let (at, fill) = ((place, CORNER), swatch(corner.value));
+                disc(picture, &mut self.labels, at, fill, ring);
                 let set = Style::Bold.size(11.0).ink(on_swatch(corner.value)).middle();
-                let disc = Rect::between(place, place).grown(CORNER);
-                picture.text_in(disc, (number + 1).to_string(), set);
+                let inside = Rect::between(place, place).grown(CORNER);
+                picture.text_in(inside, (number + 1).to_string(), set);
             });
-            self.labels
-                .reserve(Rect::between(place - CORNER, place + CORNER));
         }
     }
 
@@ -248,9 +245,8 @@ impl Drawing<'_> {
                 *value,
                 ring,
             );
-            picture.circle(place, POINT, swatch(*value).fill().outlined(ring));
-            self.labels
-                .reserve(Rect::between(place, place).grown(POINT));
+            let at = (place, POINT);
+            disc(picture, &mut self.labels, at, swatch(*value), ring);
         }
         let middle = self.fit.x(self.middle().x);
         for (x, x_name, name, value, calm) in points {
@@ -300,10 +296,8 @@ impl Drawing<'_> {
         }
         let place = self.fit.place(view.to_screen(camera));
         let value = point.intensity.map(Value::from);
-        let paint = swatch(value).fill().outlined(Ink::This.stroke(3.0));
-        picture.circle(place, CORNER, paint);
-        self.labels
-            .reserve(Rect::between(place, place).grown(CORNER));
+        let (at, ring) = ((place, CORNER), Ink::This.stroke(3.0));
+        disc(picture, &mut self.labels, at, swatch(value), ring);
         let name = if value.is_some() { "I" } else { "P" };
         self.label(
             picture,

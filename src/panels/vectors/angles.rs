@@ -3,8 +3,9 @@
 use super::super::names;
 use super::met::SurfaceInSight;
 use crate::color::Rgb;
+use crate::figure::Cell;
 use crate::language::{Language, Message};
-use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::replay::rays::Verdict;
 use crate::scene::{Material, Scene};
 use glam::DVec3;
@@ -28,8 +29,8 @@ struct Row {
     notes: Vec<String>,
     ink: Ink,
     tag: Tag,
-    /// The kind of step that tells it.
-    told_by: &'static str,
+    /// The kind of step that records it.
+    recorded_by: &'static str,
 }
 
 pub(super) struct Angles {
@@ -37,7 +38,7 @@ pub(super) struct Angles {
     name: String,
     title: String,
     rows: Vec<Row>,
-    /// Of the rows, the first that tells of a light.
+    /// Of the rows, the first about a light.
     lights: usize,
 }
 
@@ -49,7 +50,7 @@ fn row(
     symbol: &str,
     radians: f64,
     tag: &'static str,
-    told_by: &'static str,
+    recorded_by: &'static str,
     language: Language,
 ) -> Row {
     Row {
@@ -58,7 +59,7 @@ fn row(
         notes: Vec::new(),
         ink: Ink::Muted,
         tag: Tag::Field(tag),
-        told_by,
+        recorded_by,
     }
 }
 
@@ -168,31 +169,22 @@ impl Angles {
 
 impl Row {
     fn draw(&self, picture: &mut Picture, kind: &str, text: f32, place: Rect) {
-        let here = self.told_by == kind;
-        let ink = if here { Ink::This } else { Ink::Text };
+        let here = self.recorded_by == kind;
+        let set = Style::Label.size(text);
+        let value = set.ink(if here { Ink::This } else { Ink::Text });
+        let symbol = Style::LabelBold.size(text).ink(self.ink);
+        // Without a note that fits there is none.
+        let notes = self.notes.iter().map(String::as_str).chain([""]);
+        let notes = notes.map(|note| (note.to_string(), set.ink(Ink::Muted)));
+        let from = |x: f32| Rect::between((x.min(place.right()), place.y), place.max());
         picture.tagged(self.tag, |picture| {
-            let symbol = Style::LabelBold.size(text).ink(self.ink);
             picture.text_in(place, self.symbol.as_str(), symbol);
-            let value = Rect {
-                x: place.x + 2.2 * text,
-                ..place
-            };
-            let style = Style::Label.size(text).ink(ink);
-            picture.text_in(value, self.value.as_str(), style);
-            let x = place.x + note_start(self, style);
-            let style = Style::Label.size(text).ink(Ink::Muted);
-            let room = place.right() - x;
-            let note = self.notes.iter().find(|note| style.width(note) <= room);
-            if let Some(note) = note {
-                picture.text_in(Rect { x, ..place }, note.as_str(), style);
-            }
+            let x = place.x + 2.2 * text;
+            picture.text_in(from(x), self.value.as_str(), value);
+            let x = x + value.width(&self.value).max(3.2 * text) + 0.6 * text;
+            Cell::forms(notes).draw(picture, from(x));
         });
     }
-}
-
-/// Where the note of a row begins: after its symbol and its number.
-fn note_start(row: &Row, style: Text) -> f32 {
-    2.2 * style.size + style.width(&row.value).max(3.2 * style.size) + 0.6 * style.size
 }
 
 /// What blocks a light, from the longest form to the shortest.
@@ -210,7 +202,7 @@ fn blocked(surface: &SurfaceInSight, verdict: &Verdict, language: Language) -> V
     ]
 }
 
-/// Each light: the angle of L with N, N·L, what the shadow ray found; then H or R of the light in hand.
+/// Each light: the angle of L with N, N·L, what the shadow ray found; then H or R of the current light.
 fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
     let strings = |strings: Message| strings.text(language);
     let lean = |vector: DVec3| match surface.lean(vector) {

@@ -1,9 +1,9 @@
 //! The drawing: the surface, the media, the vectors and the arcs of their angles.
 
-use super::super::labels::Labels;
 use super::met::SurfaceInSight;
 use super::plane::Plane;
 use crate::algorithms::ray_tree::RayKind;
+use crate::figure::{Arrow, Labels, cross};
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::replay::rays::{CurrentBranch, Outcome};
@@ -13,8 +13,6 @@ const NO_T: Message = Message("vectors-no-t");
 const POINT: f32 = 4.0;
 /// Of V, which lies beside u, as a share of it.
 pub(super) const V_LENGTH: f32 = 0.62;
-/// Length and width of the head of an arrow, about.
-const HEAD: f32 = 10.0;
 
 struct Drawing<'a> {
     picture: &'a mut Picture,
@@ -25,7 +23,7 @@ struct Drawing<'a> {
     text: f32,
 }
 
-/// What an arrow is called, whether this step tells it, and what it shows.
+/// What an arrow is called, whether this step records it, and what it shows.
 struct Named<'a> {
     name: &'a str,
     here: bool,
@@ -109,7 +107,8 @@ impl Drawing<'_> {
                 let tip = self.middle - POINT * u;
                 picture.arrow(self.middle - self.unit * u, tip, stroke);
             });
-        self.avoid_arrow(self.middle - self.unit * u, self.middle - POINT * u, 3.0);
+        let start = self.middle - self.unit * u;
+        self.labels.avoid_arrow(start, self.middle - POINT * u, 3.0);
         let normal = match surface.surface.facing {
             Some((normal, ..)) => ("N", normal, kind == "Faced"),
             None => ("N_g", surface.surface.geometric, kind == "SurfaceMet"),
@@ -123,7 +122,6 @@ impl Drawing<'_> {
         let direction = surface.project(direction);
         self.arrow(direction, Ink::Text.stroke(3.5), &named);
         let style = self.style(incoming);
-        let start = self.middle - self.unit * u;
         self.labels.put(self.picture, (start, 3.0), -u, "u", style);
 
         for branch in surface.ray.branches.iter().flatten() {
@@ -147,7 +145,7 @@ impl Drawing<'_> {
 
     fn branch(&mut self, surface: &SurfaceInSight, branch: &CurrentBranch, kind: &str) {
         let Some(sent) = branch.branch else { return };
-        let (name, stroke, told_by) = match branch.kind {
+        let (name, stroke, recorded_by) = match branch.kind {
             RayKind::Primary | RayKind::Reflected => {
                 ("R", Ink::Series(0).stroke(3.0), "Reflection")
             }
@@ -170,7 +168,7 @@ impl Drawing<'_> {
             }
             Outcome::Open | Outcome::Ended(_) => (Tag::Step(branch.step), false),
         };
-        let here = kind == told_by || current;
+        let here = kind == recorded_by || current;
         self.arrow(
             surface.project(sent.direction),
             stroke,
@@ -178,7 +176,7 @@ impl Drawing<'_> {
         );
     }
 
-    /// L of each light, and V, H and R of the light in hand.
+    /// L of each light, and V, H and R of the current light.
     fn lights(&mut self, surface: &SurfaceInSight, kind: &str) {
         let Some(lit) = surface.lit() else { return };
         let current = surface.current_light();
@@ -202,7 +200,7 @@ impl Drawing<'_> {
                 .is_some_and(|verdict| verdict.blocked)
             {
                 let half = self.middle.lerp(tip, 0.55);
-                self.cross(half);
+                cross(self.picture, half, 5.0, 2.5);
             }
         }
         if lit.intensity.is_some() {
@@ -215,9 +213,9 @@ impl Drawing<'_> {
             ("H", halfway.map(|(v, _)| v), "Halfway", Ink::Series(2)),
             ("R_L", mirrored.map(|(v, _)| v), "Mirrored", Ink::Series(3)),
         ];
-        for (name, vector, told_by, ink) in vectors {
+        for (name, vector, recorded_by, ink) in vectors {
             let Some(vector) = vector else { continue };
-            let here = kind == told_by;
+            let here = kind == recorded_by;
             let field = match name {
                 "V" => "V",
                 "H" => "H",
@@ -336,37 +334,16 @@ impl Drawing<'_> {
         let below = self.labels.area().bottom() - self.middle.y - 1.4 * self.text;
         let part = (below / (self.unit * along.y).max(below)).min(1.0);
         let tip = start + self.unit * part * along;
-        let stroke = if named.here {
-            Stroke {
-                ink: Ink::This,
-                ..stroke
-            }
-        } else {
-            stroke
+        let arrow = Arrow {
+            from: start,
+            to: tip,
+            stroke,
+            tag: named.tag,
+            name: named.name,
+            size: self.text,
+            here: named.here,
         };
-        self.picture.tagged(named.tag, |picture| {
-            picture.arrow(start, tip, stroke);
-        });
-        self.avoid_arrow(start, tip, stroke.width);
-        let style = self.style(named.here);
-        self.labels
-            .put(self.picture, (tip, 2.0), along, named.name, style);
+        arrow.draw(self.picture, &mut self.labels);
         tip
-    }
-
-    /// No label on the shaft, nor on the wider head.
-    fn avoid_arrow(&mut self, start: Vec2, tip: Vec2, width: f32) {
-        self.labels.avoid_stroke(start, tip, width + 2.0);
-        let head = HEAD.min(0.4 * start.distance(tip)) * (start - tip).normalize_or_zero();
-        self.labels.avoid_stroke(tip + head, tip, HEAD);
-    }
-
-    /// Where a light is blocked.
-    fn cross(&mut self, at: Vec2) {
-        let arm = Vec2::splat(5.0);
-        let other = Vec2::new(5.0, -5.0);
-        for arm in [arm, other] {
-            self.picture.line(at - arm, at + arm, Ink::Bad.stroke(2.5));
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! The vectors of the illumination model at a point of a polygon, in the plane of N and V: N is up, V leans to the right.
 
-use super::super::labels::Labels;
 use super::plane::{Held, Plane, Tip};
+use crate::figure::{Arrow, Labels};
 use crate::language::Language;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::shading::CurrentPoint;
@@ -14,19 +14,19 @@ const LINE: f32 = 1.5;
 struct Named {
     name: String,
     vector: DVec3,
-    told_by: &'static str,
+    recorded_by: &'static str,
     ink: Ink,
     tag: Tag,
     /// What holds it up, if it can be dragged.
     held: Option<(Held, f64)>,
 }
 
-/// The vectors told so far: N and V, L of each light, R or H of the light in hand.
+/// The vectors recorded so far: N and V, L of each light, R or H of the current light.
 fn vectors(point: &CurrentPoint, eye: DVec3) -> Vec<Named> {
-    let field = |name: &'static str, vector, told_by, ink| Named {
+    let field = |name: &'static str, vector, recorded_by, ink| Named {
         name: name.to_owned(),
         vector,
-        told_by,
+        recorded_by,
         ink,
         tag: Tag::Field(name),
         held: None,
@@ -135,16 +135,16 @@ pub(super) fn draw(
         // Below the surface there is room for a part of the length only.
         let part = (below / (plane.unit * along.y).max(below)).min(1.0);
         let tip = middle + plane.unit * part * along;
-        let here = named.told_by == kind;
-        let ink = if here { Ink::This } else { named.ink };
-        picture.tagged(named.tag, |picture| {
-            picture.arrow(middle, tip, ink.stroke(3.0));
-        });
-        labels.avoid_stroke(middle, tip, 5.0);
-        let style = Style::LabelBold
-            .size(1.2 * text)
-            .ink(if here { Ink::This } else { Ink::Text });
-        labels.put(picture, (tip, 2.0), along, &named.name, style);
+        let arrow = Arrow {
+            from: middle,
+            to: tip,
+            stroke: named.ink.stroke(3.0),
+            tag: named.tag,
+            name: &named.name,
+            size: 1.2 * text,
+            here: named.recorded_by == kind,
+        };
+        arrow.draw(picture, &mut labels);
     }
     let disc = Ink::Surface.fill().outlined(Ink::Text.stroke(2.0));
     picture.circle(middle, POINT, disc);
@@ -164,7 +164,7 @@ pub(super) fn draw(
             list.width,
             LINE * text,
         );
-        let ink = if named.told_by == kind {
+        let ink = if named.recorded_by == kind {
             Ink::This
         } else {
             Ink::Text

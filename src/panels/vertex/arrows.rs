@@ -1,12 +1,11 @@
 //! The faces around the point, and the unit vectors that start there.
 
-use super::super::fit::Fit;
-use super::super::labels::Labels;
 use super::super::values::swatch;
-use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
+use crate::figure::{Arrow, Labels, Projection};
+use crate::picture::{Ink, Picture, Rect, Stroke, Tag};
 use crate::record::Value;
 use crate::replay::shading::{CurrentLight, CurrentPoint, CurrentVertex, State};
-use glam::{DVec2, DVec3, Vec2};
+use glam::{DVec3, Vec2};
 
 /// How high above the surface it is looked at from, in degrees.
 const ELEVATION: f64 = 30.0;
@@ -15,30 +14,15 @@ const POINT: f32 = 6.0;
 /// How much longer than the face normals the vectors at the point are.
 const LONGER: f64 = 1.1;
 
-/// A parallel projection.
-struct Turned {
-    right: DVec3,
-    up: DVec3,
-}
-
-impl Turned {
-    /// Looks at a surface from its side: its `normal` points up, and a vector `to_eye` leans to the right by its full angle.
-    fn beside(normal: DVec3, to_eye: DVec3) -> Self {
-        let side = to_eye.cross(normal).try_normalize();
-        let side = side.unwrap_or_else(|| normal.any_orthonormal_vector());
-        let (sin, cos) = ELEVATION.to_radians().sin_cos();
-        let toward_viewer = cos * side + sin * normal;
-        let up = cos * normal - sin * side;
-        Turned {
-            right: up.cross(toward_viewer),
-            up,
-        }
-    }
-
-    /// y down, as in a panel.
-    fn project(&self, v: DVec3) -> DVec2 {
-        DVec2::new(v.dot(self.right), -v.dot(self.up))
-    }
+/// Right and up of one who looks at a surface from its side: its `normal` points up, and a vector `to_eye` leans to the right by its
+/// full angle.
+fn beside(normal: DVec3, to_eye: DVec3) -> [DVec3; 2] {
+    let side = to_eye.cross(normal).try_normalize();
+    let side = side.unwrap_or_else(|| normal.any_orthonormal_vector());
+    let (sin, cos) = ELEVATION.to_radians().sin_cos();
+    let toward_viewer = cos * side + sin * normal;
+    let up = cos * normal - sin * side;
+    [up.cross(toward_viewer), up]
 }
 
 /// A face with its corners in the world.
@@ -51,8 +35,7 @@ struct Face {
 }
 
 struct Drawing {
-    turned: Turned,
-    fit: Fit,
+    projection: Projection,
     labels: Labels,
     /// Points to a unit vector.
     unit: f32,
@@ -70,17 +53,7 @@ pub(super) fn draw(picture: &mut Picture, state: &State, kind: &str, area: Rect)
     } else {
         normal
     };
-    let turned = Turned::beside(normal, to_eye);
-    let corners = faces.iter().flat_map(|face| &face.corners);
-    let places: Vec<DVec2> = corners
-        .chain([&at])
-        .map(|&corner| turned.project(corner))
-        .collect();
-    let low = places.iter().copied().fold(places[0], DVec2::min);
-    let high = places.iter().copied().fold(places[0], DVec2::max);
     let unit = (0.42 * area.width.min(area.height)).min(150.0);
-    let extent = (high - low).max_element().max(f64::MIN_POSITIVE);
-    // The scene's unit of length may be anything: the projection is brought to size 1 first.
     let above = LONGER as f32 * unit;
     let margin = 0.08 * area.width;
     let ground = Rect::new(
@@ -89,13 +62,11 @@ pub(super) fn draw(picture: &mut Picture, state: &State, kind: &str, area: Rect)
         area.width - 2.0 * margin,
         area.height - above - margin,
     );
-    let fit = Fit::new(low / extent, high / extent, ground);
+    let [across, up] = beside(normal, to_eye);
+    let corners = faces.iter().flat_map(|face| &face.corners);
+    let corners = corners.chain([&at]).copied();
     let mut drawing = Drawing {
-        turned: Turned {
-            right: turned.right / extent,
-            up: turned.up / extent,
-        },
-        fit,
+        projection: Projection::around(across, up, corners, ground),
         labels: Labels::new(area),
         unit,
     };
@@ -130,7 +101,7 @@ fn position(state: &State) -> Option<DVec3> {
     vertex.or(state.point.as_ref().map(|point| point.position))
 }
 
-/// The faces around the vertex in hand, or the polygon in hand alone.
+/// The faces around the current vertex, or the current polygon alone.
 fn faces(state: &State) -> Vec<Face> {
     let number = state.polygon.map(|polygon| polygon.polygon as usize);
     let Some(polygon) = number.and_then(|number| state.prepared.polygon(number)) else {
@@ -158,7 +129,7 @@ fn faces(state: &State) -> Vec<Face> {
 
 impl Drawing {
     fn place(&self, point: DVec3) -> Vec2 {
-        self.fit.place(self.turned.project(point))
+        self.projection.place(point)
     }
 
     /// Faces whose normals were added are tinted; fainter once the point is being lit.
@@ -204,32 +175,24 @@ impl Drawing {
             let (_, normal, step) = vertex.faces[k];
             let middle = face.corners.iter().sum::<DVec3>() / face.corners.len() as f64;
             let newest = k + 1 == last && kind == "FaceNormalAdded";
-            let ink = if newest {
-                Ink::This
-            } else {
-                Ink::Series(k as u8)
-            };
             let name = format!("N_{}", k + 1);
-            picture.tagged(Tag::Step(step), |picture| {
-                self.arrow(picture, middle, normal, ink.stroke(2.0), &name, newest);
-            });
+            let stroke = Ink::Series(k as u8).stroke(2.0);
+            let named = (name.as_str(), newest, Tag::Step(step));
+            self.arrow(picture, middle, normal, stroke, named);
         }
         let here = kind == "VertexNormal" || kind == "NormalVanished";
         if let Some(normal) = vertex.normal {
-            let ink = if here { Ink::This } else { Ink::Text };
-            picture.tagged(Tag::Field("N_v"), |picture| {
-                self.arrow(picture, at, normal * LONGER, ink.stroke(4.0), "N_v", here);
-            });
+            let (stroke, named) = (Ink::Text.stroke(4.0), ("N_v", here, Tag::Field("N_v")));
+            self.arrow(picture, at, normal * LONGER, stroke, named);
         } else if last > 0 {
             let mean = vertex.sum / faces.len().max(1) as f64;
             let stroke = Ink::Text.stroke(2.5).dashed();
-            picture.tagged(Tag::Field("sum_N"), |picture| {
-                self.arrow(picture, at, mean * LONGER, stroke, "ΣN_k", false);
-            });
+            let named = ("ΣN_k", false, Tag::Field("sum_N"));
+            self.arrow(picture, at, mean * LONGER, stroke, named);
         }
     }
 
-    /// N, V, and of the light in hand L and H or R.
+    /// N, V, and of the current light L and H or R.
     fn draw_vectors(&mut self, picture: &mut Picture, at: DVec3, point: &CurrentPoint, kind: &str) {
         let light = point.lights.last();
         let of_light = |vector: fn(&CurrentLight) -> Option<(DVec3, f64)>| {
@@ -260,13 +223,10 @@ impl Drawing {
                 2.5,
             ),
         ];
-        for (name, vector, told_by, ink, width) in vectors {
+        for (name, vector, recorded_by, ink, width) in vectors {
             let Some(vector) = vector else { continue };
-            let here = kind == told_by;
-            let ink = if here { Ink::This } else { ink };
-            picture.tagged(Tag::Field(name), |picture| {
-                self.arrow(picture, at, vector * LONGER, ink.stroke(width), name, here);
-            });
+            let named = (name, kind == recorded_by, Tag::Field(name));
+            self.arrow(picture, at, vector * LONGER, ink.stroke(width), named);
         }
     }
 
@@ -276,27 +236,22 @@ impl Drawing {
         from: DVec3,
         vector: DVec3,
         stroke: Stroke,
-        name: &str,
-        here: bool,
+        (name, here, tag): (&str, bool, Tag),
     ) {
         let from = self.place(from);
         // Of a unit vector's own length, whatever the size of the faces.
-        let scale = f64::from(self.unit) / self.fit.scale * self.length();
-        let along = self.turned.project(vector) * scale * self.fit.scale;
+        let along = f64::from(self.unit) * self.projection.flat(vector);
         let to = from + along.as_vec2();
-        picture.arrow(from, to, stroke);
-        self.labels.avoid(from, to);
-        let set = if here {
-            Style::LabelBold.size(14.0).ink(Ink::This)
-        } else {
-            Style::LabelBold.size(14.0)
+        let arrow = Arrow {
+            from,
+            to,
+            stroke,
+            tag,
+            name,
+            size: 14.0,
+            here,
         };
-        self.labels.put(picture, (to, 3.0), to - from, name, set);
-    }
-
-    /// What the projection makes of a unit of length.
-    fn length(&self) -> f64 {
-        self.turned.right.length().recip()
+        arrow.draw(picture, &mut self.labels);
     }
 }
 

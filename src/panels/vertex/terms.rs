@@ -1,9 +1,11 @@
-//! The values of the point in hand, and its intensity as a sum of terms.
+//! The values of the current point, and its intensity as a sum of terms.
 
+use super::super::channels::CHANNELS;
 use super::super::values::short;
 use crate::color::Rgb;
+use crate::figure::{Cell, mono_or_narrow};
 use crate::language::{Language, Message};
-use crate::picture::{Ink, Picture, Rect, Style, Tag, measure, symbol};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, symbol};
 use crate::record::Value;
 use crate::replay::shading::{CurrentPoint, State};
 
@@ -12,13 +14,13 @@ const ROW: f32 = 17.0;
 const BAR: f32 = 13.0;
 /// Of the column of names.
 const NAMES: f32 = 34.0;
+const SWATCH: f32 = 16.0;
 /// Ambient, diffuse and specular: the ink of the bar, its letter, and the ink of the letter on it.
 const TERMS: [Term; 3] = [
     Term(Ink::Series(0), "a", Ink::Rgb(Rgb::WHITE)),
     Term(Ink::Series(1), "d", Ink::Rgb(Rgb::BLACK)),
     Term(Ink::Series(2), "s", Ink::Rgb(Rgb::BLACK)),
 ];
-const CHANNELS: [&str; 3] = ["r", "g", "b"];
 /// The least decimals that still say something.
 const FEWEST: usize = 2;
 
@@ -85,33 +87,26 @@ pub(super) fn draw(picture: &mut Picture, state: &State, language: Language, are
 }
 
 fn draw_row(picture: &mut Picture, row: &Row, language: Language, place: Rect) {
-    let name = Style::Label.size(SIZE).ink(Ink::Muted);
+    let set = Style::Label.size(SIZE).ink(Ink::Muted);
+    // The most decimals that fit, in the widest face that does; of what does not fit, nothing.
+    let values = (FEWEST..=3)
+        .rev()
+        .flat_map(|digits| mono_or_narrow(short(row.value, digits, language), SIZE, Ink::Text));
+    let values = values.chain([(String::new(), set)]);
     picture.tagged(Tag::Field(row.name), |picture| {
-        if let Some(ink) = row.ink {
-            let side = 9.0;
-            let y = place.center().y - 0.5 * side;
-            let paint = ink.fill().outlined(Ink::Muted.stroke(1.0));
-            picture.rect(Rect::new(place.x, y, side, side), paint);
-        }
-        let strings = Rect::new(place.x + 14.0, place.y, NAMES, place.height);
-        picture.text_in(strings, row.shown.clone(), name);
-        let start = strings.x + NAMES.max(name.width(&row.shown) + 6.0);
-        let room = place.right() - start;
-        // The most decimals that fit, in the widest face that does.
-        let faces = [(Style::Mono, SIZE), (Style::Body, 11.0)];
-        let fitting = (FEWEST..=3)
-            .rev()
-            .flat_map(|digits| {
-                faces.map(|(style, size)| (short(row.value, digits, language), style.size(size)))
-            })
-            .find(|(text, set)| measure(text, set.style, set.size) <= room);
-        if let Some((text, set)) = fitting {
-            picture.text_in(Rect::new(start, place.y, room, place.height), text, set);
-        }
+        let from = |x: f32| Rect::between((x.min(place.right()), place.y), place.max());
+        // Names stand below each other, with a swatch or without.
+        let name = Cell::new(row.shown.clone(), set).swatch(row.ink);
+        name.draw(
+            picture,
+            from(place.x + if row.ink.is_some() { 0.0 } else { SWATCH }),
+        );
+        let start = place.x + SWATCH + NAMES.max(set.width(&row.shown) + 6.0);
+        Cell::forms(values).draw(picture, from(start));
     });
 }
 
-/// What is known of the point, the light in hand at the end.
+/// What is known of the point, the current light at the end.
 fn rows_of_point(point: &CurrentPoint, language: Language) -> Vec<Row> {
     let mut rows = Vec::new();
     rows.extend(
@@ -165,7 +160,7 @@ fn rows_of_normals(state: &State) -> Vec<Row> {
     rows
 }
 
-/// The terms told so far, light by light, with their inks.
+/// The terms recorded so far, light by light, with their inks.
 fn parts(point: &CurrentPoint) -> Vec<(Rgb, Term)> {
     let mut parts: Vec<(Rgb, Term)> = point
         .ambient
@@ -197,7 +192,7 @@ fn draw_bar(picture: &mut Picture, bar: Rect, parts: &[(Rgb, Term)], channel: us
         bar
     } else {
         let name = Rect::new(bar.x, bar.y, 12.0, bar.height);
-        picture.text_in(name, CHANNELS[channel], letter.ink(Ink::Muted));
+        picture.text_in(name, CHANNELS[channel].letter, letter.ink(Ink::Muted));
         Rect::new(name.right(), bar.y, bar.width - name.width, bar.height)
     };
     picture.rect(bar, Ink::Faint);

@@ -1,24 +1,29 @@
 //! Plots of what a study found, as display lists: both axes logarithmic, every curve labelled where it runs, the Pareto front
 //! marked, quartiles as bars, and the reference's own error as a line.
 
-pub mod axis;
-pub mod curve;
+mod curve;
 
 use super::form::Axes;
 use super::harness::{Findings, Part, Point};
 use super::report::strings;
-use crate::language::Language;
-use crate::panels::labels::Labels;
-use crate::picture::{Ink, Picture, Rect, Style};
-use axis::{Axis, Named, Span};
-use curve::Look;
+use crate::figure::{Axis, Labels, Plot, Scale, Series, Unit, View, legend};
+use crate::language::{Language, Message};
+use crate::picture::{Ink, Picture, Rect, Style, wrap};
 use glam::Vec2;
 
-/// Of the plot of one part, in points.
+/// Of the plot of one part in a file, in points.
 pub const SIZE: Vec2 = Vec2::new(1000.0, 700.0);
+/// Height of its heading.
+const HEADING: f32 = 62.0;
+const MARGIN: f32 = 20.0;
 
 const TEXT: f32 = 12.0;
-const SMALL: f32 = 10.5;
+const SMALL: f32 = 11.0;
+
+const TIME: Message = Message("study-time");
+const RMS_ERROR: Message = Message("study-rms-error");
+const OWN_ERROR: Message = Message("study-own-error");
+const NO_RESULT: Message = Message("study-no-result");
 
 /// The plots of all parts, two side by side where there are several.
 pub fn plot(findings: &Findings) -> Picture {
@@ -26,11 +31,8 @@ pub fn plot(findings: &Findings) -> Picture {
         .parts
         .iter()
         .map(|part| {
-            plot_part(
-                findings.study.title.text(Language::English),
-                findings.parts.len() > 1,
-                part,
-            )
+            let title = findings.study.title.text(Language::English);
+            sheet(title, findings.parts.len() > 1, part)
         })
         .collect();
     let columns = plots.len().clamp(1, 2);
@@ -46,8 +48,23 @@ pub fn plot(findings: &Findings) -> Picture {
     sheet
 }
 
-/// The coordinates of a point, where the axes have some for it. An error of zero has none on a logarithmic axis: it is told as 0.
-pub fn coordinates(axes: Axes, point: &Point) -> Option<[f64; 2]> {
+/// A part as it stands in a file, under its title.
+fn sheet(title: &str, several: bool, part: &Part) -> Picture {
+    let mut picture = Picture::new(SIZE.x, SIZE.y);
+    let title = match several {
+        true => format!("{title}: {}", part.title.text(Language::English)),
+        false => title.to_string(),
+    };
+    heading(&mut picture, &title, part);
+    let size = SIZE - Vec2::new(2.0 * MARGIN, HEADING + 0.5 * MARGIN);
+    let plot = plot_part(part, Language::English, size, View::WHOLE);
+    picture.place((MARGIN, HEADING), plot);
+    picture.alt = in_words(&title, part);
+    picture
+}
+
+/// The coordinates of a point, where the axes have some for it. Zero stands below all other values.
+fn coordinates(axes: Axes, point: &Point) -> Option<[f64; 2]> {
     let error = point
         .errors
         .map(|errors| errors.rms)
@@ -59,75 +76,100 @@ pub fn coordinates(axes: Axes, point: &Point) -> Option<[f64; 2]> {
     })
 }
 
-fn plot_part(title: &str, several: bool, part: &Part) -> Picture {
-    let mut picture = Picture::new(SIZE.x, SIZE.y);
-    picture.rect(picture.bounds(), Ink::Surface);
-    let title = match several {
-        true => format!("{title}: {}", part.title.text(Language::English)),
-        false => title.to_string(),
-    };
-    heading(&mut picture, &title, part);
-    let place = Rect::new(86.0, 74.0, SIZE.x - 86.0 - 24.0, SIZE.y - 74.0 - 58.0);
-    let coordinates: Vec<[f64; 2]> = part
-        .points()
-        .filter_map(|(_, point)| coordinates(part.axes, point))
-        .collect();
-    let own = Some(part.reference.error).filter(|_| part.axes != Axes::TimeOverSize);
-    let spans = [0, 1].map(|axis| Span::of(coordinates.iter().map(|point| point[axis])));
-    let [Some(across), Some(up)] = spans else {
+/// The plot of a part, or of it what is looked at. Points carry their tags.
+pub fn plot_part(part: &Part, language: Language, size: Vec2, view: View) -> Picture {
+    let mut picture = Picture::new(size.x, size.y);
+    let Some(plot) = axes(part, language, picture.bounds(), view) else {
         let sorry = Style::Body.size(TEXT).ink(Ink::Muted).middle();
-        picture.text_in(place, "No setting has a result.", sorry);
+        picture.text_in(picture.bounds(), NO_RESULT.text(language), sorry);
         return picture;
     };
-    let named = |times: bool| if times { Named::Seconds } else { Named::Number };
-    let across_named = named(part.axes == Axes::ErrorOverTime);
-    let up_named = named(part.axes == Axes::TimeOverSize);
-    let x = Axis::new(across, across_named, [place.x, place.right()]);
-    let y = Axis::new(up, up_named, [place.bottom(), place.y]);
-    x.draw_across(&mut picture, place, &across_name(part));
-    y.draw_up(&mut picture, place, &up_name(part));
-
-    let mut labels = Labels::new(place.grown(-4.0));
-    if let Some(own) = own.filter(|&own| y.holds(own)) {
-        own_error(&mut picture, &mut labels, place, y.at(own));
+    plot.draw(&mut picture);
+    let mut labels = Labels::new(plot.place.grown(-4.0));
+    let own = Some(part.reference.error).filter(|_| part.axes != Axes::TimeOverSize);
+    if let Some(own) = own.filter(|&own| own > 0.0 && plot.y.scale.holds(own)) {
+        own_error(&mut picture, &mut labels, &plot, own, language);
     }
-    let at = |point: &Point| {
-        let [across, up] = self::coordinates(part.axes, point)?;
-        Some(Vec2::new(x.at(across), y.at(up)))
-    };
-    if part.axes == Axes::ErrorOverTime {
-        front(&mut picture, part, &at);
-    }
-    let looks: Vec<Look> = (0..part.lines.len()).map(Look::of).collect();
-    for (line, look) in part.lines.iter().zip(&looks) {
-        let places: Vec<Vec2> = line.points.iter().filter_map(at).collect();
-        look.curve(&mut picture, &mut labels, &places);
-    }
-    let bar = |point: &Point, at: Vec2| {
-        let quartiles = [point.seconds.lower, point.seconds.upper];
-        match part.axes {
-            Axes::ErrorOverTime => Some(quartiles.map(|time| Vec2::new(x.at(time), at.y))),
-            Axes::TimeOverSize => Some(quartiles.map(|time| Vec2::new(at.x, y.at(time)))),
-            Axes::ErrorOverSize => None,
+    let mut nameless = Vec::new();
+    // Curves, and quartiles, may run beyond the axes.
+    picture.clipped(plot.place, |picture| {
+        let at = |point: &Point| {
+            let [x, y] = coordinates(part.axes, point)?;
+            Some(Vec2::new(plot.x.scale.at(x), plot.y.scale.at(y)))
+        };
+        if part.axes == Axes::ErrorOverTime {
+            front(picture, part, &at);
         }
-    };
-    // A quartile may lie beyond the axes.
-    picture.clipped(place, |picture| {
-        for (line, look) in part.lines.iter().zip(&looks) {
-            for point in &line.points {
-                if let Some(place) = at(point) {
-                    look.point(picture, &mut labels, place, bar(point, place));
+        for (number, line) in part.lines.iter().enumerate() {
+            let places: Vec<Vec2> = line.points.iter().filter_map(at).collect();
+            labels.avoid_path(&places);
+            if places.len() > 1 {
+                picture.polyline(places, Series::of(number).stroke);
+            }
+        }
+        for (number, line) in part.lines.iter().enumerate() {
+            for (index, point) in line.points.iter().enumerate() {
+                if let Some(at) = at(point).filter(|&at| plot.place.contains(at)) {
+                    let bar = quartiles(&plot, part.axes, point, at);
+                    curve::point(picture, &mut labels, [number, index], at, bar);
                 }
             }
         }
+        let shown = |point: &Point| at(point).filter(|&at| plot.place.contains(at));
+        nameless = curve::names(picture, &mut labels, part, &shown);
+        if part.axes == Axes::ErrorOverTime {
+            curve::settings(picture, &mut labels, part, &shown);
+        }
     });
-    curve::names(&mut picture, &mut labels, part, &at);
-    picture.alt = in_words(&title, part);
+    let names = nameless.into_iter();
+    let names = names.map(|n| (Series::of(n).stroke, part.lines[n].name.as_str()));
+    legend(&mut picture, names, plot.beside_name(), plot.place.x);
     picture
 }
 
+/// Where the field between the axes stands in a plot of that size.
+pub fn field(part: &Part, language: Language, size: Vec2, view: View) -> Option<Rect> {
+    let whole = Rect::new(0.0, 0.0, size.x, size.y);
+    Some(axes(part, language, whole, view)?.place)
+}
+
+/// None where nothing has coordinates.
+fn axes(part: &Part, language: Language, whole: Rect, view: View) -> Option<Plot> {
+    let places = part.points();
+    let places: Vec<[f64; 2]> = places
+        .filter_map(|(_, point)| coordinates(part.axes, point))
+        .collect();
+    let scale = |axis: usize| Scale::logarithmic(places.iter().map(move |place| place[axis]));
+    let size = part.size.text(language);
+    let quantity = part.quantity.text(language);
+    let error = || RMS_ERROR.format(language, &[("quantity", quantity)]);
+    let time = |scale| Axis::new(scale, TIME.text(language), language).unit(Unit::Seconds);
+    let shown = view.part();
+    let across = scale(0)?.part([shown.x.into(), shown.right().into()]);
+    let up = scale(1)?.part([1.0 - f64::from(shown.bottom()), 1.0 - f64::from(shown.y)]);
+    Some(match part.axes {
+        Axes::ErrorOverTime => Plot::new(time(across), Axis::new(up, error(), language), whole),
+        Axes::ErrorOverSize => Plot::new(
+            Axis::new(across, size, language),
+            Axis::new(up, error(), language),
+            whole,
+        ),
+        Axes::TimeOverSize => Plot::new(Axis::new(across, size, language), time(up), whole),
+    })
+}
+
+/// From quartile to quartile, where an axis shows times.
+fn quartiles(plot: &Plot, axes: Axes, point: &Point, at: Vec2) -> Option<[Vec2; 2]> {
+    let quartiles = [point.seconds.lower, point.seconds.upper];
+    match axes {
+        Axes::ErrorOverTime => Some(quartiles.map(|time| Vec2::new(plot.x.scale.at(time), at.y))),
+        Axes::TimeOverSize => Some(quartiles.map(|time| Vec2::new(at.x, plot.y.scale.at(time)))),
+        Axes::ErrorOverSize => None,
+    }
+}
+
 fn heading(picture: &mut Picture, title: &str, part: &Part) {
-    picture.text((20.0, 28.0), title, Style::Bold.size(16.0));
+    picture.text((MARGIN, 28.0), title, Style::Bold.size(16.0));
     let recorded = match part.axes {
         Axes::TimeOverSize => {
             "Bars: quartiles. Exponents are those of the larger half of the sizes.".to_string()
@@ -138,38 +180,28 @@ fn heading(picture: &mut Picture, title: &str, part: &Part) {
             part.reference.what
         ),
     };
-    let lines = crate::picture::wrap(&recorded, Style::Body, SMALL, SIZE.x - 40.0);
+    let lines = wrap(&recorded, Style::Body, SMALL, SIZE.x - 2.0 * MARGIN);
     for (row, line) in lines.into_iter().take(2).enumerate() {
         let y = 46.0 + 14.0 * row as f32;
-        picture.text((20.0, y), line, Style::Body.size(SMALL).ink(Ink::Muted));
-    }
-}
-
-fn across_name(part: &Part) -> String {
-    match part.axes {
-        Axes::ErrorOverTime => "time of a run (median)".into(),
-        Axes::ErrorOverSize | Axes::TimeOverSize => part.size.text(Language::English).into(),
-    }
-}
-
-fn up_name(part: &Part) -> String {
-    match part.axes {
-        Axes::ErrorOverTime | Axes::ErrorOverSize => {
-            format!("rms error of {}", part.quantity.text(Language::English))
-        }
-        Axes::TimeOverSize => "time of a run (median)".into(),
+        picture.text((MARGIN, y), line, Style::Body.size(SMALL).ink(Ink::Muted));
     }
 }
 
 /// Below this line an error is that of the reference.
-fn own_error(picture: &mut Picture, labels: &mut Labels, place: Rect, y: f32) {
-    let ends = [Vec2::new(place.x, y), Vec2::new(place.right(), y)];
-    picture.line(ends[0], ends[1], Ink::Muted.stroke(1.0).dashed());
-    labels.avoid(ends[0], ends[1]);
+fn own_error(
+    picture: &mut Picture,
+    labels: &mut Labels,
+    plot: &Plot,
+    own: f64,
+    language: Language,
+) {
+    plot.level(picture, own, Ink::Muted.stroke(1.0).dashed());
+    let y = plot.y.scale.at(own);
+    let from = Vec2::new(plot.place.x, y);
+    labels.avoid(from, Vec2::new(plot.place.right(), y));
     let set = Style::Body.size(SMALL).ink(Ink::Muted);
-    let recorded = "the reference's own error";
-    let corner = Vec2::new(place.x + 6.0, y - 16.0);
-    labels.put_at(picture, corner, recorded, set, true);
+    let corner = from + Vec2::new(6.0, -16.0);
+    labels.put_at(picture, corner, OWN_ERROR.text(language), set, true);
 }
 
 /// The steps between what is reached: to the right and then down.

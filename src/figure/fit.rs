@@ -1,13 +1,11 @@
-//! From the screen of the rendered picture, in pixels, to places in a panel, in points.
+//! From places of what is shown, be it the screen of the rendered picture or the world, to points in a figure.
 
-use crate::algorithms::prepared_scene::PreparedScene;
 use crate::picture::Rect;
-use crate::replay::shading::State;
-use glam::{DVec2, Vec2};
+use glam::{DVec2, DVec3, Vec2};
 
 /// A scale and an offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Fit {
+pub struct Fit {
     /// Points a pixel.
     pub scale: f64,
     offset: DVec2,
@@ -17,7 +15,18 @@ impl Fit {
     /// The part of the screen from `low` to `high` as large as it fits into `area`, in its middle. A part without extent is
     /// taken to be a tenth of a pixel large.
     pub fn new(low: DVec2, high: DVec2, area: Rect) -> Self {
-        let size = (high - low).max(DVec2::splat(0.1));
+        Fit::at_least(0.1, [low, high], area)
+    }
+
+    /// All points as large as they fit into `area`.
+    pub fn around(points: impl IntoIterator<Item = DVec2>, area: Rect) -> Self {
+        let [low, high] = ends(points);
+        Fit::new(low, high, area)
+    }
+
+    /// A part that is taken to be at least so large.
+    fn at_least(least: f64, [low, high]: [DVec2; 2], area: Rect) -> Self {
+        let size = (high - low).max(DVec2::splat(least));
         let scale = (DVec2::new(area.width.into(), area.height.into()) / size).min_element();
         Fit::centered(0.5 * (low + high), scale, area)
     }
@@ -63,28 +72,58 @@ impl Fit {
     }
 }
 
-/// The corners of the current polygon on the screen: as they were recorded, and before that as they are prepared.
-pub(super) fn outline(state: &State) -> Vec<DVec2> {
-    if !state.edges.is_empty() {
-        let corners = state.corners.iter();
-        return corners
-            .map(|corner| DVec2::new(corner.x, corner.y))
-            .collect();
-    }
-    state.polygon.map_or_else(Vec::new, |polygon| {
-        staged(&state.prepared, polygon.polygon as usize)
-    })
+/// A parallel projection of the world onto a figure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Projection {
+    /// Unit, to the right.
+    pub across: DVec3,
+    /// Unit, upward.
+    pub up: DVec3,
+    pub fit: Fit,
 }
 
-/// The corners of a polygon of the scene, on the screen; those before the near plane have no place there.
-pub(super) fn staged(prepared: &PreparedScene, polygon: usize) -> Vec<DVec2> {
-    prepared.polygon(polygon).map_or_else(Vec::new, |polygon| {
-        let corners = polygon.corners().map(|(_, vertex)| vertex);
-        corners
-            .filter(|vertex| vertex.camera.z >= prepared.view.near)
-            .map(|vertex| vertex.screen)
-            .collect()
-    })
+impl Projection {
+    /// All points as large as they fit into `area`.
+    pub fn around(
+        across: DVec3,
+        up: DVec3,
+        points: impl IntoIterator<Item = DVec3>,
+        area: Rect,
+    ) -> Self {
+        let flat = points.into_iter().map(|point| flat(across, up, point));
+        let [low, high] = ends(flat);
+        // The unit of length of a scene may be anything.
+        let least = match (high - low).max_element() {
+            0.0 => 1.0,
+            size => 1e-3 * size,
+        };
+        let fit = Fit::at_least(least, [low, high], area);
+        Projection { across, up, fit }
+    }
+
+    /// y down, as on the screen; before it is fitted.
+    pub fn flat(&self, vector: DVec3) -> DVec2 {
+        flat(self.across, self.up, vector)
+    }
+
+    pub fn place(&self, point: DVec3) -> Vec2 {
+        self.fit.place(self.flat(point))
+    }
+
+    pub fn toward_viewer(&self) -> DVec3 {
+        self.across.cross(self.up)
+    }
+}
+
+/// The least and the largest coordinates.
+fn ends(points: impl IntoIterator<Item = DVec2>) -> [DVec2; 2] {
+    let points = points.into_iter().map(|point| [point; 2]);
+    let ends = points.reduce(|[low, high], [point, _]| [low.min(point), high.max(point)]);
+    ends.unwrap_or_default()
+}
+
+fn flat(across: DVec3, up: DVec3, vector: DVec3) -> DVec2 {
+    DVec2::new(vector.dot(across), -vector.dot(up))
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ const OUTLINE: f32 = 1.5;
 /// Between the boxes of two labels.
 const APART: f32 = 1.0;
 
-pub(crate) struct Labels {
+pub struct Labels {
     area: Rect,
     taken: Vec<Rect>,
     lines: Vec<Spared>,
@@ -56,6 +56,13 @@ impl Labels {
         self.avoid_stroke(from, to, 0.0);
     }
 
+    /// As [`Labels::avoid`], of a line through several points.
+    pub fn avoid_path(&mut self, points: &[Vec2]) {
+        for pair in points.windows(2) {
+            self.avoid(pair[0], pair[1]);
+        }
+    }
+
     /// As [`Labels::avoid`], of a line so wide that its middle does not show what would be covered.
     pub fn avoid_stroke(&mut self, from: Vec2, to: Vec2, width: f32) {
         self.lines.push(Spared {
@@ -73,7 +80,7 @@ impl Labels {
     }
 
     /// Writes `text` beside the disc of `radius` at `at`, rather in the direction `toward`. Where there is no room left the
-    /// label is left out.
+    /// label is left out. Returns whether it was written.
     pub fn put(
         &mut self,
         picture: &mut Picture,
@@ -81,11 +88,11 @@ impl Labels {
         toward: Vec2,
         text: &str,
         set: Text,
-    ) {
+    ) -> bool {
         let above = ascent(set.style, set.size);
         let size = Vec2::new(set.width(text), above + descent(set.style, set.size));
         let Some((place, gap)) = self.place(at, radius, toward.normalize_or_zero(), size) else {
-            return;
+            return false;
         };
         if gap >= LED {
             let [start, end] = leader(at, radius, place);
@@ -99,6 +106,7 @@ impl Labels {
         };
         picture.text(baseline, text, set);
         self.taken.push(place);
+        true
     }
 
     /// Writes `text` in the box with its upper left corner at `corner`, where that is free, and crossed by no line unless
@@ -183,12 +191,12 @@ fn squared(direction: Vec2) -> Vec2 {
 }
 
 /// Whether a line passes through a rectangle.
-pub(super) fn crosses(line: [Vec2; 2], rect: Rect) -> bool {
+pub fn crosses(line: [Vec2; 2], rect: Rect) -> bool {
     within(line, rect).is_some()
 }
 
 /// The part of a line within a rectangle (Liang and Barsky).
-pub(super) fn within([from, to]: [Vec2; 2], rect: Rect) -> Option<[Vec2; 2]> {
+pub fn within([from, to]: [Vec2; 2], rect: Rect) -> Option<[Vec2; 2]> {
     let (mut first, mut last) = (0.0_f32, 1.0_f32);
     let along = to - from;
     for (step, low, high) in [
