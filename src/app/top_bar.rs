@@ -1,9 +1,10 @@
 //! The bar on top: which lesson this is, and how things are shown.
 
+use super::prose::prose;
 use super::session::{Command, Session, StudyCommand};
 use super::{strings, style};
 use crate::language::{Language, Message};
-use crate::picture::Theme;
+use crate::picture::{Ink, Theme};
 use egui::{Button, Color32, Frame, Margin, RichText, Ui};
 
 const THEMES: [(Theme, Message); 3] = [
@@ -110,7 +111,8 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             }
         }
     });
-    response.on_hover_text(session.lesson().summary.in_language(session.look.language));
+    let summary = session.lesson().summary.in_language(session.look.language);
+    response.on_hover_text(prose(session, summary, 13.0, Ink::Text));
 }
 
 /// Themes, text size, questions; what a narrow bar has no room for is in here too.

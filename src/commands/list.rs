@@ -4,6 +4,7 @@ use super::failure::Failure;
 use super::files::wrong;
 use crate::lesson::builtins;
 use crate::panels::strings::Language;
+use crate::picture::plain;
 use std::io::Write;
 
 #[derive(clap::Args)]
@@ -50,7 +51,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
                 "{:>2}  {:<20} {}",
                 lesson.number,
                 lesson.id,
-                lesson.title.in_language(Language::English)
+                plain(lesson.title.in_language(Language::English))
             )?;
             writeln!(
                 out,

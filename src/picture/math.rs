@@ -15,36 +15,65 @@ pub struct Run {
     pub script: Script,
     /// Variables are italic in formulas: letters that stand alone, and indices.
     pub italic: bool,
+    /// What a user types, or a name of a file: set as such, and never as mathematics.
+    pub code: bool,
 }
 
-/// Splits `text` into runs. `_` and `^` lower or raise the next character, or what stands in `{…}` after them; with
-/// nothing after them they stand for themselves.
+/// The runs of a text for people: `f_att` and `x^30` are set as mathematics, what stands between back-ticks is code.
+pub fn prose(text: &str) -> Vec<Run> {
+    let mut runs = Vec::new();
+    for (i, part) in text.split('`').enumerate() {
+        if i % 2 == 1 {
+            runs.push(Run {
+                text: part.to_string(),
+                script: Script::Base,
+                italic: false,
+                code: true,
+            });
+        } else {
+            runs.extend(math(&braced(part)));
+        }
+    }
+    runs
+}
+
+/// Splits `text` into runs. `_` and `^` lower or raise the next character, a whole number, or what stands in `{…}` or `(…)` after
+/// them; with nothing after them they stand for themselves.
 pub fn math(text: &str) -> Vec<Run> {
     let mut runs = Vec::new();
     let mut base = String::new();
-    let mut rest = text.chars();
-    while let Some(c) = rest.next() {
+    let mut rest = text;
+    while let Some(c) = rest.chars().next() {
+        rest = &rest[c.len_utf8()..];
         let script = match c {
             '_' => Script::Sub,
             '^' => Script::Super,
             _ => Script::Base,
         };
-        let lowered_or_raised = match (script, rest.clone().next()) {
-            (Script::Base, _) | (_, None | Some(' ')) => None,
-            (_, Some('{')) => {
-                rest.next();
-                Some(rest.by_ref().take_while(|&c| c != '}').collect())
-            }
-            (_, Some(_)) => rest.next().map(String::from),
+        let index = match script {
+            Script::Base => None,
+            _ => index(rest),
         };
-        match lowered_or_raised {
-            Some(text) => {
+        match index {
+            Some((text, after)) => {
                 push_base(&mut runs, &mut base);
-                let italic = is_variable(&text) || text.chars().all(|c| "ijkmn".contains(c));
+                let italic = is_variable(text) || text.chars().all(|c| "ijkmn".contains(c));
+                let mut text = text.to_string();
+                rest = after;
+                // An exponent’s own index: cos^n_s
+                if let (Script::Super, Some(indexed)) = (script, rest.strip_prefix('_'))
+                    && let Some((lowered, after)) = self::index(indexed)
+                    && let Some(lowered) =
+                        lowered.chars().map(subscript).collect::<Option<String>>()
+                {
+                    text.push_str(&lowered);
+                    rest = after;
+                }
                 runs.push(Run {
                     text,
                     script,
                     italic,
+                    code: false,
                 });
             }
             None => base.push(c),
@@ -52,6 +81,71 @@ pub fn math(text: &str) -> Vec<Run> {
     }
     push_base(&mut runs, &mut base);
     runs
+}
+
+/// A text for people where nothing can be set, as in the title of a window: indices are characters of their own where
+/// Unicode has them.
+pub fn plain(text: &str) -> String {
+    let written = |run: Run| match run.script {
+        Script::Sub => {
+            let lowered = run.text.chars().map(subscript).collect();
+            Option::<String>::unwrap_or_else(lowered, || format!("_{}", run.text))
+        }
+        Script::Super => format!("^{}", run.text),
+        Script::Base => run.text,
+    };
+    prose(text).into_iter().map(written).collect()
+}
+
+/// The character that Unicode has for a lowered one.
+fn subscript(character: char) -> Option<char> {
+    const SUBSCRIPTS: [(&str, &str); 3] = [
+        ("0123456789", "₀₁₂₃₄₅₆₇₈₉"),
+        ("aehijklmno", "ₐₑₕᵢⱼₖₗₘₙₒ"),
+        ("prstuvx", "ₚᵣₛₜᵤᵥₓ"),
+    ];
+    let pairs = SUBSCRIPTS
+        .iter()
+        .flat_map(|(from, to)| from.chars().zip(to.chars()));
+    pairs
+        .into_iter()
+        .find(|(from, _)| *from == character)
+        .map(|(_, to)| to)
+}
+
+/// What is lowered or raised at the start of `text`, and what follows it.
+fn index(text: &str) -> Option<(&str, &str)> {
+    let first = text.chars().next().filter(|c| *c != ' ')?;
+    let closing = match first {
+        '{' => Some('}'),
+        '(' => Some(')'),
+        _ => None,
+    };
+    if let Some(closing) = closing {
+        let inside = &text[1..];
+        return Some(inside.split_once(closing).unwrap_or((inside, "")));
+    }
+    let sign = if matches!(first, '−' | '-') {
+        first.len_utf8()
+    } else {
+        0
+    };
+    let digits = |text: &str| {
+        text.find(|c: char| !c.is_ascii_digit())
+            .unwrap_or(text.len())
+    };
+    let mut end = sign + digits(&text[sign..]);
+    if end == sign {
+        return Some(text.split_at(first.len_utf8()));
+    }
+    // A decimal exponent, but not the end of a sentence
+    if let Some(fraction) = text[end..].strip_prefix(['.', ',']) {
+        end += match digits(fraction) {
+            0 => 0,
+            length => 1 + length,
+        };
+    }
+    Some(text.split_at(end))
 }
 
 /// Subscripts of several letters in braces, as [`math`] reads them: `f_att` → `f_{att}`. For prose and code, where nobody writes braces.
@@ -81,6 +175,7 @@ fn push_base(runs: &mut Vec<Run>, base: &mut String) {
                 text: text.to_string(),
                 script: Script::Base,
                 italic,
+                code: false,
             });
         }
     };
@@ -172,15 +267,14 @@ fn is_difference(name: &str) -> bool {
 mod tests {
     use super::*;
 
-    /// Runs written back: italics in slashes, scripts in brackets.
-    fn told(text: &str) -> String {
-        math(text)
-            .into_iter()
+    /// Runs written back: italics in slashes, scripts in brackets, code in angle brackets.
+    fn written(runs: Vec<Run>) -> String {
+        runs.into_iter()
             .map(|run| {
-                let text = if run.italic {
-                    format!("/{}/", run.text)
-                } else {
-                    run.text
+                let text = match run {
+                    Run { italic: true, .. } => format!("/{}/", run.text),
+                    Run { code: true, .. } => format!("<{}>", run.text),
+                    _ => run.text,
                 };
                 match run.script {
                     Script::Base => text,
@@ -216,10 +310,30 @@ mod tests {
             ("a_", "/a/_"),
             ("a _ b", "/a/ _ /b/"),
             ("x_{12", "/x/[12]"),
+            ("0.936^30 = 14 %", "0.936[^30] = 14 %"),
+            ("x_10, 10^−12 and 2^2.", "/x/[10], 10[^−12] and 2[^2]."),
+            ("0,99^12,5, then", "0,99[^12,5], then"),
+            ("(R·V)^n_{s}", "(/R/·/V/)[^/nₛ/]"),
+            ("e^(−a·d)).", "/e/[^−a·d])."),
+            ("M^{−1} s", "/M/[^−1] /s/"),
             ("", ""),
         ] {
-            assert_eq!(told(text), expected, "{text}");
+            assert_eq!(written(math(text)), expected, "{text}");
         }
+    }
+
+    #[test]
+    fn prose_has_mathematics_and_code() {
+        assert_eq!(
+            written(prose("F_jj = 0 in `path_attenuation`; 0.936^30.")),
+            "/F/[/jj/] = 0 in <path_attenuation>; 0.936[^30]."
+        );
+    }
+
+    #[test]
+    fn plain_text_has_indices_of_its_own() {
+        assert_eq!(plain("F_jj = 0, N_v and f_att"), "Fⱼⱼ = 0, Nᵥ and fₐₜₜ");
+        assert_eq!(plain("F_B"), "F_B");
     }
 
     #[test]

@@ -37,7 +37,7 @@ mod theme;
 use glam::Vec2;
 
 pub use ink::{Dash, Fill, Ink, Paint, Stroke};
-pub use math::{Run, Script, braced, math, symbol};
+pub use math::{Run, Script, braced, math, plain, prose, symbol};
 pub use raster::{RasterError, draw_over, rasterize, to_png};
 pub use rect::Rect;
 pub use shape::{Image, Item, Shape};

@@ -5,3 +5,4 @@ mod broken;
 mod broken_lessons;
 mod broken_scenes;
 mod lessons;
+mod typography;

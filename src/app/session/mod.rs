@@ -26,7 +26,7 @@ use crate::language::{Language, Message};
 use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson, builtins};
 use crate::methods::Setup;
 use crate::panels::{Panel, PanelInput, TreeView};
-use crate::picture::{Tag, Theme};
+use crate::picture::{Tag, Theme, plain};
 use crate::render::smooth_patches;
 use crate::replay::Walk;
 use playing::{Loop, Play};
@@ -330,16 +330,16 @@ impl Session {
     /// The lesson's number, where it has one, and title.
     pub fn title(&self) -> String {
         let lesson = self.lesson();
-        let title = lesson.title.in_language(self.look.language);
+        let title = plain(lesson.title.in_language(self.look.language));
         match lesson.number {
-            Lesson::UNNUMBERED => title.to_owned(),
+            Lesson::UNNUMBERED => title,
             number => format!("{number} · {title}"),
         }
     }
 
     /// As it stands on the frame of the window, for people and for scripts. Steps are counted from 0.
     pub fn window_title(&self) -> String {
-        let title = self.lesson().title.in_language(self.look.language);
+        let title = plain(self.lesson().title.in_language(self.look.language));
         format!("Lightwalk – {title} – {}", self.place())
     }
 
@@ -373,8 +373,10 @@ impl Session {
 fn list() -> Vec<Listed> {
     let lessons = builtins().iter().filter_map(|builtin| {
         let lesson = builtin.read().ok()?;
-        let title = Language::ALL
-            .map(|language| format!("{} · {}", lesson.number, lesson.title.in_language(language)));
+        let title = Language::ALL.map(|language| {
+            let title = plain(lesson.title.in_language(language));
+            format!("{} · {title}", lesson.number)
+        });
         Some(Listed {
             id: builtin.id,
             title,
