@@ -65,7 +65,7 @@ fn names(open: &OpenLesson) -> BTreeSet<String> {
     names.extend(
         formulas
             .flat_map(|entry| entry.formulas)
-            .map(|formula| formula.template),
+            .map(|formula| formula.text),
     );
     names
         .into_iter()

@@ -30,6 +30,7 @@ mod values;
 mod vectors;
 mod vertex;
 
+pub use formula::{Evaluated, evaluated};
 pub use names::kind as kind_name;
 pub use ray_tree::TreeView;
 pub use ray_tree::{area as tree_area, middle as tree_middle};

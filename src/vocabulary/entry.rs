@@ -1,6 +1,9 @@
 //! What explains a step: a sentence and formulas, where a condition holds.
 
+use super::expression::Equation;
 use crate::language::Message;
+use std::collections::HashMap;
+use std::sync::LazyLock;
 
 /// The sentence and the formulas of a step.
 #[derive(Debug)]
@@ -11,12 +14,54 @@ pub struct Entry {
     pub formulas: &'static [Formula],
 }
 
-/// `left = right`, a value alone, or a relation.
-#[derive(Debug)]
+/// A formula as [`Equation::parse`](super::expression::Equation::parse) reads it.
+#[derive(Clone, Copy, Debug)]
 pub struct Formula {
-    pub template: &'static str,
+    pub text: &'static str,
     pub when: When,
     pub note: Option<Message>,
+    /// Why the right side is not evaluated, where it is not.
+    pub unevaluated: Option<&'static str>,
+}
+
+impl Formula {
+    pub const fn when(self, when: When) -> Self {
+        Formula { when, ..self }
+    }
+
+    pub const fn noted(self, note: Message) -> Self {
+        Formula {
+            note: Some(note),
+            ..self
+        }
+    }
+
+    /// A relation or a definition whose right side has no value at the step.
+    pub const fn unevaluated(self, why: &'static str) -> Self {
+        Formula {
+            unevaluated: Some(why),
+            ..self
+        }
+    }
+
+    /// All formulas are parsed when the first is asked for.
+    pub fn equation(&self) -> &'static Equation {
+        static EQUATIONS: LazyLock<HashMap<&'static str, Equation>> = LazyLock::new(|| {
+            let entries = super::FAMILIES.into_iter().flatten();
+            let formulas = entries
+                .flat_map(|kind| kind.entries)
+                .flat_map(|entry| entry.formulas);
+            let parsed = |formula: &Formula| {
+                let equation = Equation::parse(formula.text);
+                (
+                    formula.text,
+                    equation.unwrap_or_else(|error| panic!("{error}")),
+                )
+            };
+            formulas.map(parsed).collect()
+        });
+        &EQUATIONS[self.text]
+    }
 }
 
 /// Where an entry or a formula holds.
@@ -31,37 +76,21 @@ pub enum When {
     Negative(&'static str),
     NotPositive(&'static str),
     Finite(&'static str),
+    /// The whole number recorded under the name.
+    Equals(&'static str, i64),
+    AtLeast(&'static str, f64),
+    /// Two values are the same.
+    Same(&'static str, &'static str),
+    Not(&'static When),
+    All(&'static [When]),
 }
 
-pub const fn is(template: &'static str) -> Formula {
+pub const fn is(text: &'static str) -> Formula {
     Formula {
-        template,
+        text,
         when: When::Always,
         note: None,
-    }
-}
-
-pub const fn if_recorded(name: &'static str, template: &'static str) -> Formula {
-    Formula {
-        template,
-        when: When::Recorded(name),
-        note: None,
-    }
-}
-
-pub const fn if_finite(name: &'static str, template: &'static str) -> Formula {
-    Formula {
-        template,
-        when: When::Finite(name),
-        note: None,
-    }
-}
-
-pub const fn noted(template: &'static str, note: Message) -> Formula {
-    Formula {
-        template,
-        when: When::Always,
-        note: Some(note),
+        unevaluated: None,
     }
 }
 

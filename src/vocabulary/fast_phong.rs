@@ -1,7 +1,7 @@
 //! Cosines as Taylor series over a triangle, and by differences along its spans.
 
 use super::Declared;
-use super::entry::{When, entry, is, noted, only};
+use super::entry::{When, entry, is, only};
 use super::scan_line::INCREMENTAL;
 use crate::algorithms::fast_phong::{Event, PSEUDOCODE};
 use crate::algorithms::shading;
@@ -29,7 +29,7 @@ vocabulary! {
             "vanished" = vanished,
         }
         [
-            entry("event-normal-at-middle", &[is("{x_0}"), is("{y_0}"), is("{N_0}")]),
+            entry("event-normal-at-middle", &[is("x_0"), is("y_0"), is("N_0")]),
         ];
     Event::NormalSlopes { n_x, n_y } => "NormalSlopes" at "normal-series"
         {
@@ -37,7 +37,7 @@ vocabulary! {
             "N_y" = n_y,
         }
         [
-            entry("event-normal-slopes", &[is("{N_x}"), is("{N_y}")]),
+            entry("event-normal-slopes", &[is("N_x"), is("N_y")]),
         ];
     Event::Series { cosine, series } => "Series" at "series"
         {
@@ -54,23 +54,23 @@ vocabulary! {
                 When::Is("cosine", "N_dot_L"),
                 "event-series-n-dot-l",
                 &[
-                    is("{T_0}"),
-                    is("{T_1}"),
-                    is("{T_2}"),
-                    is("{T_3}"),
-                    is("{T_4}"),
-                    is("{T_5}"),
+                    is("T_0"),
+                    is("T_1"),
+                    is("T_2"),
+                    is("T_3"),
+                    is("T_4"),
+                    is("T_5"),
                     ],
             ),
             entry(
                 "event-series-highlight",
                 &[
-                    is("{T_0}"),
-                    is("{T_1}"),
-                    is("{T_2}"),
-                    is("{T_3}"),
-                    is("{T_4}"),
-                    is("{T_5}"),
+                    is("T_0"),
+                    is("T_1"),
+                    is("T_2"),
+                    is("T_3"),
+                    is("T_4"),
+                    is("T_5"),
                     ],
             ),
         ];
@@ -95,7 +95,7 @@ vocabulary! {
             "d2c" = running.second,
         }
         [
-            entry("event-differences-started", &[is("{c}"), is("{Δc=dc}"), is("{Δ^2c=d2c}")]),
+            entry("event-differences-started", &[is("c"), is("dc"), is("d2c")]),
         ];
     Event::CosineEvaluated { light, cosine, running, direct, exact } => "CosineEvaluated" at "increments"
         {
@@ -114,19 +114,19 @@ vocabulary! {
                 When::Is("cosine", "N_dot_L"),
                 "event-cosine-evaluated-n-dot-l",
                 &[
-                    is("{c} = c′ + Δc′"),
-                    is("{Δc=dc} = Δc′ + {Δ^2c=d2c}"),
-                    noted("{Δ=difference}", INCREMENTAL),
-                    noted("{error}", APPROXIMATE),
+                    is("c = {c′=c<<light,cosine,x_0,y,x-1} + {Δc′=dc<<light,cosine,x_0,y,x-1}"),
+                    is("dc = {Δc′=dc<<light,cosine,x_0,y,x-1} + d2c"),
+                    is("{Δ=difference}").noted(INCREMENTAL),
+                    is("error").noted(APPROXIMATE),
                     ],
             ),
             entry(
                 "event-cosine-evaluated-highlight",
                 &[
-                    is("{c} = c′ + Δc′"),
-                    is("{Δc=dc} = Δc′ + {Δ^2c=d2c}"),
-                    noted("{Δ=difference}", INCREMENTAL),
-                    noted("{error}", APPROXIMATE),
+                    is("c = {c′=c<<light,cosine,x_0,y,x-1} + {Δc′=dc<<light,cosine,x_0,y,x-1}"),
+                    is("dc = {Δc′=dc<<light,cosine,x_0,y,x-1} + d2c"),
+                    is("{Δ=difference}").noted(INCREMENTAL),
+                    is("error").noted(APPROXIMATE),
                     ],
             ),
         ];
@@ -137,7 +137,7 @@ vocabulary! {
             "I_s" = i_s,
         }
         [
-            entry("event-light-summed", &[is("{c^n=power}"), is("{I_d}"), is("{I_s}")]),
+            entry("event-light-summed", &[is("{c^n=power}"), is("I_d"), is("I_s")]),
         ];
     Event::TriangleDone => "TriangleDone" at "triangle"
         {

@@ -1,7 +1,7 @@
 //! Form factors, by every method.
 
 use super::Declared;
-use super::entry::{Formula, When, entry, if_recorded, is, only};
+use super::entry::{Formula, When, entry, is, only};
 use crate::algorithms::form_factor::{
     Event, PSEUDOCODE, area_to_area, auto, contour, element_to_polygon, hemicube, monte_carlo,
     visibility,
@@ -16,7 +16,7 @@ vocabulary! {
             "F_exact" = f,
         }
         [
-            entry("event-reference", &[is("{F_i_j=F_exact}")]),
+            entry("event-reference", &[is("{F_{ij}=F_exact}")]),
         ];
     Event::FormFactor { i, j, method } => "FormFactor" at "form-factor" number "j" scope "scope-form-factor"
         {
@@ -28,8 +28,8 @@ vocabulary! {
             entry(
                 "event-form-factor",
                 &[is(
-                    "F_i_j = [1; A_i] ∫∫ [cos θ_x cos θ_y; π r^2] V dA_y dA_x",
-                    )],
+                    "'F_{ij}' = [1; 'A_i'] '∫∫' ['cos θ_x cos θ_y'; π 'r^2'] 'V dA_y dA_x'",
+                    ).unevaluated(INTEGRAL)],
             ),
         ];
     Event::FacesAway => "FacesAway" at "pieces"
@@ -71,7 +71,7 @@ vocabulary! {
             "y" = y,
         }
         [
-            entry("event-points", &[is("{x}"), is("{y}")]),
+            entry("event-points", &[is("x"), is("y")]),
         ];
     Event::Pair { cos_x, cos_y, r, term, sum } => "Pair" at "pair"
         {
@@ -85,9 +85,10 @@ vocabulary! {
             entry(
                 "event-pair",
                 &[
-                    is("{r} = |{y} − {x}|"),
-                    is("{term} = w_x w_y [{cos_theta_x} · {cos_theta_y}; π {r}^2]"),
-                    is("{A_i F_i_j=sum} = A_i F_i_j′ + {term}"),
+                    is("r = |y − x|"),
+                    is("term = 'w_x w_y' [cos_theta_x · cos_theta_y; π r^2]")
+                        .unevaluated("the weights of the Gauss points are not recorded"),
+                    is("{A_i F_{ij}=sum} = {A_i F_{ij}′=sum<0/Pieces} + term"),
                     ],
             ),
         ];
@@ -97,7 +98,7 @@ vocabulary! {
             "w" = weight,
         }
         [
-            entry("event-element", &[is("{x}"), is("{w}")]),
+            entry("event-element", &[is("x"), is("w")]),
         ];
     Event::Edge { edge, corner, angle, term, sum } => "Edge" at "edge"
         {
@@ -112,10 +113,10 @@ vocabulary! {
                 When::Recorded("Gamma_k"),
                 "event-polygon-edge",
                 &[
-                    is("{R_k}"),
+                    is("R_k"),
                     is("{|Γ_k|=Gamma_k}"),
-                    is("{term} = [N · Γ_k; 2π]"),
-                    is("{F_x} = F_x′ + {term}"),
+                    is("term = ['N · Γ_k'; 2π]").unevaluated("the corner R_k+1 is recorded only by the next step"),
+                    is("F_x = {F_x′=F_x<0} + term"),
                     ],
             ),
         ];
@@ -125,7 +126,16 @@ vocabulary! {
             "sum" = sum,
         }
         [
-            entry("event-element-seen", &[is("{A_i F_i_j=sum} = A_i F_i_j′ + {w} · {F_x}")]),
+            entry(
+                "event-element-seen",
+                &[
+                    is("{A_i F_{ij}=sum} = {A_i F_{ij}′=sum<<0/Pieces} + w · F_x")
+                        .when(When::Not(&ADAPTIVE)),
+                    is("{A_i F_{ij}=sum} = 'A_i F_{ij}′' + w · F_x")
+                        .when(ADAPTIVE)
+                        .unevaluated("each part of the patch begins a sum of its own"),
+                ],
+            ),
         ];
     Event::EdgePair { edges, cosine, way, integral, sum } => "EdgePair" at "edge-pair"
         {
@@ -140,7 +150,7 @@ vocabulary! {
             only(
                 When::Is("way", "at right angles"),
                 "event-edge-pair-at-right-angles",
-                &[is("{e·f=e_dot_f}"), is("{A_i F_i_j=sum}")],
+                &[is("e_dot_f"), is("{A_i F_{ij}=sum}")],
             ),
             only(When::Is("way", "on one line"), "event-edge-pair-on-one-line", EDGES),
             entry("event-edge-pair", EDGES),
@@ -162,7 +172,7 @@ vocabulary! {
             "resolution" = resolution,
         }
         [
-            entry("event-hemicube", &[is("{x}")]),
+            entry("event-hemicube", &[is("x")]),
         ];
     Event::Pixel { face, x, y, delta, sum } => "Pixel" at "pixel"
         {
@@ -179,7 +189,8 @@ vocabulary! {
                 &[
                     is(ACROSS),
                     is(ALONG),
-                    is("{ΔF=delta_F} = [ΔA; π (u^2 + v^2 + 1)^2]"),
+                    is(AREA),
+                    is("delta_F = [{ΔA=pixel_area}; π ({u=u_pixel}^2 + {v=v_pixel}^2 + 1)^2]"),
                     is(SEEN),
                     ],
             ),
@@ -189,7 +200,8 @@ vocabulary! {
                 &[
                     is(ACROSS),
                     is(ALONG),
-                    is("{ΔF=delta_F} = [v ΔA; π (u^2 + v^2 + 1)^2]"),
+                    is(AREA),
+                    is("delta_F = [{v=v_pixel} · {ΔA=pixel_area}; π ({u=u_pixel}^2 + {v=v_pixel}^2 + 1)^2]"),
                     is(SEEN),
                     ],
             ),
@@ -203,8 +215,8 @@ vocabulary! {
             entry(
                 "event-hemicube-seen",
                 &[
-                    is("{F_x} = Σ ΔF"),
-                    is("{F_i_j=F_mean} = F_i_j′ + [{F_x}; n]"),
+                    is("F_x = {Σ ΔF=F_x<0}"),
+                    is("{F_{ij}=F_mean} = {F_{ij}′=F_mean<<0} + [F_x; hemicube_points]"),
                     ],
             ),
         ];
@@ -225,7 +237,7 @@ vocabulary! {
             "share" = share,
         }
         [
-            entry("event-visible", &[is("{V_i_j=share}")]),
+            entry("event-visible", &[is("{V_{ij}=share}")]),
         ];
     Event::FormFactorFound { exchange, f } => "FormFactorFound" at "found"
         {
@@ -236,18 +248,20 @@ vocabulary! {
             only(
                 When::Is("method", "monte-carlo"),
                 "event-form-factor-found-monte-carlo",
-                &[is("{F_i_j=F_ij} = [{hits}; n]"), EXCHANGE],
+                &[is("F_ij = [hits; ray_count]"), EXCHANGE],
             ),
             only(
                 When::Is("method", "hemicube"),
                 "event-form-factor-found-hemicube",
-                &[is("{F_i_j=F_ij}"), EXCHANGE],
+                &[is("F_ij"), EXCHANGE],
             ),
             entry(
                 "event-form-factor-found",
                 &[
-                    if_recorded("share", "{A_i F_i_j=A_i_F_ij} = A_i F_i_j′ · {V_i_j=share}"),
-                    is("{F_i_j=F_ij} = [{A_i F_i_j=A_i_F_ij}; A_i]"),
+                    is("A_i_F_ij = 'A_i F_{ij}′' · {V_{ij}=share}")
+                        .unevaluated("the sum over all pieces is not recorded")
+                        .when(When::Recorded("share")),
+                    is("F_ij = [A_i_F_ij; area_of_i]"),
                     ],
             ),
         ];
@@ -258,16 +272,22 @@ const BY_DISTANCE: &[Formula] = &[
     is("{R_i=radius_i}"),
     is("{R_j=radius_j}"),
 ];
+const INTEGRAL: &str = "an integral";
+/// The smaller patch is divided further and further.
+const ADAPTIVE: When = When::Equals("points", 0);
 const EDGES: &[Formula] = &[
-    is("{I} = ∫∫ ln r ds dt"),
-    is("{A_i F_i_j=sum} = A_i F_i_j′ + L^2 [{e·f=e_dot_f} · {I}; 2π]"),
+    is("I = '∫∫ ln r ds dt'").unevaluated(INTEGRAL),
+    is("{A_i F_{ij}=sum} = {A_i F_{ij}′=sum<0/Pieces} + 'L^2' [e_dot_f · I; 2π]")
+        .unevaluated("the extent L is not recorded"),
 ];
-const RAY: &[Formula] = &[is("{x}"), is("{u=direction}"), is("{hits}")];
-const ACROSS: &str = "u = 2 ({x=pixel_x} + 0.5) / {n=resolution} − 1";
-const ALONG: &str = "v = 2 ({y=pixel_y} + 0.5) / {n=resolution} − 1";
-const SEEN: &str = "{F_x} = F_x′ + {ΔF=delta_F}";
-const SIGHT: &[Formula] = &[is("{V_i_j=share} = [Σ K V(x, y); Σ K]")];
-const EXCHANGE: Formula = is("{A_i F_i_j=A_i_F_ij}");
+const RAY: &[Formula] = &[is("x"), is("{u=direction}"), is("hits")];
+const ACROSS: &str = "{u=u_pixel} := 2 ({x=pixel_x} + 0.5) / {n=resolution} − 1";
+const ALONG: &str = "{v=v_pixel} := 2 ({y=pixel_y} + 0.5) / {n=resolution} − 1";
+const AREA: &str = "{ΔA=pixel_area} := ([2; {n=resolution}])^2";
+const SEEN: &str = "F_x = {F_x′=F_x<0} + delta_F";
+const SIGHT: &[Formula] = &[is("{V_{ij}=share} = ['Σ K V(x, y)'; 'Σ K']")
+    .unevaluated("what single lines of sight would carry is not recorded")];
+const EXCHANGE: Formula = is("A_i_F_ij");
 
 /// The listings of all methods; a label stands in one of them only.
 static LISTINGS: [&Listing; 8] = [

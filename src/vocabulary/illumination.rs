@@ -1,6 +1,6 @@
 //! The illumination model at one point.
 
-use super::entry::{Formula, When, entry, is, only};
+use super::entry::{When, entry, is, only};
 use crate::algorithms::illumination::Event;
 use crate::language::Message;
 
@@ -13,7 +13,7 @@ vocabulary! {
             "N" = normal,
         }
         [
-            entry("event-illumination", &[is("{P}"), is("{N}")]),
+            entry("event-illumination", &[is("P"), is("N")]),
         ];
     Event::Viewer { to_eye, turned } => "Viewer" at "viewer"
         {
@@ -21,13 +21,13 @@ vocabulary! {
             "turned" = turned,
         }
         [
-            only(When::Recorded("u"), "event-viewer-along-ray", &[is("{V} = −{u}")]),
+            only(When::Recorded("u"), "event-viewer-along-ray", &[is("V = −u")]),
             only(
                 When::True("turned"),
                 "event-viewer-turned",
-                &[is("{V} = [eye − P; |eye − P|]"), is("{N}")],
+                &[is("V = [eye − P; |eye − P|]"), is("N")],
             ),
-            entry("event-viewer", &[is("{V} = [eye − P; |eye − P|]")]),
+            entry("event-viewer", &[is("V = [eye − P; |eye − P|]")]),
         ];
     Event::Ambient { k_a, term } => "Ambient" at "ambient"
         {
@@ -35,7 +35,7 @@ vocabulary! {
             "I_a" = term,
         }
         [
-            entry("event-ambient", &[is("{I_a} = {k_a} · {A}")]),
+            entry("event-ambient", &[is("I_a = k_a · A")]),
         ];
     Event::Light { light, color, distance, attenuation, slide_factor } => "Light" at "light" number "light" scope "scope-light"
         {
@@ -50,14 +50,14 @@ vocabulary! {
                 When::Finite("d"),
                 "event-light",
                 &[
-                    is("{d} = |light − P|"),
-                    is("{f_{att}=f_att} = [1; a_0 + a_1·d + a_2·d^2]"),
-                    is("{I_{light}=I_light}"),
+                    is("d = |light_position − P|"),
+                    is("f_att = [1; light_a_0 + light_a_1 · d + light_a_2 · d^2]"),
+                    is("I_light"),
                     ],
             ),
             entry(
                 "event-light-infinitely-far",
-                &[is("{f_{att}=f_att}"), is("{I_{light}=I_light}")],
+                &[is("f_att"), is("I_light")],
             ),
         ];
     Event::ToLight { to_light, n_dot_l } => "ToLight" at "to-light"
@@ -66,7 +66,7 @@ vocabulary! {
             "N_dot_L" = n_dot_l,
         }
         [
-            entry("event-to-light", &[is("{L}"), is("{N_dot_L} = {N} · {L}")]),
+            entry("event-to-light", &[is("L"), is("N_dot_L = N · L")]),
         ];
     Event::Diffuse { k_d, term } => "Diffuse" at "diffuse"
         {
@@ -77,12 +77,8 @@ vocabulary! {
             entry(
                 "event-diffuse",
                 &[
-                    is("{I_d} = {k_d} · {I_{light}=I_light} · {f_{att}=f_att} · max(0, {N_dot_L})"),
-                    Formula {
-                    template: "{slide factor=slide_factor} = [{d} · {cos φ=N_dot_L}; √{d}]",
-                    when: When::Finite("d"),
-                    note: Some(ON_THE_SLIDE),
-                    },
+                    is("I_d = k_d · I_light · f_att · max(0, N_dot_L)"),
+                    is("slide_factor = [d · {cos φ=N_dot_L}; √d]").when(When::Finite("d")).noted(ON_THE_SLIDE),
                     ],
             ),
         ];
@@ -96,8 +92,8 @@ vocabulary! {
             entry(
                 "event-mirrored",
                 &[
-                    is("{R} = 2 ({N_dot_L}) {N} − {L}"),
-                    is("{R_dot_V} = {R} · {V}"),
+                    is("R = 2 (N_dot_L) N − L"),
+                    is("R_dot_V = R · V"),
                     ],
             ),
         ];
@@ -111,8 +107,8 @@ vocabulary! {
             entry(
                 "event-halfway",
                 &[
-                    is("{H} = [{L} + {V}; |{L} + {V}|]"),
-                    is("{N_dot_H} = {N} · {H}"),
+                    is("H = [L + V; |L + V|]"),
+                    is("N_dot_H = N · H"),
                     ],
             ),
         ];
@@ -122,18 +118,18 @@ vocabulary! {
             "I_s" = term,
         }
         [
-            only(When::NotPositive("N_dot_L"), "event-specular-none", &[is("{I_s}")]),
+            only(When::NotPositive("N_dot_L"), "event-specular-none", &[is("I_s")]),
             only(
                 When::Recorded("R_dot_V"),
                 "event-specular",
                 &[is(
-                    "{I_s} = {k_s} · {I_{light}=I_light} · {f_{att}=f_att} · max(0, {R_dot_V})^{n=n_s}",
+                    "I_s = k_s · I_light · f_att · max(0, R_dot_V)^{n=n_s}",
                     )],
             ),
             entry(
                 "event-specular",
                 &[is(
-                    "{I_s} = {k_s} · {I_{light}=I_light} · {f_{att}=f_att} · max(0, {N_dot_H})^{n=n_s}",
+                    "I_s = k_s · I_light · f_att · max(0, N_dot_H)^{n=n_s}",
                     )],
             ),
         ];
@@ -145,17 +141,17 @@ vocabulary! {
             only(
                 When::Unrecorded("I_d"),
                 "event-light-added-blocked",
-                &[is("{I_d + I_s=I_added}")],
+                &[is("I_added")],
             ),
             only(
                 When::Unrecorded("I_s"),
                 "event-light-added-matte",
-                &[is("{I_d + I_s=I_added} = {I_d}")],
+                &[is("I_added = I_d")],
             ),
             only(
                 When::Recorded("I_s"),
                 "event-light-added",
-                &[is("{I_d + I_s=I_added} = {I_d} + {I_s}")],
+                &[is("I_added = I_d + I_s")],
             ),
         ];
     Event::Illuminated { intensity } => "Illuminated" at "return"
@@ -166,7 +162,7 @@ vocabulary! {
             only(
                 When::Recorded("I_a"),
                 "event-illuminated",
-                &[is("{I} = {I_a} + {Σ(I_d + I_s)=+I_added}")],
+                &[is("I = I_a + Σ{+I_added}")],
             ),
         ];
 }

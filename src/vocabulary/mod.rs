@@ -4,6 +4,7 @@
 #[macro_use]
 mod declare;
 mod entry;
+pub mod expression;
 mod fast_phong;
 mod form_factor;
 mod illumination;
@@ -16,6 +17,7 @@ mod ray_casting;
 mod ray_tracing;
 mod ray_tree;
 mod scan_line;
+mod scene_value;
 mod shading;
 mod surface;
 mod texture;
@@ -27,6 +29,7 @@ pub use declare::Declared;
 pub use entry::{Entry, Formula, When};
 pub use kind::Kind;
 pub use quantity::{Quantity, Unit, quantity};
+pub use scene_value::{Given, SceneValue};
 
 /// All declared kinds, a family after another.
 pub const FAMILIES: [&[Kind]; 16] = [

@@ -13,7 +13,7 @@ vocabulary! {
             "A" = ambient,
         }
         [
-            entry("event-frame", &[is("{A}")]),
+            entry("event-frame", &[is("A")]),
         ];
     Event::Polygon { object, polygon } => "Polygon" at "polygon" number "polygon" scope "scope-polygon"
         {

@@ -21,7 +21,7 @@ vocabulary! {
             "y_P" = place.y,
         }
         [
-            entry("event-through", &[is("{x_P}"), is("{y_P}")]),
+            entry("event-through", &[is("x_P"), is("y_P")]),
         ];
     Event::PixelColored { color } => "PixelColored" at "trace"
         {
@@ -31,12 +31,12 @@ vocabulary! {
             only(
                 When::Recorded("samples"),
                 "event-pixel-colored-mean",
-                &[is("{pixel=color} = [{ΣI=+I}; {n=samples}^2]")],
+                &[is("{pixel=color} = [Σ{+I}; {n=samples}^2]")],
             ),
             only(
                 When::Recorded("y_P"),
                 "event-pixel-colored-of-ray",
-                &[is("{pixel=color} = {I=+I}")],
+                &[is("{pixel=color} = {+I}")],
             ),
         ];
 }

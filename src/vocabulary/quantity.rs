@@ -32,6 +32,12 @@ pub const fn quantity(name: &str) -> Quantity {
     panic!("no quantity of this name is declared");
 }
 
+/// The quantity of that name, if there is one.
+pub fn find(name: &str) -> Option<Quantity> {
+    let (name, symbol, unit) = *QUANTITIES.iter().find(|(own, ..)| *own == name)?;
+    Some(Quantity { name, symbol, unit })
+}
+
 const fn equal(a: &str, b: &str) -> bool {
     let (a, b) = (a.as_bytes(), b.as_bytes());
     let mut i = 0;

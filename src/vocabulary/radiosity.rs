@@ -1,7 +1,7 @@
 //! The solvers of radiosity.
 
 use super::Declared;
-use super::entry::{Formula, When, entry, if_finite, if_recorded, is, only};
+use super::entry::{Formula, When, entry, is, only};
 use crate::algorithms::radiosity::{Event, SolverEvent as S};
 use crate::record::{self, Fields, Line};
 
@@ -13,7 +13,10 @@ vocabulary! {
             "n" = patches,
         }
         [
-            entry("event-room", &[is("B_i = E_i + ρ_i Σ_j F_i_j B_j")]),
+            entry(
+                "event-room",
+                &[is("'B_i' = 'E_i' + 'ρ_i Σ_j F_{ij} B_j'").unevaluated(UNKNOWNS)],
+            ),
         ];
     Event { recorded: S::RoomDone, solver } => "RoomDone" at "start"
         {
@@ -55,8 +58,10 @@ vocabulary! {
             entry(
                 "event-system",
                 &[
-                    is("(I − ρF) B = E"),
-                    if_recorded("gain", "{μ=gain} = max_i ρ_i Σ_j F_i_j"),
+                    is("('I' − 'ρF') 'B' = 'E'").unevaluated(UNKNOWNS),
+                    is("{μ=gain} = 'max_i ρ_i Σ_j F_{ij}'")
+                        .unevaluated("over all rows of the matrix")
+                        .when(When::Recorded("gain")),
                     ],
             ),
         ];
@@ -67,7 +72,7 @@ vocabulary! {
             "unshot_i" = unshot,
         }
         [
-            entry("event-started", &[is("{B_i}"), is("{r_i=unshot_i}")]),
+            entry("event-started", &[is("B_i"), is("{r_i=unshot_i}")]),
         ];
     Event { recorded: S::Iteration { k }, solver } => "Iteration" at "iteration" number "k" scope "scope-iteration"
         {
@@ -84,10 +89,19 @@ vocabulary! {
             only(
                 When::Is("solver", "over-relaxation"),
                 "event-weighted-over-relaxation",
-                &[is("{omega} = [2; 1 + √(1 − {μ=gain}^2)]")],
+                &[
+                    is("omega = [2; 1 + √(1 − {μ=gain}^2)]").when(When::Not(&MAY_GAIN_LIGHT)),
+                    is("omega").when(MAY_GAIN_LIGHT),
+                    ],
             ),
-            only(When::NotPositive("k"), "event-weighted-first", &[is("{omega}")]),
-            entry("event-weighted-chebyshev", &[is("{omega} = [1; 1 − {μ=gain}^2 ω′ / 4]")]),
+            only(When::NotPositive("k"), "event-weighted-first", &[is("omega")]),
+            entry(
+                "event-weighted-chebyshev",
+                &[
+                    is("omega = [1; 1 − {μ=gain}^2 · 2 / 4]").when(SECOND),
+                    is("omega = [1; 1 − {μ=gain}^2 {ω′=omega<<k-1} / 4]").when(When::Not(&SECOND)),
+                ],
+            ),
         ];
     Event { recorded: S::StepLengths { alpha, beta }, solver } => "StepLengths" at "step-lengths"
         {
@@ -98,8 +112,8 @@ vocabulary! {
             entry(
                 "event-step-lengths",
                 &[
-                    is("{alpha} = [δ; p · S p]"),
-                    is("{beta} = [s · M^−^1 s; δ]"),
+                    is("alpha = ['δ'; 'p · S p']").unevaluated(ALL_PATCHES),
+                    is("beta = ['s · M^{−1} s'; 'δ']").unevaluated(ALL_PATCHES),
                     ],
             ),
         ];
@@ -111,7 +125,7 @@ vocabulary! {
             "B_old" = b_old,
         }
         [
-            entry("event-gathering", &[is("{E_i}"), is("{rho_i}"), is("{B_old}")]),
+            entry("event-gathering", &[is("E_i"), is("rho_i"), is("B_old")]),
         ];
     Event { recorded: S::Exchanged { j, f_ij, b_j, product, sum }, solver } => "Exchanged" at "exchange"
         {
@@ -122,7 +136,7 @@ vocabulary! {
             "sum" = sum,
         }
         [
-            entry("event-exchanged", &[is("{sum} = sum′ + {F_ij} · {B_j}")]),
+            entry("event-exchanged", &[is("sum = {sum′=sum<0} + F_ij · B_j")]),
         ];
     Event { recorded: S::Gathered { i, b_new, change }, solver } => "Gathered" at "gathered"
         {
@@ -135,17 +149,15 @@ vocabulary! {
                 When::Recorded("omega"),
                 "event-gathered-relaxed",
                 &[
-                    if_recorded(
-                    "sum",
-                    "{B_i} = {B_old} + {omega} ({E_i} + {rho_i} · {Σ_j F_i_j B_j=sum} − {B_old})",
-                    ),
+                    is("B_i = B_old + omega (E_i + rho_i · {Σ_j F_{ij} B_j=sum<} − B_old)")
+                        .when(When::Recorded("sum")),
                     CHANGE,
                     ],
             ),
             entry(
                 "event-gathered",
                 &[
-                    if_recorded("sum", "{B_i} = {E_i} + {rho_i} · {Σ_j F_i_j B_j=sum}"),
+                    is("B_i = E_i + rho_i · {Σ_j F_{ij} B_j=sum<}").when(When::Recorded("sum")),
                     CHANGE,
                     ],
             ),
@@ -158,7 +170,7 @@ vocabulary! {
             only(
                 When::Recorded("ambient"),
                 "event-ambient-radiosity",
-                &[is("{ambient} = [⟨ρ⟩ ⟨ΔB⟩; 1 − ⟨ρ⟩]")],
+                &[is("ambient = ['⟨ρ⟩ ⟨ΔB⟩'; 1 − '⟨ρ⟩']").unevaluated(ALL_PATCHES)],
             ),
         ];
     Event { recorded: S::Shooting { i, unshot, shot, a_i }, solver } => "Shooting" at "shooting" number "i" scope "scope-patch"
@@ -172,9 +184,9 @@ vocabulary! {
             only(
                 When::Recorded("ambient"),
                 "event-overshooting",
-                &[is("{shot} = {ΔB_i=unshot_i} + {ambient}"), is("{A_i}")],
+                &[is("shot = {ΔB_i=unshot_i} + ambient"), is("A_i")],
             ),
-            entry("event-shooting", &[is("{ΔB_i=unshot_i}"), is("{A_i}")]),
+            entry("event-shooting", &[is("{ΔB_i=unshot_i}"), is("A_i")]),
         ];
     Event { recorded: S::Received { j, f_ji, rho_j, delta, b_j, unshot_j }, solver } => "Received" at "received"
         {
@@ -189,9 +201,17 @@ vocabulary! {
             entry(
                 "event-received",
                 &[
-                    is("{F_ji} = F_i_j A_i / A_j"),
-                    is("{ΔRad=DeltaB} = {rho_j} · {F_ji} · {ΔB_i=shot}"),
-                    is("{ΔB_j=unshot_j} = ΔB_j′ + {ΔRad=DeltaB}"),
+                    is("F_ji = matrix_F_ij · A_i / area_of_j"),
+                    is("{ΔRad=DeltaB} = rho_j · F_ji · {ΔB_i=shot}"),
+                    // The patch that shoots has its unshot light no longer.
+                    is("{ΔB_j=unshot_j} = −ambient + {ΔRad=DeltaB}")
+                        .when(When::All(&[SAME, When::Recorded("ambient")])),
+                    is("{ΔB_j=unshot_j} = {ΔRad=DeltaB}")
+                        .when(When::All(&[SAME, When::Unrecorded("ambient")])),
+                    is("{ΔB_j=unshot_j} = {ΔB_j′=unshot_i<<i:j} + {ΔRad=DeltaB}")
+                        .when(When::All(&[When::Not(&SAME), FIRST])),
+                    is("{ΔB_j=unshot_j} = {ΔB_j′=unshot_j<<j,k-1|unshot_i<<i:j,k-1} + {ΔRad=DeltaB}")
+                        .when(When::All(&[When::Not(&SAME), When::Not(&FIRST)])),
                     ],
             ),
         ];
@@ -202,7 +222,14 @@ vocabulary! {
             "unshot_i" = unshot,
         }
         [
-            entry("event-shot-done", &[is("{B_i} = B_i′ + {shot}"), is("{ΔB_i=unshot_i}")]),
+            entry(
+                "event-shot-done",
+                &[
+                    is("B_i = {B_i′=B_i<<i} + shot").when(FIRST),
+                    is("B_i = {B_i′=B_j<<j:i,k-1|B_i<<i,k-1} + shot").when(When::Not(&FIRST)),
+                    is("{ΔB_i=unshot_i}"),
+                ],
+            ),
         ];
     Event { recorded: S::Updated { i, b_old, b_new }, solver } => "Updated" at "updated"
         {
@@ -214,14 +241,18 @@ vocabulary! {
             only(
                 When::Is("solver", "chebyshev"),
                 "event-updated-chebyshev",
-                &[is("{B_i} = B″_i + {omega} (γ r_i + {B_old} − B″_i)")],
+                &[is("B_i = 'B″_i' + omega ('γ r_i' + B_old − 'B″_i')")
+                    .unevaluated("the residual of each patch is not recorded")],
             ),
             only(
                 When::Is("solver", "direct"),
                 "event-updated-direct",
-                &[is("{B_i} = {B_old} + d_i")],
+                &[is("B_i = B_old + 'd_i'").unevaluated("d solves a whole system")],
             ),
-            entry("event-updated-along-direction", &[is("{B_i} = {B_old} + α p_i")]),
+            entry(
+                "event-updated-along-direction",
+                &[is("B_i = B_old + 'α p_i'").unevaluated("the direction p is not recorded")],
+            ),
         ];
     Event { recorded: S::IterationDone { residual, error_bound }, solver } => "IterationDone" at "iteration"
         {
@@ -246,16 +277,25 @@ vocabulary! {
             "residual" = residual,
         }
         [
-            entry("event-not-converged", &[is(RELATIVE)]),
+            entry("event-not-converged", &[RELATIVE]),
         ];
 }
 
-const CHANGE: Formula = is("{ΔB=DeltaB} = {B_i} − {B_old}");
+const CHANGE: Formula = is("DeltaB = B_i − B_old");
 const RESIDUAL: &[Formula] = &[
-    is(RELATIVE),
-    if_finite("error_bound", "{ε_B=error_bound} = [‖r‖_∞; 1 − {μ=gain}]"),
+    RELATIVE,
+    is("{ε_B=error_bound} = ['‖r‖_∞'; 1 − {μ=gain}]")
+        .unevaluated(ALL_PATCHES)
+        .when(When::Finite("error_bound")),
 ];
-const RELATIVE: &str = "{residual} = [‖E − (I − ρF) B‖; ‖E‖]";
+const RELATIVE: Formula = is("residual = ['‖E − (I − ρF) B‖'; '‖E‖']").unevaluated(ALL_PATCHES);
+const UNKNOWNS: &str = "the unknowns of a whole system";
+const ALL_PATCHES: &str = "a sum over all patches, whose parts are not recorded";
+const FIRST: When = When::Equals("k", 0);
+const SECOND: When = When::Equals("k", 1);
+const SAME: When = When::Same("i", "j");
+/// Young’s ω is then 1.
+const MAY_GAIN_LIGHT: When = When::AtLeast("gain", 1.0);
 
 /// A bound on the error, where one is known.
 struct Bound(Option<f64>);

@@ -20,7 +20,7 @@ vocabulary! {
             "u" = ray.direction,
         }
         [
-            entry("event-ray-primary", &[is("{O}"), is("{u} = [P_s − O; |P_s − O|]")]),
+            entry("event-ray-primary", &[is("O"), is("u = [screen_point − O; |screen_point − O|]")]),
         ];
     Event::Local { emission, local } => "Local" at "local"
         {
@@ -28,14 +28,14 @@ vocabulary! {
             "I_local" = local,
         }
         [
-            entry("event-local", &[is("{I_local} = {I} + {emission}")]),
+            entry("event-local", &[is("I_local = I + emission")]),
         ];
     Event::Returned { color } => "Returned" at "returned"
         {
             "I" = color,
         }
         [
-            entry("event-returned", &[is("{I}")]),
+            entry("event-returned", &[is("I")]),
         ];
 }
 

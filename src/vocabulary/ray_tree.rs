@@ -22,7 +22,7 @@ vocabulary! {
                 "event-ray-total-internal-reflection",
                 RAY,
             ),
-            entry("event-ray-primary", &[is("{O}"), is("{u} = [P_s − O; |P_s − O|]")]),
+            entry("event-ray-primary", &[is("O"), is("u = [screen_point − O; |screen_point − O|]")]),
         ];
     Event::ShadowRay { light, direction, distance } => "ShadowRay" at "shadow" number "light" scope "scope-shadow-ray"
         {
@@ -35,11 +35,11 @@ vocabulary! {
                 When::Finite("d"),
                 "event-shadow-ray",
                 &[
-                    is("{L} = [light − P; |light − P|]"),
-                    is("{d} = |light − P|"),
+                    is("L = [light_position − P; |light_position − P|]"),
+                    is("d = |light_position − P|"),
                     ],
             ),
-            entry("event-shadow-ray-infinitely-far", &[is("{L}"), is("{d}")]),
+            entry("event-shadow-ray-infinitely-far", &[is("L"), is("d")]),
         ];
     Event::Shadow { light, blocked, by } => "Shadow" at "shadow"
         {
@@ -49,7 +49,7 @@ vocabulary! {
             "t" = by.map(|hit| hit.t),
         }
         [
-            only(When::True("blocked"), "event-shadow-blocked", &[is("{t} < {d}")]),
+            only(When::True("blocked"), "event-shadow-blocked", &[is("t < d")]),
             entry("event-shadow-none", &[]),
         ];
     Event::Local { emission, local } => "Local" at "local"
@@ -59,7 +59,7 @@ vocabulary! {
             "I_sum" = local,
         }
         [
-            entry("event-local", &[is("{I_local} = {I} + {emission}")]),
+            entry("event-local", &[is("I_local = I + emission")]),
         ];
     Event::Refraction { eta_i, eta_r, cos_theta_i, radicand } => "Refraction" at "refraction"
         {
@@ -76,7 +76,7 @@ vocabulary! {
                 "event-refraction-total-reflection",
                 &[
                     is(COSINE),
-                    is("{θ_c in °=theta_c_degrees} = arcsin [{η_r=eta_r}; {η_i=eta_i}]"),
+                    is("{θ_c in °=theta_c_degrees} = arcsin [eta_r; eta_i]"),
                     ],
             ),
             only(
@@ -85,7 +85,7 @@ vocabulary! {
                 &[
                     is(COSINE),
                     is(ANGLE),
-                    is("{θ_c in °=theta_c_degrees} = arcsin [{η_r=eta_r}; {η_i=eta_i}]"),
+                    is("{θ_c in °=theta_c_degrees} = arcsin [eta_r; eta_i]"),
                     ],
             ),
             entry("event-refraction", &[is(COSINE), is(ANGLE)]),
@@ -101,9 +101,9 @@ vocabulary! {
                 "event-transmission",
                 &[
                     is(
-                    "{T} = [{η_i=eta_i}; {η_r=eta_r}] {u} − (√{cos2_theta_r} − [{η_i=eta_i}; {η_r=eta_r}] · {cos_theta_i}) {N}",
+                    "T = [eta_i; eta_r] u − (√cos2_theta_r − [eta_i; eta_r] · cos_theta_i) N",
                     ),
-                    is("{k_t}"),
+                    is("k_t"),
                     ],
             ),
         ];
@@ -117,9 +117,9 @@ vocabulary! {
             entry(
                 "event-total-internal-reflection",
                 &[
-                    is("{cos2_theta_r} < 0"),
-                    is("{R} = {u} − 2 ({u} · {N}) {N}"),
-                    is("{k_t}"),
+                    is("cos2_theta_r < 0"),
+                    is("R = u − 2 (u · N) N"),
+                    is("k_t"),
                     ],
             ),
         ];
@@ -130,7 +130,7 @@ vocabulary! {
             "R" = branch.direction,
         }
         [
-            entry("event-reflection", &[is("{R} = {u} − 2 ({u} · {N}) {N}"), is("{k_r}")]),
+            entry("event-reflection", &[is("R = u − 2 (u · N) N"), is("k_r")]),
         ];
     Event::Ended { kind, end } => "BranchEnded" at "refraction" or "reflection" if kind == RayKind::Reflected,
         {
@@ -156,7 +156,7 @@ vocabulary! {
             entry(
                 "event-attenuated",
                 &[
-                    is("{a=divisor} = {a_0} + {a_1} · {d} + {a_2} · {d}^2"),
+                    is("{a=divisor} = a_0 + a_1 · d + a_2 · d^2"),
                     is("{I_{att}=carried} = [{I<}; {a=divisor}]"),
                     ],
             ),
@@ -171,11 +171,11 @@ vocabulary! {
             only(
                 When::Is("branch", "reflected"),
                 "event-branch-added-reflected",
-                &[is("{I=I_sum} = {I_{local}=I_sum<} + {k_r} · {I_R=carried}")],
+                &[is("{I=I_sum} = {I_{local}=I_sum<} + k_r · {I_R=carried}")],
             ),
             entry(
                 "event-branch-added-transmitted",
-                &[is("{I=I_sum} = {I′=I_sum<} + {k_t} · {I_T=carried}")],
+                &[is("{I=I_sum} = {I′=I_sum<} + k_t · {I_T=carried}")],
             ),
         ];
     Event::Returned { color } => "Returned" at "returned"
@@ -183,10 +183,10 @@ vocabulary! {
             "I" = color,
         }
         [
-            entry("event-returned", &[is("{I}")]),
+            entry("event-returned", &[is("I")]),
         ];
 }
 
-const RAY: &[Formula] = &[is("{O}"), is("{u}")];
-const COSINE: &str = "{cos2_theta_r} = 1 − ([{η_i=eta_i}; {η_r=eta_r}])^2 (1 − ({cos_theta_i})^2)";
-const ANGLE: &str = "{θ_r in °=theta_r_degrees} = arccos √{cos2_theta_r}";
+const RAY: &[Formula] = &[is("O"), is("u")];
+const COSINE: &str = "cos2_theta_r = 1 − ([eta_i; eta_r])^2 (1 − (cos_theta_i)^2)";
+const ANGLE: &str = "{θ_r in °=theta_r_degrees} = arccos √cos2_theta_r";

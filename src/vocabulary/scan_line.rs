@@ -1,7 +1,7 @@
 //! Scan conversion: edge table, scan lines, spans and pixels, whatever is interpolated.
 
 use super::declare::Interpolated;
-use super::entry::{When, entry, if_recorded, is, noted, only};
+use super::entry::{When, entry, is, only};
 use crate::algorithms::scan_line::{Event, Named};
 use crate::language::Message;
 
@@ -27,11 +27,11 @@ vocabulary! {
             entry(
                 "event-corner-placed",
                 &[
-                    is("{x}"),
-                    is("{y}"),
-                    is("{z}"),
-                    if_recorded("I", "{I}"),
-                    if_recorded("N", "{N}"),
+                    is("x"),
+                    is("y"),
+                    is("z"),
+                    is("I").when(When::Recorded("I")),
+                    is("N").when(When::Recorded("N")),
                     ],
             ),
         ];
@@ -50,16 +50,16 @@ vocabulary! {
                 "event-edge-entered",
                 &[
                     is(
-                    "{dx_dy} = [{x_2=x@corner:lower} − {x_1=x@corner:upper}; {y_2=y@corner:lower} − {y_1=y@corner:upper}]",
+                    "dx_dy = [{x_2=x@corner:lower} − {x_1=x@corner:upper}; {y_2=y@corner:lower} − {y_1=y@corner:upper}]",
                     ),
-                    if_recorded(
-                    "dI_dy",
-                    "{dI_dy} = [{I_2=I@corner:lower} − {I_1=I@corner:upper}; {y_2=y@corner:lower} − {y_1=y@corner:upper}]",
-                    ),
-                    if_recorded(
-                    "dN_dy",
-                    "{dN_dy} = [{N_2=N@corner:lower} − {N_1=N@corner:upper}; {y_2=y@corner:lower} − {y_1=y@corner:upper}]",
-                    ),
+                    is(
+                        "dI_dy = [{I_2=I@corner:lower} − {I_1=I@corner:upper}; {y_2=y@corner:lower} − {y_1=y@corner:upper}]",
+                    )
+                    .when(When::Recorded("dI_dy")),
+                    is(
+                        "dN_dy = [{N_2=N@corner:lower} − {N_1=N@corner:upper}; {y_2=y@corner:lower} − {y_1=y@corner:upper}]",
+                    )
+                    .when(When::Recorded("dN_dy")),
                     ],
             ),
         ];
@@ -84,7 +84,7 @@ vocabulary! {
             "y_4" = y_4,
         }
         [
-            entry("event-scan-line", &[is("{y_4} = {y} + 0.5")]),
+            entry("event-scan-line", &[is("y_4 = y + 0.5")]),
         ];
     Event::Edge { edge, upper, lower, y_1, y_2, x_4 } => "Edge" at "edge" number "edge" scope "scope-edge"
         {
@@ -100,7 +100,7 @@ vocabulary! {
                 When::Recorded("x_4"),
                 "event-edge",
                 &[is(
-                    "{x_4} = {x_1=x@corner:upper} + ({y_4} − {y_1}) · {Δx/Δy=dx_dy@edge:edge}",
+                    "x_4 = {x_1=x@corner:upper} + (y_4 − y_1) · {dx_dy@edge:edge}",
                     )],
             ),
         ];
@@ -110,8 +110,8 @@ vocabulary! {
             "I_2" | "N_2" = Interpolated(lower, |names| names.lower),
         }
         [
-            only(When::Recorded("N_1"), "event-edge-ends-normal", &[is("{N_1}"), is("{N_2}")]),
-            entry("event-edge-ends-intensity", &[is("{I_1}"), is("{I_2}")]),
+            only(When::Recorded("N_1"), "event-edge-ends-normal", &[is("N_1"), is("N_2")]),
+            entry("event-edge-ends-intensity", &[is("I_1"), is("I_2")]),
         ];
     Event::EdgeInterpolated { direct, incremental } => "EdgeInterpolated" at "cut"
         {
@@ -125,20 +125,20 @@ vocabulary! {
                 "event-edge-interpolated-normal",
                 &[
                     is(
-                    "{N_4} = [{y_4} − {y_2}; {y_1} − {y_2}] · {N_1} + [{y_1} − {y_4}; {y_1} − {y_2}] · {N_2}",
+                    "N_4 = [y_4 − y_2; y_1 − y_2] · N_1 + [y_1 − y_4; y_1 − y_2] · N_2",
                     ),
-                    is("{N_4 incremental=N_4_incremental} = N_4′ + ΔN/Δy"),
-                    noted("{Δ=difference}", INCREMENTAL),
+                    is("N_4_incremental = {N_4′=N_4_incremental<<polygon,edge,y-1} + {dN_dy@edge:edge}"),
+                    is("{Δ=difference}").noted(INCREMENTAL),
                     ],
             ),
             entry(
                 "event-edge-interpolated-intensity",
                 &[
                     is(
-                    "{I_4} = [{y_4} − {y_2}; {y_1} − {y_2}] · {I_1} + [{y_1} − {y_4}; {y_1} − {y_2}] · {I_2}",
+                    "I_4 = [y_4 − y_2; y_1 − y_2] · I_1 + [y_1 − y_4; y_1 − y_2] · I_2",
                     ),
-                    is("{I_4 incremental=I_4_incremental} = I_4′ + ΔI/Δy"),
-                    noted("{Δ=difference}", INCREMENTAL),
+                    is("I_4_incremental = {I_4′=I_4_incremental<<polygon,edge,y-1} + {dI_dy@edge:edge}"),
+                    is("{Δ=difference}").noted(INCREMENTAL),
                     ],
             ),
         ];
@@ -156,7 +156,7 @@ vocabulary! {
             "end" = end,
         }
         [
-            entry("event-span", &[is("{x_4}"), is("{x_5}")]),
+            entry("event-span", &[is("x_4"), is("x_5")]),
         ];
     Event::SpanEnds { left, right } => "SpanEnds" at "span"
         {
@@ -164,8 +164,8 @@ vocabulary! {
             "I_5" | "N_5" = Interpolated(right, |names| names.right),
         }
         [
-            only(When::Recorded("N_4"), "event-span-ends-normal", &[is("{N_4}"), is("{N_5}")]),
-            entry("event-span-ends-intensity", &[is("{I_4}"), is("{I_5}")]),
+            only(When::Recorded("N_4"), "event-span-ends-normal", &[is("N_4"), is("N_5")]),
+            entry("event-span-ends-intensity", &[is("I_4"), is("I_5")]),
         ];
     Event::Pixel { x, y, x_p } => "Pixel" at "pixel" number "x" scope "scope-pixel"
         {
@@ -174,7 +174,7 @@ vocabulary! {
             "x_P" = x_p,
         }
         [
-            entry("event-pixel", &[is("{x_P} = {x} + 0.5")]),
+            entry("event-pixel", &[is("x_P = x + 0.5")]),
         ];
     Event::DepthTested { z, nearest, nearer } => "DepthTested" at "depth"
         {
@@ -183,8 +183,8 @@ vocabulary! {
             "nearer" = nearer,
         }
         [
-            only(When::True("nearer"), "event-depth-tested-nearer", &[is("{z} < {nearest}")]),
-            entry("event-depth-tested-hidden", &[is("{z} ≥ {nearest}")]),
+            only(When::True("nearer"), "event-depth-tested-nearer", &[is("z < nearest")]),
+            entry("event-depth-tested-hidden", &[is("z ≥ nearest")]),
         ];
     Event::SpanInterpolated { direct, incremental } => "SpanInterpolated" at "interpolation"
         {
@@ -198,20 +198,20 @@ vocabulary! {
                 "event-span-interpolated-normal",
                 &[
                     is(
-                    "{N_P} = [{x_5} − {x_P}; {x_5} − {x_4}] · {N_4} + [{x_P} − {x_4}; {x_5} − {x_4}] · {N_5}",
+                    "N_P = [x_5 − x_P; x_5 − x_4] · N_4 + [x_P − x_4; x_5 − x_4] · N_5",
                     ),
-                    is("{N_P incremental=N_P_incremental} = N_P′ + ΔN/Δx"),
-                    noted("{Δ=difference}", INCREMENTAL),
+                    is("N_P_incremental = {N_P′=N_P_incremental<<polygon,y,first,x-1} + [N_5 − N_4; x_5 − x_4]"),
+                    is("{Δ=difference}").noted(INCREMENTAL),
                     ],
             ),
             entry(
                 "event-span-interpolated-intensity",
                 &[
                     is(
-                    "{I_P} = [{x_5} − {x_P}; {x_5} − {x_4}] · {I_4} + [{x_P} − {x_4}; {x_5} − {x_4}] · {I_5}",
+                    "I_P = [x_5 − x_P; x_5 − x_4] · I_4 + [x_P − x_4; x_5 − x_4] · I_5",
                     ),
-                    is("{I_P incremental=I_P_incremental} = I_P′ + ΔI/Δx"),
-                    noted("{Δ=difference}", INCREMENTAL),
+                    is("I_P_incremental = {I_P′=I_P_incremental<<polygon,y,first,x-1} + [I_5 − I_4; x_5 − x_4]"),
+                    is("{Δ=difference}").noted(INCREMENTAL),
                     ],
             ),
         ];
@@ -234,7 +234,7 @@ vocabulary! {
             only(
                 When::Recorded("I_P_incremental"),
                 "event-pixel-colored-interpolated",
-                &[is("{pixel=color} = {I_P incremental=I_P_incremental}")],
+                &[is("{pixel=color} = I_P_incremental")],
             ),
             entry("event-pixel-colored-of-polygon", &[is("{pixel=color} = {I@}")]),
         ];

@@ -19,7 +19,7 @@ vocabulary! {
             "P_m" = position,
         }
         [
-            entry("event-middle", &[is("{P_m} = [ΣP_k; n]")]),
+            entry("event-middle", &[is("P_m = [Σ{polygon_corners}; corner_count]")]),
         ];
     Event::Vertex { vertex, position } => "Vertex" at "vertex" number "vertex" scope "scope-vertex"
         {
@@ -27,7 +27,7 @@ vocabulary! {
             "P_v" = position,
         }
         [
-            entry("event-vertex", &[is("{P_v}")]),
+            entry("event-vertex", &[is("P_v")]),
         ];
     Event::VertexLit { vertex, intensity } => "VertexLit" at "vertex-lit"
         {
@@ -35,21 +35,21 @@ vocabulary! {
             "I_v" = intensity,
         }
         [
-            entry("event-vertex-lit", &[is("{I_v} = illumination({P_v}, {N_v})")]),
+            entry("event-vertex-lit", &[is("I_v = {illumination(P_v, N_v)=I@}")]),
         ];
     Event::VertexReady { vertex } => "VertexReady" at "vertex-normal"
         {
             "vertex" = vertex,
         }
         [
-            entry("event-vertex-ready", &[is("{N_v}")]),
+            entry("event-vertex-ready", &[is("N_v")]),
         ];
     Event::PixelPoint { position } => "PixelPoint" at "point"
         {
             "P" = position,
         }
         [
-            entry("event-pixel-point", &[is("{P} = eye + {z} · [u; u · forward]")]),
+            entry("event-pixel-point", &[is("P = eye + z · [pixel_direction; pixel_direction · forward]")]),
         ];
     Event::PixelNormal { length, normal } => "PixelNormal" at "normal"
         {
@@ -60,7 +60,7 @@ vocabulary! {
             entry(
                 "event-pixel-normal",
                 &[is(
-                    "{N} = [{N_P incremental=N_P_incremental}; {|N_P|=length}]",
+                    "N = [N_P_incremental; {|N_P|=length}]",
                     )],
             ),
         ];
@@ -70,7 +70,7 @@ vocabulary! {
             "N" = normal,
         }
         [
-            entry("event-pixel-normal-lost", &[is("{|N_P|=length}"), is("{N}")]),
+            entry("event-pixel-normal-lost", &[is("{|N_P|=length}"), is("N")]),
         ];
     Event::TruePoint { position, normal } => "TruePoint" at "normal"
         {
@@ -78,7 +78,7 @@ vocabulary! {
             "N" = normal,
         }
         [
-            entry("event-true-point", &[is("{P}"), is("{N}")]),
+            entry("event-true-point", &[is("P"), is("N")]),
         ];
 }
 

@@ -31,8 +31,8 @@ vocabulary! {
             entry(
                 "event-surface-met",
                 &[
-                    is("{P} = {O} + {t=NearestT} · {u}"),
-                    is("{N_{geometric}=N_geometric}"),
+                    is("P = O + {t=NearestT} · u"),
+                    is("N_geometric"),
                     ],
             ),
         ];
@@ -48,17 +48,17 @@ vocabulary! {
                 When::True("entering"),
                 "event-faced-entering",
                 &[
-                    is("{N} = {N_{geometric}=N_geometric}"),
-                    is("{cos_theta_i} = −({u} · {N})"),
-                    is("{θ_i in °=theta_i_degrees} = arccos {cos_theta_i}"),
+                    is("N = N_geometric"),
+                    is("cos_theta_i = −(u · N)"),
+                    is("{θ_i in °=theta_i_degrees} = arccos cos_theta_i"),
                     ],
             ),
             entry(
                 "event-faced-leaving",
                 &[
-                    is("{N} = −{N_{geometric}=N_geometric}"),
-                    is("{cos_theta_i} = −({u} · {N})"),
-                    is("{θ_i in °=theta_i_degrees} = arccos {cos_theta_i}"),
+                    is("N = −N_geometric"),
+                    is("cos_theta_i = −(u · N)"),
+                    is("{θ_i in °=theta_i_degrees} = arccos cos_theta_i"),
                     ],
             ),
         ];
@@ -71,7 +71,7 @@ vocabulary! {
         [
             entry(
                 "event-surface-textured",
-                &[is("{u=u_texture}"), is("{v=v_texture}"), is("{texture}")],
+                &[is("{u=u_texture}"), is("{v=v_texture}"), is("texture")],
             ),
         ];
 }

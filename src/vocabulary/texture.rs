@@ -16,7 +16,7 @@ vocabulary! {
             only(
                 When::Recorded("x_P"),
                 "event-textured",
-                &[is("{u=u_texture}"), is("{v=v_texture}"), is("{texture}")],
+                &[is("{u=u_texture}"), is("{v=v_texture}"), is("texture")],
             ),
         ];
     Event::TexturedLinearly { uv, color } => "TexturedLinearly" at "chart"
@@ -28,7 +28,7 @@ vocabulary! {
         [
             entry(
                 "event-textured-linearly",
-                &[is("{u_linear}"), is("{v_linear}"), is("{texture_linear}")],
+                &[is("u_linear"), is("v_linear"), is("texture_linear")],
             ),
         ];
     Event::TextureTaken { color, linear } => "TextureTaken" at "texture"
@@ -40,9 +40,9 @@ vocabulary! {
             only(
                 When::True("linear"),
                 "event-texture-taken-linear",
-                &[is("{T} = {texture_linear}")],
+                &[is("T = texture_linear")],
             ),
-            entry("event-texture-taken-exact", &[is("{T} = {texture}")]),
+            entry("event-texture-taken-exact", &[is("T = texture")]),
         ];
     Event::TextureApplied { diffuse, textured } => "TextureApplied" at "applied"
         {
@@ -52,7 +52,12 @@ vocabulary! {
         [
             entry(
                 "event-texture-applied",
-                &[is("{I textured=I_textured} = I − {I_d} + {T} · {I_d}")],
+                &[
+                    is("{I textured=I_textured} = I_P_incremental − I_d + T · I_d")
+                        .when(When::Recorded("I_P_incremental")),
+                    is("{I textured=I_textured} = {I@} − I_d + T · I_d")
+                        .when(When::Unrecorded("I_P_incremental")),
+                ],
             ),
         ];
 }

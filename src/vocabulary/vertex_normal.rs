@@ -13,7 +13,7 @@ vocabulary! {
             "sum_N" = sum,
         }
         [
-            entry("event-face-normal-added", &[is("{S=sum_N} = {ΣN_k=*N_k}")]),
+            entry("event-face-normal-added", &[is("{S=sum_N} = Σ{*N_k}")]),
         ];
     Event::VertexNormal { faces, length, normal } => "VertexNormal" at "vertex-normal"
         {
@@ -22,7 +22,7 @@ vocabulary! {
             "N_v" = normal,
         }
         [
-            entry("event-vertex-normal", &[is("{N_v} = [{ΣN_k=sum_N}; {|ΣN_k|=length}]")]),
+            entry("event-vertex-normal", &[is("N_v = [sum_N; {|ΣN_k|=length}]")]),
         ];
     Event::NormalVanished { faces, length, normal } => "NormalVanished" at "vertex-normal"
         {
@@ -31,6 +31,6 @@ vocabulary! {
             "N_v" = normal,
         }
         [
-            entry("event-normal-vanished", &[is("{|ΣN_k|=length}"), is("{N_v} = N_1")]),
+            entry("event-normal-vanished", &[is("{|ΣN_k|=length}"), is("N_v = {N_1=N_k!}")]),
         ];
 }

@@ -12,7 +12,7 @@ vocabulary! {
             "NearestT" = f64::INFINITY,
         }
         [
-            entry("event-search", &[is("{NearestT}")]),
+            entry("event-search", &[is("NearestT")]),
         ];
     Event::ObjectTested { object, t, nearest_t, nearer, .. } => "ObjectTested" at "test" or "nearer" if nearer,
         {
@@ -22,9 +22,9 @@ vocabulary! {
             "nearer" = nearer,
         }
         [
-            only(When::True("nearer"), "event-object-tested-nearer", &[is("{t} < {NearestT}")]),
-            only(When::Finite("t"), "event-object-tested-behind", &[is("{t} ≥ {NearestT}")]),
-            entry("event-object-tested-missed", &[is("{t}")]),
+            only(When::True("nearer"), "event-object-tested-nearer", &[is("t < NearestT")]),
+            only(When::Finite("t"), "event-object-tested-behind", &[is("t ≥ NearestT")]),
+            entry("event-object-tested-missed", &[is("t")]),
         ];
     Event::LightTested { light, t, nearest_t, nearer } => "LightTested" at "test" or "nearer" if nearer,
         {
@@ -34,9 +34,9 @@ vocabulary! {
             "nearer" = nearer,
         }
         [
-            only(When::True("nearer"), "event-light-tested-nearer", &[is("{t} < {NearestT}")]),
-            only(When::Finite("t"), "event-light-tested-behind", &[is("{t} ≥ {NearestT}")]),
-            entry("event-light-tested-missed", &[is("{t}")]),
+            only(When::True("nearer"), "event-light-tested-nearer", &[is("t < NearestT")]),
+            only(When::Finite("t"), "event-light-tested-behind", &[is("t ≥ NearestT")]),
+            entry("event-light-tested-missed", &[is("t")]),
         ];
     Event::Found { met } => "Found" at "found"
         {
@@ -46,9 +46,9 @@ vocabulary! {
             "NearestT" = met.t(),
         }
         [
-            only(When::Is("met", "object"), "event-found-object", &[is("{NearestT}")]),
-            only(When::Is("met", "light"), "event-found-light", &[is("{NearestT}")]),
-            entry("event-found-nothing", &[is("{NearestT}")]),
+            only(When::Is("met", "object"), "event-found-object", &[is("NearestT")]),
+            only(When::Is("met", "light"), "event-found-light", &[is("NearestT")]),
+            entry("event-found-nothing", &[is("NearestT")]),
         ];
     Event::BetweenTested { object, t, distance, blocks, .. } => "BetweenTested" at "shadow"
         {
@@ -58,9 +58,9 @@ vocabulary! {
             "blocks" = blocks,
         }
         [
-            only(When::True("blocks"), "event-between-tested-blocks", &[is("{t} < {d}")]),
-            only(When::Finite("t"), "event-between-tested-behind", &[is("{t} ≥ {d}")]),
-            entry("event-between-tested-missed", &[is("{t}")]),
+            only(When::True("blocks"), "event-between-tested-blocks", &[is("t < d")]),
+            only(When::Finite("t"), "event-between-tested-behind", &[is("t ≥ d")]),
+            entry("event-between-tested-missed", &[is("t")]),
         ];
     Event::Unshadowing { object } => "Unshadowing" at "shadow"
         {

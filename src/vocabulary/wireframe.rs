@@ -25,7 +25,7 @@ vocabulary! {
             "y_2" = end.y,
         }
         [
-            entry("event-edge-clipped", &[is("{x_1}"), is("{y_1}"), is("{x_2}"), is("{y_2}")]),
+            entry("event-edge-clipped", &[is("x_1"), is("y_1"), is("x_2"), is("y_2")]),
         ];
     Event::EdgeUnseen => "EdgeUnseen" at "clip"
         {
@@ -43,9 +43,9 @@ vocabulary! {
             entry(
                 "event-step-chosen",
                 &[
-                    is("{n} = ⌈max(|{x_2} − {x_1}|, |{y_2} − {y_1}|)⌉"),
-                    is("{Δx/n=dx} = [{x_2} − {x_1}; {n}]"),
-                    is("{Δy/n=dy} = [{y_2} − {y_1}; {n}]"),
+                    is("n = ⌈max(1, |x_2 − x_1|, |y_2 − y_1|)⌉"),
+                    is("{Δx/n=dx} = [x_2 − x_1; n]"),
+                    is("{Δy/n=dy} = [y_2 − y_1; n]"),
                     ],
             ),
         ];
@@ -60,8 +60,8 @@ vocabulary! {
             entry(
                 "event-pixel-plotted",
                 &[
-                    is("{x} = min(⌊{x_exact}⌋, {width} − 1)"),
-                    is("{y} = min(⌊{y_exact}⌋, {height} − 1)"),
+                    is("x = min(⌊x_exact⌋, width − 1)"),
+                    is("y = min(⌊y_exact⌋, height − 1)"),
                     ],
             ),
         ];

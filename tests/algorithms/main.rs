@@ -2,6 +2,7 @@
 
 #[path = "../common/mod.rs"]
 mod common;
+mod formulas;
 mod laws;
 mod needs;
 mod rays;

@@ -1,8 +1,10 @@
 //! The formula of the step: with symbols, with this step's numbers under it, and the result; where a step computes nothing,
-//! a sentence. All numbers are told values.
+//! a sentence. All numbers are values of the run or of the scene, or follow from them.
 
+mod evaluated;
+mod known;
+mod pieces;
 mod set;
-mod template;
 
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
@@ -10,12 +12,15 @@ use super::names;
 use super::values::shown;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
-use crate::picture::{Ink, Picture, Style, symbol, wrap};
+use crate::picture::{Ink, Picture, Style, wrap};
 use crate::record::Value;
+use crate::vocabulary::expression::{Equation, Expression, Relation, Term, evaluate};
 use crate::vocabulary::{Entry, Formula, Kind, When};
+pub use evaluated::{Evaluated, evaluated};
 use glam::Vec2;
+use known::Known;
+use pieces::pieces;
 use set::{Atom, Voice, flow, set_pieces};
-use template::{Known, Piece, parse, places};
 
 const MARGIN: f32 = 10.0;
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
@@ -25,12 +30,13 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if walk.is_empty() {
         return message(NO_STEPS, input.language, size);
     }
-    let known = Known::at(walk, walk.position());
+    let prepared = input.run.prepared();
+    let mut known = Known::at(input.run, walk.position());
     let Some(entry) = entry(walk.declared(walk.position()), &known) else {
         return message(NO_FORMULA, input.language, size);
     };
-    let formulas = formulas(entry, &known);
-    let says = filled(entry.sentence, &known, input.run.prepared(), input.language);
+    let formulas = formulas(entry, &mut known);
+    let says = filled(entry.sentence, &known, prepared, input.language);
 
     let mut picture = Picture::new(size.x, size.y);
     let layout = |detail: &Detail, text: f32| {
@@ -65,69 +71,74 @@ fn entry(kind: &'static Kind, known: &Known) -> Option<&'static Entry> {
 }
 
 fn holds(when: When, known: &Known) -> bool {
-    let value = |name| known.get(name).map(|recorded| recorded.field.value);
-    let number = |name| match value(name) {
+    let number = |name| match known.value(name) {
         Some(Value::Number(v)) => v,
         Some(Value::Integer(v)) => v as f64,
         _ => f64::NAN,
     };
     match when {
         When::Always => true,
-        When::Recorded(name) => value(name).is_some(),
-        When::Unrecorded(name) => value(name).is_none(),
-        When::Is(name, word) => value(name) == Some(Value::Word(word)),
-        When::True(name) => value(name) == Some(Value::Truth(true)),
+        When::Recorded(name) => known.value(name).is_some(),
+        When::Unrecorded(name) => known.value(name).is_none(),
+        When::Is(name, word) => known.value(name) == Some(Value::Word(word)),
+        When::True(name) => known.value(name) == Some(Value::Truth(true)),
         When::Negative(name) => number(name) < 0.0,
         When::NotPositive(name) => number(name) <= 0.0,
         When::Finite(name) => number(name).is_finite(),
+        When::Equals(name, whole) => known.value(name) == Some(Value::Integer(whole)),
+        When::AtLeast(name, bound) => number(name) >= bound,
+        When::Same(a, b) => known.value(a) == known.value(b),
+        When::Not(when) => !holds(*when, known),
+        When::All(all) => all.iter().all(|when| holds(*when, known)),
     }
 }
 
-/// A formula of the step, split at its equals sign.
-struct Parsed {
-    left: Vec<Piece>,
-    right: Vec<Piece>,
-    note: Option<Message>,
-}
-
-fn formulas(entry: &Entry, known: &Known) -> Vec<Parsed> {
-    let applies = |formula: &&Formula| {
-        holds(formula.when, known)
-            && places(&parse(formula.template))
-                .into_iter()
-                .all(|place| known.values(place).is_some())
-    };
-    let parsed = |formula: &Formula| {
-        let (left, right) = formula
-            .template
-            .split_once(" = ")
-            .unwrap_or((formula.template, ""));
-        Parsed {
-            left: parse(left),
-            right: parse(right),
-            note: formula.note,
+/// The formulas that hold at the step, whose left sides are known; what they define is known from there on.
+fn formulas(entry: &'static Entry, known: &mut Known) -> Vec<&'static Formula> {
+    let mut found = Vec::new();
+    for formula in entry.formulas {
+        let equation = formula.equation();
+        if let (Some(subject), Some((Relation::Defined, right))) =
+            (equation.subject(), &equation.right)
+        {
+            let value = evaluate(right, &|reference| known.values(reference));
+            if let Some(Term::Number(number)) = value {
+                known.define(subject.name, Value::Number(number.value));
+            }
         }
-    };
-    entry.formulas.iter().filter(applies).map(parsed).collect()
-}
-
-impl Parsed {
-    /// The value that the formula defines, where it is no mere relation.
-    fn result(&self, known: &Known) -> Option<Value> {
-        match self.left.as_slice() {
-            [Piece::Place(place)] => known.values(place)?.first().copied(),
-            _ => None,
+        let left = equation.left.references();
+        if holds(formula.when, known) && left.into_iter().all(|left| known.values(left).is_some()) {
+            found.push(formula);
         }
     }
+    found
+}
 
-    /// Whether a colour with unequal channels takes part: then each channel has a row of its own.
-    fn is_coloured(&self, known: &Known) -> bool {
-        let all = [places(&self.left), places(&self.right)].concat();
-        all.into_iter()
-            .filter_map(|place| known.values(place))
-            .flatten()
-            .any(|value| matches!(value, Value::Rgb(color) if !color.is_grey()))
-    }
+/// The value that the formula is about, where it is no comparison.
+fn result(equation: &Equation, known: &Known) -> Option<Value> {
+    let compares = matches!(
+        equation.right,
+        Some((Relation::Less | Relation::AtLeast, _))
+    );
+    let subject = equation.subject().filter(|_| !compares)?;
+    known.values(subject)?.first().copied()
+}
+
+/// Whether a colour with unequal channels takes part: then each channel has a row of its own.
+fn is_coloured(equation: &Equation, known: &Known) -> bool {
+    let references = equation.references().into_iter();
+    references
+        .filter_map(|reference| known.values(reference))
+        .flatten()
+        .any(|value| matches!(value, Value::Rgb(color) if !color.is_grey()))
+}
+
+/// Whether the expression says something else with numbers than with symbols.
+fn has_numbers(expression: &Expression, known: &Known) -> bool {
+    let references = expression.references().into_iter();
+    references
+        .map(|reference| known.values(reference))
+        .any(|values| values.is_some())
 }
 
 /// The sentence of a step with its values; things of the scene by their names.
@@ -152,15 +163,15 @@ fn filled(
     })
 }
 
-fn in_words(says: &str, formulas: &[Parsed], known: &Known, language: Language) -> String {
-    let mut text = says.replace(['{', '}'], "");
-    for formula in formulas {
-        if let (Some(value), [Piece::Place(place)]) = (formula.result(known), &formula.left[..]) {
+fn in_words(says: &str, formulas: &[&Formula], known: &Known, language: Language) -> String {
+    let mut text = says.to_string();
+    for equation in formulas.iter().map(|formula| formula.equation()) {
+        if let (Some(value), Some(subject)) = (result(equation, known), equation.subject()) {
             let value = shown(value, 4, language);
-            text.push_str(&format!(" {} = {value}.", symbol(&place.name)));
+            text.push_str(&format!(" {} = {value}.", subject.symbol()));
         }
     }
-    text
+    text.replace(['{', '}'], "")
 }
 
 /// How much is shown: less where there is less room.
@@ -212,7 +223,7 @@ struct Layout {
 impl Layout {
     fn new(
         says: &str,
-        formulas: &[Parsed],
+        formulas: &[&Formula],
         known: &Known,
         language: Language,
         width: f32,
@@ -244,7 +255,8 @@ impl Layout {
             if let Some(note) = formula.note.filter(|_| detail.sentences) {
                 sentence(&mut layout, note.text(language), above);
             }
-            formula_lines(&mut layout, formula, known, language, width, text, detail);
+            let equation = formula.equation();
+            formula_lines(&mut layout, equation, known, language, width, text, detail);
         }
         layout
     }
@@ -280,7 +292,7 @@ impl Layout {
 /// The rows of one formula: symbols, numbers, result.
 fn formula_lines(
     layout: &mut Layout,
-    formula: &Parsed,
+    equation: &Equation,
     known: &Known,
     language: Language,
     width: f32,
@@ -288,34 +300,35 @@ fn formula_lines(
     detail: &Detail,
 ) {
     let stacked = detail.stacked;
-    let set = |pieces: &[Piece], voice| set_pieces(pieces, voice, known, language, text, stacked);
-    let equals = || Atom::text("= ".to_string(), Style::Label.size(text));
-    let result = |value: String| {
+    let set =
+        |side: &Expression, voice| set_pieces(&pieces(side), voice, known, language, text, stacked);
+    let sign = |sign: &str| Atom::text(format!("{sign} "), Style::Label.size(text));
+    let ending = |value: String| {
         let style = Style::LabelBold.size(text).ink(Ink::This);
-        vec![equals(), Atom::text(value, style)]
+        vec![sign("="), Atom::text(value, style)]
     };
     let indent = 1.2 * text;
-    let coloured = formula.is_coloured(known);
-    let value = formula.result(known);
+    let coloured = is_coloured(equation, known);
+    let value = result(equation, known);
     let whole = value.map(|value| shown(value, 4, language));
 
-    let mut symbols = set(&formula.left, Voice::Symbols);
-    let has_numbers = !places(&formula.right).is_empty();
-    // A value alone, a formula without numbers of its own, or the shortest form: one row with the result.
-    if formula.right.is_empty() || !detail.symbols {
-        match whole {
-            Some(whole) => symbols.extend(spaced(result(whole), text)),
-            None => {
-                layout.push(symbols, width, indent, 0.5 * text);
-                symbols = set(&formula.left, Voice::Numbers(0));
-            }
-        }
+    let mut symbols = set(&equation.left, Voice::Symbols);
+    let is_short = whole.is_some() && !detail.symbols;
+    let Some((relation, right)) = equation.right.as_ref().filter(|_| !is_short) else {
+        // A value alone, or the shortest form: one row with the result.
+        symbols.extend(
+            whole
+                .into_iter()
+                .flat_map(|whole| spaced(ending(whole), text)),
+        );
         layout.push(symbols, width, indent, 0.5 * text);
         return;
-    }
-    let mut right = vec![equals()];
-    right.extend(set(&formula.right, Voice::Symbols));
-    symbols.extend(spaced(right, text));
+    };
+    let mut right_symbols = vec![sign(relation.sign())];
+    right_symbols.extend(set(right, Voice::Symbols));
+    symbols.extend(spaced(right_symbols, text));
+    let has_numbers =
+        has_numbers(right, known) || value.is_none() && has_numbers(&equation.left, known);
     let channels = match (has_numbers, coloured) {
         (false, _) => 0,
         (true, true) => detail.channels,
@@ -323,7 +336,7 @@ fn formula_lines(
     };
     // Without numbers the result ends the row of the symbols.
     if let (0, Some(whole)) = (channels, &whole) {
-        symbols.extend(spaced(result(whole.clone()), text));
+        symbols.extend(spaced(ending(whole.clone()), text));
     }
     layout.push(symbols, width, indent, 0.5 * text);
 
@@ -334,19 +347,24 @@ fn formula_lines(
             let style = Style::Body.size(text.min(12.0)).ink(Ink::Muted);
             row.push(Atom::text(name, style));
         }
-        let mut numbers = vec![equals()];
-        numbers.extend(set(&formula.right, Voice::Numbers(channel)));
-        row.extend(spaced(numbers, if coloured { text } else { 0.0 }));
+        // A comparison has no result: both sides are shown.
+        if value.is_none() {
+            row.extend(set(&equation.left, Voice::Numbers(channel)));
+        }
+        let mut numbers = vec![sign(relation.sign())];
+        numbers.extend(set(right, Voice::Numbers(channel)));
+        let is_first = row.is_empty();
+        row.extend(spaced(numbers, if is_first { 0.0 } else { text }));
         if let (true, Some(value)) = (coloured, value) {
-            let end = result(set::number_text(value, channel, language));
+            let end = ending(set::number_text(value, channel, language));
             row.extend(spaced(end, text));
         }
         layout.push(row, width, indent, 0.25 * text);
     }
     // Of a colour every channel has its result, unless not all are shown.
-    let all_told = channels == 0 || coloured && channels == CHANNELS.len();
-    if let (false, Some(whole)) = (all_told, whole) {
-        layout.push(result(whole), width, indent, 0.25 * text);
+    let all_shown = channels == 0 || coloured && channels == CHANNELS.len();
+    if let (false, Some(whole)) = (all_shown, whole) {
+        layout.push(ending(whole), width, indent, 0.25 * text);
     }
 }
 

@@ -1,10 +1,12 @@
-//! Sets the pieces of a template in boxes beside each other, and lets them flow into lines.
+//! Sets the pieces of a formula in boxes beside each other, and lets them flow into lines.
 
-use super::super::strings::Language;
 use super::super::values::shown;
-use super::template::{Known, Piece, Place};
+use super::known::Known;
+use super::pieces::Piece;
+use crate::language::Language;
 use crate::picture::{Ink, Picture, Style, Tag, Text, ascent, descent};
 use crate::record::Value;
+use crate::vocabulary::expression::Reference;
 use glam::Vec2;
 
 /// Whether a formula is written with its symbols or with the numbers of a colour channel (0 for what has no colour).
@@ -76,7 +78,7 @@ impl Atom {
     }
 }
 
-/// The atoms of a template; a line may break before an operator outside of parentheses.
+/// The atoms of a formula's side; a line may break before an operator outside of parentheses.
 pub fn set_pieces(
     pieces: &[Piece],
     voice: Voice,
@@ -93,8 +95,7 @@ pub fn set_pieces(
     let mut depth = 0;
     // What stands before a number: after an operator, a negative one needs parentheses.
     let mut before = ' ';
-    let mut raised = false;
-    for piece in pieces {
+    for (i, piece) in pieces.iter().enumerate() {
         let last = atoms.len() - 1;
         match piece {
             Piece::Text(text) => {
@@ -116,28 +117,44 @@ pub fn set_pieces(
                         before = c;
                     }
                 }
-                raised = text.ends_with('^');
-                let end = text.len() - usize::from(raised);
-                append_text(&mut atoms, &text[start.min(end)..end], style);
+                append_text(&mut atoms, &text[start..], style);
             }
-            Piece::Place(place) => {
-                let text = match voice {
-                    Voice::Symbols => place.symbol.clone(),
+            Piece::Value(reference) | Piece::Sum(reference) => {
+                let is_base = matches!(pieces.get(i + 1), Some(Piece::Raised(_)));
+                let bracketed = is_base || "+−·/".contains(before);
+                let number = match voice {
+                    Voice::Symbols => None,
                     Voice::Numbers(channel) => {
-                        numbers(place, known, channel, "+−·/".contains(before), language)
+                        numbers(reference, known, channel, bracketed, language)
                     }
                 };
-                let text = if raised { format!("^{{{text}}}") } else { text };
-                let style = match voice {
-                    Voice::Symbols => style,
-                    Voice::Numbers(_) => style.ink(Ink::Linked),
+                let is_symbol = number.is_none();
+                let sign = if matches!(piece, Piece::Sum(_)) {
+                    "Σ"
+                } else {
+                    ""
                 };
-                let mut atom = Atom::text(text, style);
-                if let Some(recorded) = known.get(&place.name) {
+                let symbol = || format!("{sign}{}", reference.symbol());
+                let style = match is_symbol {
+                    true => style,
+                    false => style.ink(Ink::Linked),
+                };
+                let mut atom = Atom::text(number.unwrap_or_else(symbol), style);
+                if let Some(recorded) = known.get(reference.name) {
                     atom.texts[0].3 = Some(Tag::Field(recorded.field.name));
                 }
                 atoms[last].append(atom, 0.0);
-                (before, raised) = (' ', false);
+                before = ' ';
+            }
+            Piece::Raised(exponent) => {
+                for atom in set_pieces(exponent, voice, known, language, size, false) {
+                    for (_, text, style, tag) in atom.texts {
+                        let mut raised = Atom::text(format!("^{{{text}}}"), style);
+                        raised.texts[0].3 = tag;
+                        atoms[last].append(raised, 0.0);
+                    }
+                }
+                before = ' ';
             }
             Piece::Fraction(above, below) => {
                 let part = |pieces: &[Piece]| {
@@ -187,33 +204,33 @@ fn joined(atoms: Vec<Atom>) -> Atom {
 /// The most terms of a sum that are written out.
 const MOST_TERMS: usize = 5;
 
-/// The values of a placeholder, several joined by plus signs.
+/// The values of a reference, several joined by plus signs; none where they are not known.
 fn numbers(
-    place: &Place,
+    reference: &Reference,
     known: &Known,
     channel: usize,
-    after_operator: bool,
+    bracketed: bool,
     language: Language,
-) -> String {
-    let values = known.values(place).unwrap_or_default();
+) -> Option<String> {
+    let values = known.values(reference)?;
     let terms: Vec<String> = values
         .iter()
         .enumerate()
         .map(|(i, &value)| {
             let text = number_text(value, channel, language);
-            if text.starts_with('−') && (after_operator || i > 0) {
+            if text.starts_with('−') && (bracketed || i > 0) {
                 format!("({text})")
             } else {
                 text
             }
         })
         .collect();
-    if terms.len() > MOST_TERMS {
+    Some(if terms.len() > MOST_TERMS {
         let (first, last) = (&terms[..MOST_TERMS - 2], &terms[terms.len() - 1]);
         format!("{} + … + {last}", first.join(" + "))
     } else {
         terms.join(" + ")
-    }
+    })
 }
 
 /// A value as it stands in a formula: of a colour the one channel.

@@ -5,7 +5,7 @@ mod contract;
 mod limits;
 mod random_scenes;
 mod reference;
-mod scenes;
+pub mod scenes;
 
 use crate::common::{TEAPOT, setup};
 use lightwalk::algorithms::focus::Focus;
