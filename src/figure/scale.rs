@@ -85,7 +85,7 @@ impl Scale {
             span if span < 0.5 => (low - 0.25, high + 0.25),
             _ => (low, high),
         };
-        let zero = has_zero.then(|| low - 0.12 * (high - low) - 0.5);
+        let zero = has_zero.then_some(low - 0.12 * (high - low) - 0.5);
         let first = zero.unwrap_or(low);
         let margin = MARGIN * (high - first);
         Some(Scale::new(

@@ -103,10 +103,10 @@ impl<'a> Known<'a> {
             }
             Source::All => self.so_far(name)?,
             Source::First => {
-                let first = self.so_far(name)?.into_iter();
+                let mut values = self.so_far(name)?.into_iter();
                 let is_zero =
                     |value: &Value| matches!(value, Value::Vector(v) if v.length() == 0.0);
-                vec![first.skip_while(is_zero).next()?]
+                vec![values.find(|value| !is_zero(value))?]
             }
             Source::Inside => {
                 let scope = self.walk.outline().parent(self.step)?;
