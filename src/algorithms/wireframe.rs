@@ -105,7 +105,7 @@ fn draw_line(
         step: delta.y / steps,
     };
     for _ in 0..=steps as u32 {
-        // The last pixel also owns the frame's right and lower border.
+        // The outermost pixels also own the borders of the frame, and what rounding carries just beyond them.
         let (column, row) = (
             (x.value as u32).min(view.width - 1),
             (y.value as u32).min(view.height - 1),

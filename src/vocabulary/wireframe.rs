@@ -60,8 +60,8 @@ vocabulary! {
             entry(
                 "event-pixel-plotted",
                 &[
-                    is("x = min(⌊x_exact⌋, width − 1)"),
-                    is("y = min(⌊y_exact⌋, height − 1)"),
+                    is("x = max(0, min(⌊x_exact⌋, width − 1))"),
+                    is("y = max(0, min(⌊y_exact⌋, height − 1))"),
                     ],
             ),
         ];
