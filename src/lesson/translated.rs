@@ -15,7 +15,7 @@ use std::num::NonZeroUsize;
 
 /// Names of functions and variables in pseudocode and formulas, words that formulas have as symbols, and subscripts where a
 /// picture has them apart.
-const SYMBOLS: &str = "bound cosθ degrees emission factor incremental residual SOR term ΔRad alpha beta delta DeltaB eta Gamma omega rho theta ambient arccos areaToArea att auto blocked contour cos elementToPolygon exact formFactor hemicube hits \
+const SYMBOLS: &str = "bound cosθ degrees SOR ΔRad alpha beta delta DeltaB eta Gamma omega rho theta ambient arccos areaToArea att auto blocked contour cos elementToPolygon exact formFactor hemicube hits \
     illumination level light max min monteCarlo NearestObject NearestT pixel rms sin sum table TIR trace unshot visible";
 
 /// What stands outside of the marks, without subscripts. A message that is broken into lines goes on in the next text.

@@ -6,7 +6,8 @@ use crate::language::{Language, Message, called};
 use crate::record::Value;
 use crate::replay::Walk;
 use crate::scene::Light;
-use crate::vocabulary::Quantity;
+use crate::vocabulary::expression::Reference;
+use crate::vocabulary::{Quantity, find};
 
 /// A word that an event records, as people read it.
 pub(super) fn word(word: &'static str, language: Language) -> String {
@@ -26,6 +27,15 @@ pub(super) fn field(name: &'static str, language: Language) -> String {
 /// A recorded quantity: its symbol, where it has one that is no word.
 pub(super) fn quantity(quantity: &Quantity, language: Language) -> String {
     called("quantity", quantity.name, language).unwrap_or_else(|| quantity.symbol.to_string())
+}
+
+/// What a formula writes for a value: the quantity's own symbol, in words where it is one, or the symbol chosen there.
+pub(super) fn symbol(reference: &Reference, language: Language) -> String {
+    let symbol = reference.symbol();
+    match find(reference.name).filter(|quantity| quantity.symbol == symbol) {
+        Some(own) => quantity(&own, language),
+        None => symbol.to_string(),
+    }
 }
 
 /// The object of that number.

@@ -168,7 +168,8 @@ fn in_words(says: &str, formulas: &[&Formula], known: &Known, language: Language
     for equation in formulas.iter().map(|formula| formula.equation()) {
         if let (Some(value), Some(subject)) = (result(equation, known), equation.subject()) {
             let value = shown(value, 4, language);
-            text.push_str(&format!(" {} = {value}.", subject.symbol()));
+            let symbol = names::symbol(subject, language);
+            text.push_str(&format!(" {symbol} = {value}."));
         }
     }
     text.replace(['{', '}'], "")

@@ -1,5 +1,6 @@
 //! Sets the pieces of a formula in boxes beside each other, and lets them flow into lines.
 
+use super::super::names;
 use super::super::values::shown;
 use super::known::Known;
 use super::pieces::Piece;
@@ -134,7 +135,7 @@ pub fn set_pieces(
                 } else {
                     ""
                 };
-                let symbol = || format!("{sign}{}", reference.symbol());
+                let symbol = || format!("{sign}{}", names::symbol(reference, language));
                 let style = match is_symbol {
                     true => style,
                     false => style.ink(Ink::Linked),

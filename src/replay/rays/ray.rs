@@ -97,7 +97,7 @@ pub struct CurrentBranch {
 pub enum Outcome {
     /// Not traced yet.
     Open,
-    /// Index of the ray in [`State::rays`].
+    /// Index of the ray in [`State::rays`](super::State::rays).
     Ray(usize),
     Ended(End),
 }
