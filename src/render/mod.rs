@@ -39,7 +39,7 @@ pub const MAX_PIXELS: u64 = 1 << 26;
 
 /// A picture that was cancelled before it was done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the picture was called off")]
+#[error("the picture was cancelled")]
 pub struct Cancelled;
 
 /// Draws the whole picture of `setup` on `threads` threads; without the feature `parallel`, on one.
