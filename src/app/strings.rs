@@ -158,7 +158,10 @@ pub fn said_of_a_point(point: &Point) -> [String; 2] {
     Language::ALL.map(|language| {
         let time = report::seconds(point.seconds.median, language);
         let (setting, time) = (("setting", point.setting.as_str()), ("time", time.as_str()));
-        match point.errors.map(|errors| language.magnitude(errors.rms)) {
+        match point
+            .errors
+            .map(|errors| language.significant(errors.rms, 2))
+        {
             Some(error) => {
                 Message("app-said-of-a-point").format(language, &[setting, ("error", &error), time])
             }

@@ -3,7 +3,7 @@
 use super::button::button;
 use super::session::{Command, Outcome, PointAt, Session, StudyCommand};
 use super::study_plot::StudyPlot;
-use super::{strings, study_words, style};
+use super::{prose, strings, study_words, style};
 use crate::figure::Series;
 use crate::picture::Ink;
 use crate::study::families;
@@ -11,7 +11,7 @@ use crate::study::fit::{Fit, Law};
 use crate::study::form::Axes;
 use crate::study::harness::{Line, Part};
 use crate::study::report::strings as report;
-use egui::{Button, ComboBox, Frame, Margin, ProgressBar, RichText, ScrollArea, Ui};
+use egui::{Button, ComboBox, Frame, Margin, ProgressBar, RichText, ScrollArea, TextStyle, Ui};
 use std::time::Duration;
 
 /// How long to wait before looking whether more has come.
@@ -173,7 +173,7 @@ fn about(session: &Session, part: &Part, ui: &mut Ui) {
     }
     if part.axes != Axes::TimeOverSize {
         let reference = &part.reference;
-        let own = session.look.language.magnitude(reference.error);
+        let own = session.look.language.significant(reference.error, 2);
         let said = session.localize(strings::REFERENCE);
         ui.label(format!(
             "{said}: {} (± {own}; {}).",
@@ -197,7 +197,13 @@ fn points(
     for (number, line) in part.lines.iter().enumerate() {
         let color = style::color(session.look.theme, Series::of(number).ink);
         ui.label(style::strong(&line.name, 13.0).color(color));
-        ui.label(RichText::new(laws(session, part, line)).small());
+        let small = TextStyle::Small.resolve(ui.style());
+        ui.label(prose::set(
+            session,
+            &laws(session, part, line),
+            small,
+            Ink::Text,
+        ));
         for (index, point) in line.points.iter().enumerate() {
             let at = PointAt {
                 part: session.studying().part,
@@ -207,7 +213,7 @@ fn points(
             let ring = if point.on_front { "○ " } else { "" };
             let mut text = format!("{ring}{}", point.setting);
             if let Some(errors) = point.errors {
-                text += &format!("   {}", session.look.language.magnitude(errors.rms));
+                text += &format!("   {}", session.look.language.significant(errors.rms, 2));
             }
             text += &format!(
                 "   {}",
@@ -242,7 +248,7 @@ fn laws(session: &Session, part: &Part, line: &Line) -> String {
         let recorded = fit.map_or_else(
             || session.localize(strings::NO_LAW).to_owned(),
             |fit| match fit.law {
-                Law::Power => format!("∝ n^{}", language.fixed(fit.rate, 2)),
+                Law::Power => format!("∝ n^{{{}}}", language.fixed(fit.rate, 2)),
                 Law::Geometric => format!("∝ {}^n", language.fixed(fit.rate, 3)),
             },
         );

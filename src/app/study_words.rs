@@ -12,7 +12,7 @@ pub fn recorded(session: &Session, line: &Line, point: &Point) -> String {
     let mut recorded = format!("{}, {}", line.name, point.setting);
     if let Some(errors) = point.errors {
         let [rms, largest, relative] = [errors.rms, errors.largest, errors.relative]
-            .map(|error| session.look.language.magnitude(error));
+            .map(|error| session.look.language.significant(error, 2));
         recorded += "\n";
         recorded += &Message("app-point-errors").format(
             session.look.language,

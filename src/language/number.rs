@@ -38,14 +38,6 @@ impl Language {
         self.number(format!("{v:.decimals$e}").parse().unwrap_or(v))
     }
 
-    /// By its order of magnitude, to two digits: `2.2e−16`, `0`.
-    pub fn magnitude(self, v: f64) -> String {
-        match v {
-            0.0 => "0".to_string(),
-            v => self.typeset(&format!("{v:.1e}")),
-        }
-    }
-
     /// `0.25, 0.5`; after a decimal comma a semicolon stands between the numbers: `0,25; 0,5`.
     pub fn list<const N: usize>(self, numbers: [String; N]) -> String {
         match self.separator() {
@@ -173,7 +165,7 @@ mod tests {
         assert_eq!(indonesian.number(-3.2e-17), "−3,2·10⁻¹⁷");
         assert_eq!(indonesian.fixed(0.5, 3), "0,500");
         assert_eq!(indonesian.short(0.5, 3), "0,5");
-        assert_eq!(indonesian.magnitude(2.2e-16), "2,2e−16");
+        assert_eq!(indonesian.significant(2.23e-16, 2), "2,2·10⁻¹⁶");
         let numbers = || [0.25, 0.5].map(|v| indonesian.number(v));
         assert_eq!(indonesian.list(numbers()), "0,25; 0,5");
         assert_eq!(Language::English.list(["1", "2"].map(String::from)), "1, 2");

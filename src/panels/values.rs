@@ -22,9 +22,9 @@ pub(super) fn short(value: Value, digits: usize, language: Language) -> String {
     }
 }
 
-/// A difference of nearly equal values, by its order of magnitude: `2.2e−16`, `0`; of vectors, its length.
+/// A difference of nearly equal values, to two digits: `2.2·10⁻¹⁶`, `0`; of vectors, its length.
 pub(super) fn difference(value: Value, language: Language) -> String {
-    let small = |v: f64| language.magnitude(v);
+    let small = |v: f64| language.significant(v, 2);
     match value {
         Value::Number(number) => small(number),
         Value::Rgb(color) if color.is_grey() => small(color.r),
@@ -139,7 +139,7 @@ mod tests {
         assert_eq!(short(Value::Number(6.0), 2, Language::English), "6");
         assert_eq!(
             difference(Value::Number(-f64::EPSILON), Language::English),
-            "−2.2e−16"
+            "−2.2·10⁻¹⁶"
         );
         assert_eq!(difference(Rgb::BLACK.into(), Language::English), "0");
         assert_eq!(on_swatch(Some(Rgb::BLACK.into())), Ink::Rgb(Rgb::WHITE));

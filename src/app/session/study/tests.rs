@@ -102,7 +102,7 @@ fn a_point_with_a_picture_opens_it_with_its_run_and_the_study_stays() {
         assert_eq!(session.lesson().method, method);
         assert_eq!(session.title(), "rough, n = 2");
         let said = session.narration_here().unwrap().say(Language::English);
-        assert!(said.contains("2.5e−1 in 2.00 ms"), "{said}");
+        assert!(said.contains("0.25 in 2.00 ms"), "{said}");
         assert!(session.last_step() > 1);
         assert_eq!(session.look.language, Language::Indonesian);
         let shared = session.update(Command::Share);
