@@ -4,7 +4,7 @@ mod columns;
 
 use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use crate::figure::Cell;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
@@ -38,7 +38,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             message(NO_POLYGONS, input.language, size)
         }
     };
-    picture.alt = format!("{} {}", told_in_words(input), picture.alt);
+    picture.alt = format!("{} {}", step_as_sentence(input), picture.alt);
     picture
 }
 

@@ -6,7 +6,7 @@ pub(super) mod cursor;
 
 use super::PanelInput;
 use super::message::{NOT_COMPARED, message};
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use crate::language::Message;
 use crate::methods::Method;
 use crate::picture::{Image, Ink, Picture};
@@ -28,7 +28,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     };
     let cursor = Cursor::of(input);
     let mut picture = Picture::new(size.x, size.y);
-    let mut alt = told_in_words(input);
+    let mut alt = step_as_sentence(input);
     let all = input.finished.compared.pictures();
     for (compared, cell) in all.iter().zip(cells(&first.frame, all.len(), 3, size)) {
         let figures = figures(input, compared);

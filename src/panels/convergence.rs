@@ -2,7 +2,7 @@
 
 use super::channels;
 use super::message::{NO_PATCHES, message};
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use super::{PanelInput, names};
 use crate::algorithms::focus::Focus;
 use crate::figure::{Axis, LEGEND_ROW, Labels, Plot, Scale, elided, legend};
@@ -246,7 +246,7 @@ fn few(channel: &ChannelNow) -> Vec<IterationNow> {
 
 fn in_words(input: &PanelInput, state: &State) -> String {
     let localize = |strings: Message| strings.text(input.language);
-    let mut strings = told_in_words(input);
+    let mut strings = step_as_sentence(input);
     for channel in &state.channels {
         let Some(last) = last_recorded(channel) else {
             continue;

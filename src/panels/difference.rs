@@ -4,7 +4,7 @@ use super::PanelInput;
 use super::comparison::cells::{ROW, cells};
 use super::comparison::cursor::Cursor;
 use super::message::{NOT_COMPARED, message};
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use crate::figure::{color_strip, diverging, elided};
 use crate::language::Message;
 use crate::picture::{Image, Ink, Picture, Rect, Style};
@@ -35,7 +35,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
     let mut alt = format!(
         "{} {} {}.",
-        told_in_words(input),
+        step_as_sentence(input),
         localize(AGAINST),
         reference.method.name()
     );

@@ -9,7 +9,7 @@ mod view;
 use super::PanelInput;
 use super::message::{NO_PATCHES, NO_STEPS, message};
 use super::names;
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
@@ -63,7 +63,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let said: Vec<String> = layout.lines().into_iter().map(|(text, _)| text).collect();
     picture.alt = format!(
         "{} {}: {}.",
-        told_in_words(input),
+        step_as_sentence(input),
         layout.title(),
         said.join(", ")
     );

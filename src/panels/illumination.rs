@@ -3,7 +3,7 @@
 
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
-use super::values::{short, told_in_words};
+use super::values::{short, step_as_sentence};
 use crate::color::Rgb;
 use crate::figure::{Axis, Cell, Plot, Scale};
 use crate::language::{Language, Message};
@@ -84,7 +84,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         );
     }
     let recorded: Vec<String> = rows.iter().map(Row::in_words).collect();
-    picture.alt = format!("{} {}.", told_in_words(input), recorded.join("; "));
+    picture.alt = format!("{} {}.", step_as_sentence(input), recorded.join("; "));
     picture
 }
 

@@ -1,4 +1,4 @@
-//! The picture so far: what is drawn in full colour, what is still to come as a faint ghost, and what is in hand.
+//! The picture so far: what is drawn in full colour, what is still to come as a faint ghost, and what the step works on.
 //!
 //! Where the rays of one pixel are followed, the picture so far is that pixel: the finished picture is shown in full colour
 //! around it, so that it can be seen what the pixel is part of.
@@ -164,7 +164,7 @@ fn grid(picture: &mut Picture, width: u32, height: u32, fit: &Fit) {
     }
 }
 
-/// Size, zoom, focus and what is in hand, as far as there is room.
+/// Size, zoom, focus and what the step works on, as far as there is room.
 fn caption(
     picture: &mut Picture,
     input: &PanelInput,
@@ -193,7 +193,7 @@ fn caption(
     picture.text((middle, baseline), text, set.ink(Ink::Muted).middle());
 }
 
-/// The smallest thing in hand, in words.
+/// The smallest thing that the step works on, in words.
 fn current(marks: &Marks, language: Language) -> Option<String> {
     if let Some((x, y)) = marks.pixel {
         return Some(focus(Focus::Pixel { x, y }, language));

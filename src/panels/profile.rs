@@ -4,7 +4,7 @@
 use super::PanelInput;
 use super::comparison::cursor::Cursor;
 use super::message::{NOT_COMPARED, message};
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use crate::figure::{Axis, Plot, Scale, Series, legend};
 use crate::language::Message;
 use crate::methods::Method;
@@ -113,7 +113,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     });
     picture.alt = format!(
         "{} {} {row}. {}.",
-        told_in_words(input),
+        step_as_sentence(input),
         localize(LINE),
         jumps.collect::<Vec<_>>().join("; ")
     );

@@ -3,7 +3,7 @@
 
 use super::PanelInput;
 use super::message::{NO_PATCHES, message};
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::{Lap, Race, Racer};
 use crate::figure::{Axis, LEGEND_ROW, Labels, Plot, Scale, Series, elided, legend};
@@ -277,7 +277,7 @@ fn in_words(input: &PanelInput, race: &Race, now: Now) -> String {
     let localize = |strings: Message| strings.text(input.language);
     let mut strings = format!(
         "{} {} {}.",
-        told_in_words(input),
+        step_as_sentence(input),
         race.patches,
         localize(PATCHES)
     );

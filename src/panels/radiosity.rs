@@ -10,7 +10,7 @@ mod smooth;
 use super::PanelInput;
 use super::channels::{CHANNELS, channel};
 use super::message::{NO_PATCHES, message};
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
@@ -249,7 +249,7 @@ fn in_words(
     let localize = |strings: Message| strings.text(input.language);
     let mut strings = format!(
         "{} {} {}, {} {}.",
-        told_in_words(input),
+        step_as_sentence(input),
         localize(PATCHES),
         room.patches.len(),
         localize(SEEN),

@@ -1,4 +1,4 @@
-//! The binary ray tree of the pixel in hand, as far as it is told: a node a ray with what it met, an edge a coefficient, a leaf
+//! The binary ray tree of the current pixel, as far as it is traced: a node a ray with what it met, an edge a coefficient, a leaf
 //! the reason why it ended; and the light that comes back up, sum by sum.
 
 mod arrange;
@@ -184,7 +184,7 @@ fn rising(input: &PanelInput, state: &State) -> (Option<usize>, bool) {
             _ => None,
         });
     let returned = |&index: &usize| state.rays.get(index).and_then(|ray| ray.returned);
-    // The child that returned last, or the ray in hand itself once all have returned.
+    // The child that returned last, or the current ray itself once all have returned.
     let last = children
         .filter(|index| returned(index).is_some())
         .max_by_key(|index| returned(index).map(|(_, step)| step));
@@ -201,7 +201,7 @@ fn nodes(
     area: Rect,
 ) {
     let current = arrangement.tree.current;
-    // The node in hand lies on top.
+    // The current node lies on top.
     let order = (0..arrangement.rects.len()).filter(|&node| node != current);
     for index in order.chain([current]) {
         let node = &arrangement.tree.nodes[index];
@@ -348,7 +348,7 @@ fn head(picture: &mut Picture, said: &str, legend: bool, area: Rect) {
     }
 }
 
-/// The ray in hand in a sentence.
+/// The current ray in a sentence.
 fn in_words(describer: &Describer, ray: &RayState) -> String {
     let mut said = describer.name(ray)[0].clone();
     if let Some(met) = ray.met.filter(|met| met.t().is_finite()) {

@@ -15,7 +15,7 @@ pub use grip::{Grip, grip};
 use super::PanelInput;
 use super::message::{NO_RAYS, NO_STEPS, message};
 use super::names;
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use crate::algorithms::visible::Intersection;
 use crate::language::{Language, Message};
 use crate::picture::{Picture, Rect};
@@ -49,7 +49,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     }
     picture.alt = format!(
         "{} {}",
-        told_in_words(input),
+        step_as_sentence(input),
         in_words(state, input.language)
     );
     picture

@@ -1,4 +1,4 @@
-//! The polygon in hand, large: its corners and edges, the scan line with the points where it cuts them, the pixels of the
+//! The current polygon, large: its corners and edges, the scan line with the points where it cuts them, the pixels of the
 //! span; and under it the interpolation of the step as bars.
 
 mod bars;
@@ -8,7 +8,7 @@ mod polygon;
 
 use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use crate::language::Message;
 use crate::picture::{Picture, Rect};
 use crate::replay::Run;
@@ -26,7 +26,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             Some(ends) => {
                 let mut picture = Picture::new(size.x, size.y);
                 line::draw(&mut picture, replay, ends, input.language);
-                picture.alt = told_in_words(input);
+                picture.alt = step_as_sentence(input);
                 picture
             }
             None => silent(input, NO_LINE, size),
@@ -64,14 +64,14 @@ fn of_state(input: &PanelInput, state: &State, size: Vec2) -> Picture {
             None => {}
         }
     }
-    picture.alt = told_in_words(input);
+    picture.alt = step_as_sentence(input);
     picture
 }
 
 /// Says why there is nothing to see.
 fn silent(input: &PanelInput, strings: Message, size: Vec2) -> Picture {
     let mut picture = message(strings, input.language, size);
-    picture.alt = format!("{} {}", told_in_words(input), picture.alt);
+    picture.alt = format!("{} {}", step_as_sentence(input), picture.alt);
     picture
 }
 
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn a_label_says_what_the_event_told() {
+    fn a_label_shows_what_the_event_recorded() {
         let mut fixture = Fixture::triangle(Method::Gouraud);
         fixture.go_to("EdgeInterpolated", 9);
         let walk = fixture.run.walk();

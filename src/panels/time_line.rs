@@ -98,7 +98,7 @@ impl Row {
         self.draw_name(picture, walk, kinds, input.language);
     }
 
-    /// The kinds of scope in the row, the one in hand first, as many as fit.
+    /// The kinds of scope in the row, the current one first, as many as fit.
     fn draw_name(
         &self,
         picture: &mut Picture,
@@ -187,7 +187,7 @@ fn in_text(kind: &Kind, language: Language) -> String {
     }
 }
 
-/// From the bar in hand to the row below, which shows the inside of it.
+/// From the current bar to the row below, which shows the inside of it.
 fn funnel(picture: &mut Picture, above: &Row, below: &Row) {
     let Some(bar) = above.bars.iter().find(|bar| above.is_current(bar)) else {
         return;

@@ -101,8 +101,8 @@ fn component(v: f64, decimals: usize, language: Language) -> String {
     }
 }
 
-/// The whole step as a sentence: its number, its kind, and what it tells.
-pub(super) fn told_in_words(input: &PanelInput) -> String {
+/// The whole step as a sentence: its number, its kind, and its values.
+pub(super) fn step_as_sentence(input: &PanelInput) -> String {
     let walk = input.run.walk();
     if walk.is_empty() {
         return step_in_words(input);

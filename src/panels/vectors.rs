@@ -14,7 +14,7 @@ pub use plane::{Held, PlaneGrip};
 
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use crate::algorithms::visible::Intersection;
 use crate::language::Message;
 use crate::picture::{Picture, Rect};
@@ -55,7 +55,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         layout.table,
         layout.columns,
     );
-    picture.alt = format!("{} {}", told_in_words(input), angles.in_words());
+    picture.alt = format!("{} {}", step_as_sentence(input), angles.in_words());
     picture
 }
 
@@ -75,7 +75,7 @@ fn at_point(input: &PanelInput, size: Vec2) -> Picture {
         input.language,
         size,
     );
-    picture.alt = format!("{} {angles}.", told_in_words(input));
+    picture.alt = format!("{} {angles}.", step_as_sentence(input));
     picture
 }
 

@@ -9,7 +9,7 @@ mod terms;
 
 use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
-use super::values::told_in_words;
+use super::values::step_as_sentence;
 use crate::language::Message;
 use crate::picture::{Picture, Rect};
 use crate::replay::Run;
@@ -27,7 +27,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             message(NO_POLYGONS, input.language, size)
         }
     };
-    picture.alt = format!("{} {}", told_in_words(input), picture.alt);
+    picture.alt = format!("{} {}", step_as_sentence(input), picture.alt);
     picture
 }
 

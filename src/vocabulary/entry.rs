@@ -44,7 +44,7 @@ impl Formula {
         }
     }
 
-    /// All formulas are parsed when the first is asked for.
+    /// All formulas are parsed when the first is needed.
     pub fn equation(&self) -> &'static Equation {
         static EQUATIONS: LazyLock<HashMap<&'static str, Equation>> = LazyLock::new(|| {
             let entries = super::FAMILIES.into_iter().flatten();

@@ -101,7 +101,7 @@ impl Pair<'_> {
             let Some(segment) = segments.get(at) else {
                 continue;
             };
-            // What was recorded at an earlier step is not in hand where another part of the work has begun.
+            // What was recorded at an earlier step is no longer current where another part of the work has begun.
             let newest = at + 1 == segments.len() && segment.step == step;
             picture.tagged(Tag::Step(segment.step), |picture| {
                 self.segment(picture, segment, newest);
@@ -175,7 +175,7 @@ impl Pair<'_> {
         }
     }
 
-    /// Points of elements and hemicubes, and what the newest sees of the polygon's edge in hand.
+    /// Points of elements and hemicubes, and what the newest sees of the current edge of the polygon.
     fn points(&self, picture: &mut Picture, labels: &mut Labels) {
         let state = self.layout.state;
         let last = state.points.len();
@@ -232,7 +232,7 @@ impl Pair<'_> {
             })
     }
 
-    /// The pair of edges in hand of the double contour integral, where neither patch was clipped.
+    /// The current pair of edges of the double contour integral, where neither patch was clipped.
     fn edges(&self, picture: &mut Picture) {
         let walk = self.layout.input.run.walk();
         let step = walk.position();

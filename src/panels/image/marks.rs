@@ -1,4 +1,4 @@
-//! What is in hand, drawn over the picture. Nothing here has a tag: under the pointer are the picture's pixels.
+//! What the step works on, drawn over the picture. Nothing here has a tag: under the pointer are the picture's pixels.
 
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
@@ -13,22 +13,22 @@ use std::ops::Range;
 /// The side below which a marked pixel is drawn larger than it is, in points.
 const SMALLEST: f32 = 6.0;
 
-/// Of more rays, only those are marked from which the ray in hand comes: more would cover the picture.
+/// Of more rays, only those are marked from which the current ray comes: more would cover the picture.
 const MOST_HITS: usize = 24;
 
 pub(super) struct Marks<'a> {
     pub prepared: &'a PreparedScene,
     pub canvas: &'a Canvas<Dot>,
     outline: Vec<DVec2>,
-    /// Where the vertex in hand is.
+    /// Where the current vertex is.
     vertex: Option<DVec2>,
-    /// The edge of the wireframe in hand.
+    /// The current edge of the wireframe.
     edge: Option<[DVec2; 2]>,
     span: Option<Range<u32>>,
     pub polygon: Option<u32>,
     pub row: Option<u32>,
     pub pixel: Option<(u32, u32)>,
-    /// Where the rays of the pixel met surfaces so far, the one in hand last.
+    /// Where the rays of the pixel met surfaces so far, the current one last.
     hits: Vec<DVec2>,
 }
 

@@ -91,7 +91,7 @@ fn names(layout: &Layout) -> Vec<(String, Range<usize>)> {
         .collect()
 }
 
-/// The current patch, and the form factor in hand, as far as there is room.
+/// The current patch, and the current form factor, as far as there is room.
 fn title(picture: &mut Picture, layout: &Layout) {
     let room = picture.width - 2.0 * MARGIN;
     let set = Style::LabelBold.size(12.0).ink(Ink::Text);
@@ -250,7 +250,7 @@ fn sums(picture: &mut Picture, layout: &Layout, grid: &Grid, place: Rect) {
     picture.text_in(below, "1", small().middle());
 }
 
-/// The row that is gathered, or the column that is shot, and in it the form factor in hand.
+/// The row that is gathered, or the column that is shot, and in it the current form factor.
 fn marks(picture: &mut Picture, grid: &Grid, hand: Hand) {
     let this = hand.i..hand.i + 1;
     let line = if hand.shoots() {

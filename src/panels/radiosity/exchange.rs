@@ -25,7 +25,7 @@ pub(super) struct Exchange {
 }
 
 impl Exchange {
-    /// None where no patch is in hand.
+    /// None where no patch is current.
     pub fn of(run: &Run, focus: Focus) -> Option<Self> {
         match run {
             Run::Radiosity(_, replay) => replay

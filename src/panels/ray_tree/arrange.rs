@@ -180,13 +180,13 @@ fn whole(rays: &Rays, view: &TreeView, room: Vec2) -> Option<(Tree, Natural)> {
 struct Named {
     /// So many levels from the root down.
     levels: usize,
-    /// So many levels before the ray in hand, on the way to it.
+    /// So many levels before the current ray, on the way to it.
     before_hand: usize,
     detail: Detail,
 }
 
 impl Named {
-    /// The ray in hand alone.
+    /// The current ray alone.
     const LEAST: Named = Named {
         levels: 0,
         before_hand: 0,
@@ -222,7 +222,7 @@ impl Named {
     }
 }
 
-/// As many rays as there is room for as discs; names along the way to the ray in hand and on the levels near the root, where
+/// As many rays as there is room for as discs; names along the way to the current ray and on the levels near the root, where
 /// they fit.
 fn in_part(rays: &Rays, view: &TreeView, room: Vec2) -> (Tree, Natural) {
     let (dot, gap) = (Detail::Dot.size(), Detail::Dot.gap());
@@ -283,7 +283,7 @@ fn place(rays: &Rays, tree: Tree, natural: Natural, view: &TreeView, area: Rect)
         })
         .collect();
 
-    // What is in the middle: the viewer's choice, else the ray in hand; and nothing beyond the tree.
+    // What is in the middle: the viewer's choice, else the current ray; and nothing beyond the tree.
     let overhang = (0.5 * (scale * apart * (right - left) - room.x)).max(0.0);
     let low = Vec2::new(-overhang, 0.0) + 0.5 * size;
     let high = Vec2::new(room.x + overhang, room.y.max(y)) - 0.5 * size;

@@ -84,7 +84,7 @@ fn every_ray_is_drawn_or_counted_as_hidden() {
 }
 
 #[test]
-fn sums_and_light_are_those_that_were_told() {
+fn sums_and_light_are_those_recorded() {
     let mut fixture = Fixture::rays(Method::RayTracing, BALL, 5);
     let size = Vec2::new(900.0, 700.0);
     for (kind, name) in [
@@ -109,14 +109,14 @@ fn sums_and_light_are_those_that_were_told() {
 }
 
 #[test]
-fn the_way_of_the_light_is_an_equation_of_told_values() {
+fn the_way_of_the_light_is_an_equation_of_recorded_values() {
     let mut scene = rays_scene();
     scene.path_attenuation = [1.0, 0.5, 0.0];
     let mut fixture = Fixture::rays_of(scene, Method::RayTracing, FLOOR, 5);
     fixture.go_to("BranchAdded", 0);
     let fields = fixture.walk().fields(fixture.first("Attenuated"));
     let Some(Value::Number(divisor)) = fields.get("divisor") else {
-        panic!("a divisor is told")
+        panic!("a divisor is recorded")
     };
     let size = Vec2::new(900.0, 700.0);
     let said = all_words(&draw(&fixture.input(), size)).replace('\n', " ");
@@ -149,7 +149,7 @@ fn a_blocked_light_names_what_blocks_it() {
     fixture.seek(blocked);
     let fields = fixture.walk().own_fields(blocked);
     let Some(Value::Number(t)) = fields.get("t") else {
-        panic!("t is told")
+        panic!("t is recorded")
     };
     for (language, strings) in Language::ALL.into_iter().zip(["blocked by", "terhalang"]) {
         let picture = draw(&fixture.show_in(language), Vec2::new(900.0, 700.0));

@@ -13,7 +13,7 @@ use glam::{DVec3, Vec2};
 
 const EYE: Message = Message("common-eye");
 const PLANE: Message = Message("rays-plane");
-/// Beyond so many rays, those are drawn faintly, and without letters, from which the ray in hand does not come.
+/// Beyond so many rays, those are drawn faintly, and without letters, from which the current ray does not come.
 const MOST_RAYS: usize = 24;
 /// Where the picture plane is drawn, in distances from eye to target.
 const PICTURE_PLANE: f64 = 0.16;
@@ -27,7 +27,7 @@ pub(super) struct Layout<'a> {
     pub text: f32,
     /// The object that the search has called by its name.
     called: Option<usize>,
-    /// The rays from which the ray in hand comes, where there are many.
+    /// The rays from which the current ray comes, where there are many.
     pub way: Option<Vec<usize>>,
 }
 
@@ -246,7 +246,7 @@ impl Layout<'_> {
         }
     }
 
-    /// From the surface in hand to the lights: clear, or crossed out where something blocks.
+    /// From the current surface to the lights: clear, or crossed out where something blocks.
     fn shadow_rays(&mut self) {
         let Some(ray) = self.state.ray() else { return };
         let Some(surface) = ray.surface else { return };
