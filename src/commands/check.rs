@@ -3,48 +3,93 @@
 use super::arguments::LimitArguments;
 use super::failure::Failure;
 use super::files::{self, Document};
+use super::notes;
+use crate::methods;
+use crate::scene::{Limits, Note};
+use serde_json::{Value as Json, json};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Lesson and scene files
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
+    /// Prints a JSON object a file, with its problems and notes
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     limits: LimitArguments,
+}
+
+/// What was found in a file that is right.
+struct Found {
+    /// What it holds, by kind and count.
+    counts: Json,
+    summary: String,
+    notes: Vec<Note>,
 }
 
 /// Every file is checked, also after a wrong one.
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let limits = arguments.limits.into();
     let mut problems = Vec::new();
+    let mut out = std::io::stdout();
     for path in &arguments.files {
-        let checked = files::document(path, &limits).and_then(|document| match document {
-            Document::Scene(scene) => Ok(format!(
-                "scene, {} objects, {} lights",
-                scene.objects.len(),
-                scene.lights.len()
-            )),
-            Document::Lesson(lesson) => {
-                let open = lesson
-                    .open()
-                    .map_err(|error| files::wrong(&path.display(), &error))?;
-                Ok(format!(
-                    "lesson, {} steps, {} narrated",
-                    open.run.walk().len(),
-                    open.narrated.len()
-                ))
+        let name = path.display();
+        match check(path, &limits) {
+            Ok(found) => {
+                notes::print(&name, &found.notes);
+                if arguments.json {
+                    let mut recorded = json!({ "file": name.to_string(), "right": true, "problems": [], "notes": found.notes });
+                    if let (Json::Object(recorded), Json::Object(counts)) =
+                        (&mut recorded, found.counts)
+                    {
+                        recorded.extend(counts);
+                    }
+                    writeln!(out, "{recorded}")?;
+                } else {
+                    writeln!(out, "{name}: right ({})", found.summary)?;
+                }
             }
-        });
-        match checked {
-            Ok(summary) => writeln!(std::io::stdout(), "{}: right ({summary})", path.display())?,
-            Err(failure) => problems.push(failure.to_string()),
+            Err(failure) => {
+                let message = failure.to_string();
+                if arguments.json {
+                    let lines: Vec<&str> = message.lines().collect();
+                    let recorded = json!({ "file": name.to_string(), "right": false, "problems": lines, "notes": [] });
+                    writeln!(out, "{recorded}")?;
+                }
+                problems.push(message);
+            }
         }
     }
     if problems.is_empty() {
         Ok(())
     } else {
         Err(Failure::Wrong(problems.join("\n")))
+    }
+}
+
+fn check(path: &Path, limits: &Limits) -> Result<Found, Failure> {
+    match files::document(path, limits)? {
+        Document::Scene(scene) => {
+            let (objects, lights) = (scene.objects.len(), scene.lights.len());
+            Ok(Found {
+                counts: json!({ "kind": "scene", "objects": objects, "lights": lights }),
+                summary: format!("scene, {objects} objects, {lights} lights"),
+                notes: methods::notes_of(&scene),
+            })
+        }
+        Document::Lesson(lesson) => {
+            let open = lesson
+                .open()
+                .map_err(|error| files::wrong(&path.display(), &error))?;
+            let (steps, narrated) = (open.run.walk().len(), open.narrated.len());
+            Ok(Found {
+                counts: json!({ "kind": "lesson", "steps": steps, "narrated": narrated }),
+                summary: format!("lesson, {steps} steps, {narrated} narrated"),
+                notes: open.setup.notes(open.lesson.method),
+            })
+        }
     }
 }

@@ -3,6 +3,7 @@
 use super::arguments::LimitArguments;
 use super::failure::Failure;
 use super::files;
+use super::notes;
 use super::progress::{Progress, named};
 use crate::algorithms::enclosure::{Enclosure, Settings};
 use crate::algorithms::form_factor::{Method, Report};
@@ -121,6 +122,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     if let Some(refusal) = arguments.memory.refusal(&enclosure) {
         return Err(files::wrong(&arguments.scene.display(), &refusal));
     }
+    notes::print(&arguments.scene.display(), &scene.notes);
     let start = Instant::now();
     let matrix = matrix(&enclosure);
     let seconds = start.elapsed().as_secs_f64();
@@ -143,6 +145,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             "row_sums": row_sums,
             "reciprocity_defect": reciprocity_defect,
             "closure_defect": closure_defect,
+            "notes": scene.notes,
         });
         // The rest of the one object
         writeln!(out, "],{}", rest.to_string().trim_start_matches('{'))

@@ -3,6 +3,7 @@
 use super::arguments::{LimitArguments, parse_range, parse_size};
 use super::failure::Failure;
 use super::files::{self, Document};
+use super::notes;
 use super::progress::Progress;
 use crate::panels::strings::Language;
 use crate::panels::{Panel, PanelInput, TreeView, draw};
@@ -53,6 +54,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let mut open = lesson
         .open()
         .map_err(|error| files::wrong(&arguments.lesson, &error))?;
+    notes::print(&arguments.lesson, &open.setup.notes(open.lesson.method));
     let narrated: Vec<usize> = open.narrated.iter().map(|narrated| narrated.step).collect();
     let steps: Vec<usize> = match arguments.steps {
         None => narrated.clone(),

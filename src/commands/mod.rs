@@ -11,6 +11,7 @@ mod frames;
 mod interrupt;
 mod list;
 mod needs;
+mod notes;
 mod open;
 mod progress;
 mod radiosity;

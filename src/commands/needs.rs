@@ -4,7 +4,7 @@ use super::arguments::{LimitArguments, RayArguments, method, method_names};
 use super::failure::Failure;
 use super::progress::Progress;
 use super::radiosity::SolutionArguments;
-use super::{files, form_factors};
+use super::{files, form_factors, notes};
 use crate::methods::{Method, Settings, Setup};
 use crate::scene::{Camera, LeftOut, Part, Scene};
 use crate::study::ablation::{Ablation, Ablations, Measured, Sameness, Steps, ablations};
@@ -65,6 +65,8 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let prepared = files::prepared(with_camera(scene), SIZE, method, &path.display())?;
     let setup = Setup::new(prepared, settings);
     let skipped = setup.skipped(method);
+    let notes = setup.notes(method);
+    notes::print(&path.display(), &notes);
     // The light of a room is the same for every camera.
     let measured = (has_camera || method == Method::Radiosity).then(|| {
         let progress = Progress::new("measuring what is saved");
@@ -80,6 +82,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             "needed": needed(method, &skipped).map(Part::name).collect::<Vec<_>>(),
             "left_out": self::skipped(&setup, method),
             "size": SIZE,
+            "notes": notes,
             "saved": measured.map(|measured| measured.map_or_else(|why| json!({ "error": why }), |ablations| saved(&ablations))),
         });
         writeln!(out, "{recorded:#}")?;

@@ -4,8 +4,10 @@ use super::arguments::LimitArguments;
 use super::failure::{Failure, note};
 use super::files;
 use super::form_factors::{MemoryArgument, VisibilityArgument, enclosure, matrix, settings};
+use super::notes;
 use super::progress::named;
 use crate::algorithms::enclosure::{Enclosure, Light, Settings};
+use crate::algorithms::enclosure_notes;
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::radiosity::{ChannelUnsolved, RecordFilter, Solver};
 use crate::record::Unrecorded;
@@ -84,6 +86,9 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let start = Instant::now();
     let enclosure = enclosure(&scene, &arguments.scene, settings)?;
     let divided = start.elapsed();
+    let mut notes = scene.notes.clone();
+    notes.extend(enclosure_notes::notes(&scene));
+    notes::print(&arguments.scene.display(), &notes);
     let shot: Light;
     let (exchanged, light) = match arguments.memory.refusal(&enclosure) {
         None => {
@@ -115,6 +120,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             "solve": (solved - exchanged).as_secs_f64(),
         },
         "surfaces": surfaces(&scene, &enclosure, light),
+        "notes": notes,
     });
     files::write_whole(&arguments.out, |out| {
         serde_json::to_writer(&mut *out, &result)?;

@@ -5,7 +5,7 @@ use super::failure::Failure;
 use super::form_factors::MemoryArgument;
 use super::progress::Progress;
 use super::radiosity::{SolutionArguments, light};
-use super::{files, needs};
+use super::{files, needs, notes};
 use crate::algorithms::enclosure;
 use crate::color::{Rgb, pfm, png_rgb8};
 use crate::methods::{Method, Settings, Setup};
@@ -93,6 +93,8 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let prepared = files::prepared(scene, arguments.size, method, &arguments.scene.display())?;
     let setup = Setup::new(prepared, settings);
     let staged = start.elapsed();
+    let notes = setup.notes(method);
+    notes::print(&arguments.scene.display(), &notes);
     if method == Method::Radiosity {
         solve(&setup, &arguments)?;
     }
@@ -146,6 +148,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
                 "total_internal_reflection": rays.total_internal_reflection,
             },
             "left_out": skipped,
+            "notes": notes,
         });
         use std::io::Write;
         writeln!(std::io::stdout(), "{stats}")?;

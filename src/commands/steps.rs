@@ -5,6 +5,7 @@ use super::arguments::{
 };
 use super::failure::{Failure, note};
 use super::files::{self, Document};
+use super::notes;
 use super::progress::{self, Progress};
 use super::radiosity::SolutionArguments;
 use crate::algorithms::focus::Focus;
@@ -159,10 +160,11 @@ fn record(arguments: &Arguments) -> Result<Run, Failure> {
                 && !arguments.rays.is_given()
                 && !arguments.solution.is_given() =>
         {
-            Ok(lesson
+            let open = lesson
                 .open()
-                .map_err(|error| files::wrong(&arguments.name, &error))?
-                .run)
+                .map_err(|error| files::wrong(&arguments.name, &error))?;
+            notes::print(&arguments.name, &open.setup.notes(open.lesson.method));
+            Ok(open.run)
         }
         Document::Lesson(lesson) => {
             let method = method.unwrap_or(lesson.method);
@@ -222,6 +224,7 @@ fn record_on(setup: Setup, method: Method, focus: Focus, name: &str) -> Result<R
     setup
         .check(focus)
         .map_err(|outside| Failure::Wrong(format!("{option} {outside}")))?;
+    notes::print(&name, &setup.notes(method));
     Ok(progress::named("recording", || {
         Run::record(Arc::new(setup), method, focus, RecordingLimit::default())
     }))

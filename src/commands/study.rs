@@ -3,6 +3,7 @@
 use super::arguments::LimitArguments;
 use super::failure::{Failure, note};
 use super::files;
+use super::notes;
 use super::progress::Progress;
 use crate::picture::{Theme, rasterize, to_png, to_svg};
 use crate::study::families;
@@ -38,7 +39,11 @@ fn names() -> clap::builder::PossibleValuesParser {
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     files::check_output_folder(&arguments.out)?;
     let scene = match &arguments.scene {
-        Some(path) => Some(files::scene(path, &arguments.limits.into())?.0),
+        Some(path) => {
+            let (scene, ..) = files::scene(path, &arguments.limits.into())?;
+            notes::print(&path.display(), &scene.notes);
+            Some(scene)
+        }
         None => None,
     };
     let request = Request {

@@ -8,6 +8,7 @@ pub mod exact;
 pub mod fast_phong;
 pub mod flat;
 pub mod gouraud;
+mod notes;
 pub mod phong;
 pub mod radiosity;
 pub mod ray_casting;
@@ -26,6 +27,7 @@ use crate::scene::{Needs, Part};
 use crate::vocabulary::Declared;
 
 pub use count::Counted;
+pub use notes::notes_of;
 pub use setup::{Outside, Settings, Setup};
 
 /// What a method works on.

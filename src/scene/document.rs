@@ -46,7 +46,7 @@ pub fn one_a_line(problems: &[Problem]) -> String {
 }
 
 /// Text that may quote a file: on one line, of bounded length, without control characters.
-struct OneLine<'a>(&'a str);
+pub(super) struct OneLine<'a>(pub &'a str);
 
 impl fmt::Display for OneLine<'_> {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {

@@ -91,6 +91,11 @@ impl Mesh {
         &self.corners[self.starts[face] as usize..self.starts[face + 1] as usize]
     }
 
+    /// Whether its corners have texture coordinates.
+    pub fn has_uvs(&self) -> bool {
+        !self.uvs.is_empty()
+    }
+
     /// Texture coordinates of a face, a pair a corner; empty where the mesh has none.
     pub fn face_uvs(&self, face: usize) -> &[DVec2] {
         if self.uvs.is_empty() {

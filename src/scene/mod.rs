@@ -8,6 +8,7 @@ mod file;
 mod mesh;
 mod mesh_path;
 mod needs;
+mod note;
 mod obj;
 mod obj_lines;
 pub mod patch_primitives;
@@ -22,6 +23,7 @@ pub use file::SceneFile;
 pub use mesh::Mesh;
 pub use mesh_path::mesh_path_is_inside;
 pub use needs::{LeftOut, Needs, Part, Parts, has_highlights};
+pub use note::Note;
 pub use obj::Obj;
 pub use tessellation::{Tessellation, sphere as sphere_mesh};
 pub use validate::{LARGEST, Limits, ReadFile, SceneError, read};
@@ -41,6 +43,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     pub objects: Vec<Object>,
     pub lights: Vec<Light>,
+    /// What the file says without effect, whatever the method.
+    pub notes: Vec<Note>,
 }
 
 /// How a surface answers light. No coefficient is scaled by another.
@@ -107,6 +111,7 @@ impl Default for Scene {
             materials: Vec::new(),
             objects: Vec::new(),
             lights: Vec::new(),
+            notes: Vec::new(),
         }
     }
 }
@@ -144,6 +149,8 @@ impl Object {
         }
     }
 
+    /// Longitudes and latitudes of a sphere whose file does not say.
+    pub const SPHERE_PATCHES: [u32; 2] = [16, 8];
     /// Of a sphere whose file does not say.
     pub const DIVISIONS: u32 = 16;
     /// The most that a file may ask for.

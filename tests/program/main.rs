@@ -6,6 +6,7 @@ mod broken_files;
 mod command_line;
 #[cfg(unix)]
 mod interrupted;
+mod notes;
 mod radiosity;
 mod rays;
 mod stress;

@@ -7,7 +7,7 @@ use crate::color::Rgb;
 use crate::scene::document::{Keyed, Place};
 use crate::scene::file::{CameraFile, LightFile, MaterialFile};
 use crate::scene::values::{Coefficient, Number, Triple};
-use crate::scene::{Camera, Highlight, Light, Material, Texture};
+use crate::scene::{Camera, Highlight, Light, Material, Object, Shape, Texture};
 use glam::DVec3;
 
 impl Check {
@@ -137,9 +137,7 @@ impl Check {
                 let place = place.key("point");
                 Some(Light::Point {
                     position: self.point(&place.key("position"), point.position),
-                    color: point
-                        .color
-                        .map_or(Rgb::WHITE, |color| self.color(&place.key("color"), color)),
+                    color: self.light_color(&place, point.color),
                     attenuation: self.attenuation(&place.key("attenuation"), point.attenuation),
                     radius: point.radius.map_or(0.0, |radius| {
                         self.number(&place.key("radius"), radius, RADIUS_OR_NONE)
@@ -150,9 +148,7 @@ impl Check {
                 let place = place.key("directional");
                 Some(Light::Directional {
                     toward: self.direction(&place.key("toward"), directional.toward),
-                    color: directional
-                        .color
-                        .map_or(Rgb::WHITE, |color| self.color(&place.key("color"), color)),
+                    color: self.light_color(&place, directional.color),
                 })
             }
             (point, _) => {
@@ -168,5 +164,36 @@ impl Check {
                 None
             }
         }
+    }
+
+    /// Notes checkers on meshes that have no texture coordinates.
+    pub fn textures(&mut self, root: &Place, objects: &[Object], materials: &[Material]) {
+        for (number, object) in objects.iter().enumerate() {
+            let material = &materials[object.material];
+            if let Shape::Mesh(mesh) = &object.shape
+                && !mesh.has_uvs()
+                && material.texture.is_some()
+            {
+                let what = format!("the texture of the material {:?}", material.name);
+                let why = "the mesh has no texture coordinates (`vt`), so that all of it takes the colour at (0, 0)";
+                self.note(
+                    &root.key("objects").index(number).key("material"),
+                    what,
+                    why,
+                );
+            }
+        }
+    }
+
+    fn light_color(&mut self, light: &Place, written: Option<Triple>) -> Rgb {
+        let Some(written) = written else {
+            return Rgb::WHITE;
+        };
+        let place = &light.key("color");
+        let color = self.color(place, written);
+        if color == Rgb::BLACK {
+            self.note(place, "a black light", "it lights nothing");
+        }
+        color
     }
 }

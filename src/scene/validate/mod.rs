@@ -81,6 +81,9 @@ impl SceneFile {
             .collect();
         let objects =
             Objects::new(&mut check, &materials, limits, read_file).all(root, self.objects);
+        if check.count == 0 {
+            check.textures(root, &objects, &materials);
+        }
         let lights = self
             .lights
             .iter()
@@ -107,6 +110,7 @@ impl SceneFile {
             materials,
             objects,
             lights,
+            notes: check.notes,
         })
     }
 }

@@ -11,9 +11,6 @@ use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::rc::Rc;
 
-/// Of a sphere, where the scene does not say: longitudes and latitudes.
-const SPHERE_PATCHES: [u32; 2] = [16, 8];
-
 /// Indices of corners are 32 bits wide, and a mesh has at most three corners a triangle.
 const MOST_TRIANGLES: u64 = 1 << 30;
 
@@ -168,7 +165,7 @@ impl<'a, 'f> Objects<'a, 'f> {
     ) -> [u32; 2] {
         let Some(written) = written else {
             return match division {
-                Division::Sphere => SPHERE_PATCHES,
+                Division::Sphere => Object::SPHERE_PATCHES,
                 _ => [1, 1],
             };
         };

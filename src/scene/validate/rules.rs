@@ -1,6 +1,7 @@
 //! Which numbers are allowed, and the problems found so far.
 
 use crate::color::Rgb;
+use crate::scene::Note;
 use crate::scene::document::{Place, Problem};
 use crate::scene::values::{Number, Triple};
 use glam::DVec3;
@@ -34,12 +35,13 @@ pub const RADIUS_OR_NONE: Rule = (
 /// How many problems are kept; of the rest the number is enough.
 const MAX_KEPT: usize = 1000;
 
-/// The problems found so far. Its methods hand on what is written also where it is wrong, so that checking goes on.
+/// The problems and notes found so far. Its methods hand on what is written also where it is wrong, so that checking goes on.
 #[derive(Default)]
 pub struct Check {
     /// The first of them.
     problems: Vec<Problem>,
     pub count: usize,
+    pub notes: Vec<Note>,
 }
 
 impl Check {
@@ -53,6 +55,11 @@ impl Check {
                 message,
             });
         }
+    }
+
+    /// Notes what has no effect, and refuses nothing.
+    pub fn note(&mut self, place: &Place, what: impl Into<String>, why: impl Into<String>) {
+        self.notes.push(Note::new(place, what, why));
     }
 
     /// The problems kept, and how many there are beside them.

@@ -129,6 +129,7 @@ pub fn scene() -> impl Strategy<Value = Scene> {
                     })
                     .collect(),
                 lights,
+                notes: Vec::new(),
             },
         )
 }
