@@ -105,10 +105,51 @@ fn no_window(report: &str) -> String {
     {
         return "there is no display (DISPLAY and WAYLAND_DISPLAY are not set)".into();
     }
-    let line = report.split_whitespace().collect::<Vec<_>>().join(" ");
+    let value = |name| std::env::var_os(name).unwrap_or_default();
+    for (part, system, name) in [
+        ("wayland compositor", "Wayland", "WAYLAND_DISPLAY"),
+        ("X server", "X", "DISPLAY"),
+        ("XOpenDisplay", "X", "DISPLAY"),
+    ] {
+        if report.contains(part) {
+            return format!(
+                "the {system} display {:?} (that of {name}) did not answer",
+                value(name)
+            );
+        }
+    }
+    let line = without_source_places(report);
     if line.is_empty() {
         "the window system did not say why".into()
     } else {
         line
+    }
+}
+
+/// On one line, without the source files of libraries, such as `os error at /…/winit/src/x11.rs:788: …`: those are of the machine that
+/// built the program.
+fn without_source_places(report: &str) -> String {
+    let mut words: Vec<&str> = Vec::new();
+    for word in report.split_whitespace() {
+        if !word.contains(".rs:") {
+            words.push(word);
+        } else if words.last() == Some(&"at") {
+            words.pop();
+        }
+    }
+    words.join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_message_shows_a_source_file_of_a_library() {
+        let report = "winit EventLoopError: os error at\n /root/x/winit-0.30.13/src/linux/mod.rs:788: Out of luck";
+        assert_eq!(
+            without_source_places(report),
+            "winit EventLoopError: os error Out of luck"
+        );
     }
 }

@@ -31,7 +31,7 @@ mod vectors;
 mod vertex;
 
 pub use formula::{Evaluated, evaluated};
-pub use names::{kind as kind_name, meaning};
+pub use names::kind as kind_name;
 pub use ray_tree::TreeView;
 pub use ray_tree::{area as tree_area, middle as tree_middle};
 pub use rays::{Grip, grip};

@@ -4,6 +4,7 @@
 //! `#[serde(default, deserialize_with = "present")] schema: Option<Schema>`. It avoids `flatten`, `untagged` and internally
 //! tagged enums, which lose line, column and path.
 
+use super::mesh_file::misplaced;
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{DeserializeOwned, Deserializer, Error, MapAccess, Visitor};
@@ -135,6 +136,9 @@ fn text_of(bytes: &[u8]) -> Result<&str, Problem> {
             "the file has {} bytes; at most {MAX_BYTES} are allowed",
             bytes.len()
         )));
+    }
+    if let Some(message) = misplaced(bytes) {
+        return Err(whole_file(message));
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let text = std::str::from_utf8(bytes).map_err(|error| {

@@ -6,6 +6,7 @@ mod broken_files;
 mod command_line;
 #[cfg(unix)]
 mod interrupted;
+mod meshes;
 mod notes;
 mod radiosity;
 mod rays;

@@ -14,6 +14,7 @@ use objects::Objects;
 use rules::Check;
 
 pub use rules::LARGEST;
+pub(super) use rules::unit;
 
 /// How large a scene may be. Both hold for the whole scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,9 +4,8 @@ use super::rules::Check;
 use super::{Limits, ReadFile};
 use crate::scene::document::{Keyed, Place};
 use crate::scene::file::ObjectFile;
-use crate::scene::obj::Obj;
 use crate::scene::values::{Count, PatchCounts};
-use crate::scene::{Material, Object, Shape};
+use crate::scene::{Material, MeshData, Object, Shape};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::rc::Rc;
@@ -19,7 +18,7 @@ pub(super) struct Objects<'a, 'f> {
     pub check: &'a mut Check,
     pub read_file: &'a mut ReadFile<'f>,
     /// By path: several objects may show one mesh.
-    pub meshes: HashMap<String, Rc<Result<Obj, String>>>,
+    pub meshes: HashMap<String, Rc<Result<MeshData, String>>>,
     materials: HashMap<&'a str, usize>,
     /// For messages.
     known_materials: String,

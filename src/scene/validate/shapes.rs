@@ -6,8 +6,7 @@ use crate::scene::document::{Keyed, Place};
 use crate::scene::file::{
     BezierFile, CylinderFile, MeshFile, PlaneFile, PolygonFile, SphereFile, TransformFile,
 };
-use crate::scene::mesh_path::{mesh_format_is_known, mesh_path_is_inside};
-use crate::scene::obj::Obj;
+use crate::scene::mesh_file::{MeshData, mesh_format_is_known, mesh_path_is_inside};
 use crate::scene::tessellation::CYLINDER_SIDES;
 use crate::scene::values::{Count, Triple};
 use crate::scene::{Mesh, Shape};
@@ -142,20 +141,20 @@ impl Objects<'_, '_> {
         });
         let transform_is_right = self.check.count == problems;
 
-        let place = &object.key("mesh");
-        let place = &place.key("file");
-        let obj = self.obj(&file.file);
-        let obj = match &*obj {
-            Ok(obj) => obj,
+        let mesh_place = &object.key("mesh");
+        let place = &mesh_place.key("file");
+        let data = self.mesh_data(place, &file.file);
+        let data = match &*data {
+            Ok(data) => data,
             Err(message) => {
                 self.check.refuse(place, message.clone());
                 return None;
             }
         };
-        if !self.has_room_for(place, obj.triangles().into()) || !transform_is_right {
+        if !self.has_room_for(place, data.triangles().into()) || !transform_is_right {
             return None;
         }
-        let mesh = obj.mesh(&to_world);
+        let mesh = data.mesh(&to_world);
         if mesh.face_count() == 0 {
             let message = format!(
                 "found no face in {:?} with three corners at different places; a mesh needs at least one",
@@ -171,7 +170,7 @@ impl Objects<'_, '_> {
             );
             return None;
         }
-        Some((Shape::Mesh(mesh), Division::Triangles(obj.triangles())))
+        Some((Shape::Mesh(mesh), Division::Triangles(data.triangles())))
     }
 
     fn points(&mut self, place: &Place, written: &[Triple]) -> Vec<DVec3> {
@@ -202,23 +201,26 @@ impl Objects<'_, '_> {
         DAffine3::from_mat3_translation(rotation * scale, translate)
     }
 
-    /// What the mesh file at this path holds; each is read once.
-    fn obj(&mut self, path: &str) -> Rc<Result<Obj, String>> {
-        if let Some(obj) = self.meshes.get(path) {
-            return obj.clone();
+    /// What the mesh file at this path holds; each is read once, and what it says without effect is noted where it is first named.
+    fn mesh_data(&mut self, place: &Place, path: &str) -> Rc<Result<MeshData, String>> {
+        if let Some(data) = self.meshes.get(path) {
+            return data.clone();
         }
         let max_triangles = self.max_triangles();
-        let obj = mesh_path_is_inside(path)
+        let data = mesh_path_is_inside(path)
             .and_then(|()| mesh_format_is_known(path))
             .and_then(|()| {
                 (self.read_file)(path).map_err(|why| format!("cannot read {path:?}: {why}"))
             })
             .and_then(|bytes| {
-                Obj::read(&bytes, max_triangles).map_err(|why| format!("in {path:?}: {why}"))
+                MeshData::read(&bytes, max_triangles).map_err(|why| format!("in {path:?}: {why}"))
             });
-        let obj = Rc::new(obj);
-        self.meshes.insert(path.to_owned(), obj.clone());
-        obj
+        for remark in data.iter().flat_map(|data| &data.remarks) {
+            self.check.note(place, &*remark.what, remark.why);
+        }
+        let data = Rc::new(data);
+        self.meshes.insert(path.to_owned(), data.clone());
+        data
     }
 }
 

@@ -42,7 +42,7 @@ pub fn mesh_path_is_inside(path: &str) -> Result<(), String> {
 }
 
 /// Whether the file is of a kind that can be read, by the ending of its name.
-pub(super) fn mesh_format_is_known(path: &str) -> Result<(), String> {
+pub(in crate::scene) fn mesh_format_is_known(path: &str) -> Result<(), String> {
     let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending);
     if ending.eq_ignore_ascii_case("obj") {
         Ok(())

@@ -1,0 +1,117 @@
+//! Mesh files: what they hold, whichever format they are written in.
+
+mod kind;
+mod lines;
+mod obj;
+mod path;
+mod statements;
+
+pub use path::mesh_path_is_inside;
+
+pub(super) use kind::misplaced;
+pub(super) use path::mesh_format_is_known;
+
+use super::Mesh;
+use glam::{DAffine3, DVec2, DVec3};
+
+/// The faces of a mesh file, each index known to be in range and each number to be finite.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshData {
+    positions: Vec<DVec3>,
+    /// The first is (0, 0), for corners without one.
+    uvs: Vec<DVec2>,
+    /// Unit vectors; the first is zero, for corners without one.
+    normals: Vec<DVec3>,
+    /// Face `f` has the corners `starts[f]..starts[f + 1]`: three or more.
+    starts: Vec<u32>,
+    /// Indices into `positions`, `uvs` and `normals`.
+    corners: Vec<[u32; 3]>,
+    triangles: u64,
+    /// What the file says that is not used, each thing once.
+    pub remarks: Vec<Remark>,
+}
+
+/// Something in a mesh file that has no effect, or was repaired.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remark {
+    pub what: String,
+    pub why: &'static str,
+}
+
+impl Remark {
+    pub(super) fn new(what: impl Into<String>, why: &'static str) -> Self {
+        Remark {
+            what: what.into(),
+            why,
+        }
+    }
+}
+
+impl Default for MeshData {
+    fn default() -> Self {
+        MeshData {
+            positions: Vec::new(),
+            uvs: vec![DVec2::ZERO],
+            normals: vec![DVec3::ZERO],
+            starts: vec![0],
+            corners: Vec::new(),
+            triangles: 0,
+            remarks: Vec::new(),
+        }
+    }
+}
+
+impl MeshData {
+    /// Reads a mesh file.
+    ///
+    /// Errors: what the file is instead of a mesh, the first line that is wrong, no faces at all, or more than `max_triangles`,
+    /// as a sentence.
+    pub fn read(bytes: &[u8], max_triangles: u64) -> Result<MeshData, String> {
+        obj::read(bytes, max_triangles)
+    }
+
+    pub fn face_count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// Σ (corners − 2) over the faces.
+    pub fn triangles(&self) -> u64 {
+        self.triangles
+    }
+
+    pub fn has_uvs(&self) -> bool {
+        self.uvs.len() > 1
+    }
+
+    pub fn has_normals(&self) -> bool {
+        self.normals.len() > 1
+    }
+
+    /// The mesh in world coordinates, its vertices welded. `to_world` turns, moves, and scales equally in all directions.
+    pub fn mesh(&self, to_world: &DAffine3) -> Mesh {
+        // Positions that no face refers to are left out.
+        const UNUSED: u32 = u32::MAX;
+        let mut numbers = vec![UNUSED; self.positions.len()];
+        let mut positions = Vec::new();
+        let vertices: Vec<u32> = (self.corners.iter())
+            .map(|&[position, ..]| {
+                let number = &mut numbers[position as usize];
+                if *number == UNUSED {
+                    *number = positions.len() as u32;
+                    positions.push(to_world.transform_point3(self.positions[position as usize]));
+                }
+                *number
+            })
+            .collect();
+        let mut uvs = Vec::new();
+        if self.corners.iter().any(|&[_, uv, _]| uv > 0) {
+            uvs.extend((self.corners.iter()).map(|&[_, uv, _]| self.uvs[uv as usize]));
+        }
+        let faces = self.starts.windows(2);
+        let faces = faces.map(|ends| &vertices[ends[0] as usize..ends[1] as usize]);
+        Mesh::new(&positions, faces, &uvs)
+    }
+}
+
+#[cfg(test)]
+mod tests;
