@@ -202,9 +202,8 @@ fn is_prose(text: &str) -> bool {
     words.windows(2).any(|pair| pair == [true, true])
 }
 
-#[test]
-fn panels_and_window_have_no_text_outside_of_the_catalogues() {
-    assert!(is_prose("{count} more of them") && !is_prose("cos θ_i {angle}"));
+/// The files of panels and window whose text people read in their language, by name.
+fn shown_sources() -> Vec<(String, String)> {
     let mut files = Vec::new();
     for folder in ["src/panels", "src/app"] {
         sources(
@@ -212,19 +211,57 @@ fn panels_and_window_have_no_text_outside_of_the_catalogues() {
             &mut files,
         );
     }
-    for file in files {
-        let name = file.to_string_lossy();
-        // Without a window nobody has chosen a language.
-        let is_other = ["/tests", "fixture", "painter", "main_window", "sample"];
-        if is_other.iter().any(|other| name.contains(other)) {
-            continue;
-        }
-        let source = fs::read_to_string(&file).unwrap();
+    // Without a window nobody has chosen a language.
+    let others = ["/tests", "fixture", "painter", "main_window", "sample"];
+    let names = files.iter().map(|file| file.to_string_lossy().into_owned());
+    names
+        .filter(|name| !others.iter().any(|other| name.contains(other)))
+        .map(|name| (name.clone(), fs::read_to_string(name).unwrap()))
+        .collect()
+}
+
+#[test]
+fn panels_and_window_have_no_text_outside_of_the_catalogues() {
+    assert!(is_prose("{count} more of them") && !is_prose("cos θ_i {angle}"));
+    for (name, source) in shown_sources() {
         for text in literals(&source) {
             assert!(
                 !is_prose(text) || UNSEEN.contains(&text),
                 "{name}: `{text}` is in no catalogue"
             );
+        }
+    }
+}
+
+/// What stands between the parentheses of each `format!`.
+fn formatted(source: &str) -> impl Iterator<Item = &str> {
+    source.split("format!(").skip(1).map(|rest| {
+        let mut depth = 1;
+        let end = rest.find(|c: char| {
+            depth += i32::from(c == '(') - i32::from(c == ')');
+            depth == 0
+        });
+        &rest[..end.unwrap_or(rest.len())]
+    })
+}
+
+/// Whether the text of a message is put beside something else: there a translator could not change the order of the words.
+fn joins_a_message(formatted: &str) -> bool {
+    let mut parts = formatted.splitn(3, '"').skip(1);
+    let (Some(literal), Some(values)) = (parts.next(), parts.next()) else {
+        return false;
+    };
+    let texts = [".text(", "localize(", "strings("];
+    literal.matches('{').count() > 1 && texts.iter().any(|text| values.contains(text))
+}
+
+#[test]
+fn messages_are_whole_with_their_arguments_in_them() {
+    assert!(joins_a_message("\"{} {count}\", RAYS.text(language)"));
+    assert!(!joins_a_message("\"{} ▾\", RAYS.text(language)"));
+    for (name, source) in shown_sources() {
+        for formatted in formatted(&source).filter(|formatted| joins_a_message(formatted)) {
+            panic!("{name}: format!({formatted}) is no whole message");
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::button::button;
 use super::session::{Command, Session, read_number};
 use super::{prose, slider_focus, strings, style};
-use crate::language::Language;
+use crate::language::{Language, Message};
 use crate::lesson::{Change, Coefficient, DIVISIONS, Parameter};
 use crate::picture::Ink;
 use crate::scene::Scene;
@@ -261,10 +261,11 @@ fn written(number: DragValue<'_>, language: Language) -> DragValue<'_> {
 /// What a parameter is called.
 fn name(session: &Session, parameter: Parameter) -> String {
     let scene = &session.prepared().scene;
-    let distance = session.localize(strings::DISTANCE);
+    let language = session.look.language;
+    let distance = |thing: &str| strings::DISTANCE.format(language, &[("thing", thing)]);
     match parameter {
-        Parameter::Light(light) => format!("{}, {distance}", light_name(session, light)),
-        Parameter::Eye => format!("{}, {distance}", session.localize(strings::EYE)),
+        Parameter::Light(light) => distance(&light_name(session, light)),
+        Parameter::Eye => distance(session.localize(strings::EYE)),
         Parameter::Coefficient(material, coefficient) => {
             format!(
                 "{} {}",
@@ -273,19 +274,17 @@ fn name(session: &Session, parameter: Parameter) -> String {
             )
         }
         Parameter::Divisions(object) => {
-            format!(
-                "{} {}",
-                session.localize(strings::DIVISIONS),
-                scene.objects[object].name
-            )
+            let object = scene.objects[object].name.as_str();
+            strings::DIVISIONS.format(language, &[("object", object)])
         }
     }
 }
 
 fn light_name(session: &Session, light: usize) -> String {
-    let name = session.localize(strings::LIGHT);
     match session.prepared().scene.lights.len() {
-        1 => name.to_owned(),
-        _ => format!("{name} {light}"),
+        1 => session.localize(strings::LIGHT).to_owned(),
+        _ => {
+            Message("names-light").format(session.look.language, &[("number", &light.to_string())])
+        }
     }
 }

@@ -172,10 +172,9 @@ fn verdict(
         Ink::Text,
     ));
     if ui
-        .link(format!(
-            "{} {} →",
-            session.localize(strings::SHOW_THE_STEP),
-            question.step
+        .link(strings::SHOW_THE_STEP.format(
+            session.look.language,
+            &[("step", &question.step.to_string())],
         ))
         .clicked()
     {

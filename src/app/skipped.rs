@@ -55,7 +55,7 @@ fn list(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     }
     for &object in planes {
         let name = &session.prepared().scene.objects[object].name;
-        ui.label(format!("{name}: {}", session.localize(PLANE)));
+        ui.label(PLANE.format(session.look.language, &[("object", name)]));
     }
     if !session.setup().forced().is_empty() {
         ui.separator();

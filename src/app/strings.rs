@@ -30,8 +30,8 @@ pub const DEBUG_BUILD: Message = Message("app-debug-build");
 pub const STUDY_PLOT: Message = Message("app-study-plot");
 pub const ON_THE_FRONT: Message = Message("app-on-the-front");
 pub const MEMORY_IS: Message = Message("app-memory-is");
-pub const ERROR_FALLS: Message = Message("common-error");
-pub const TIME_GROWS: Message = Message("app-time-is");
+pub const ERROR_FALLS: Message = Message("app-law-of-error");
+pub const TIME_GROWS: Message = Message("app-law-of-time");
 pub const NO_LAW: Message = Message("app-no-law");
 pub const CLICK_OPENS_IT: Message = Message("app-click-opens-it");
 pub const MEASURED_AGAIN_BY: Message = Message("app-measured-again-by");
@@ -39,6 +39,7 @@ pub const REFERENCE: Message = Message("app-reference");
 pub const PARETO: Message = Message("app-pareto");
 
 pub const TEXT_SIZE: Message = Message("app-text-size");
+pub const TEXT_SIZE_TO: Message = Message("app-text-size-to");
 
 pub const AT_THE_START_NAME: Message = Message("keys-first-step");
 pub const PREVIOUS_SCOPE: Message = Message("keys-previous-scope");

@@ -5,6 +5,7 @@ use super::session::{Command, Outcome, PointAt, Session, StudyCommand};
 use super::study_plot::StudyPlot;
 use super::{prose, strings, study_words, style};
 use crate::figure::Series;
+use crate::language::Message;
 use crate::picture::Ink;
 use crate::study::families;
 use crate::study::fit::{Fit, Law};
@@ -243,7 +244,7 @@ fn points(
 fn laws(session: &Session, part: &Part, line: &Line) -> String {
     let language = session.look.language;
     let size = part.size.text(language);
-    let law = |strings, fit: Option<Fit>| {
+    let law = |message: Message, fit: Option<Fit>| {
         let fit = fit.filter(|fit| fit.is_clean() && !fit.is_level());
         let recorded = fit.map_or_else(
             || session.localize(strings::NO_LAW).to_owned(),
@@ -252,7 +253,7 @@ fn laws(session: &Session, part: &Part, line: &Line) -> String {
                 Law::Geometric => format!("∝ {}^n", language.fixed(fit.rate, 3)),
             },
         );
-        format!("{} {recorded}", session.localize(strings))
+        message.format(language, &[("law", &recorded)])
     };
     let error = law(strings::ERROR_FALLS, line.convergence);
     let time = law(strings::TIME_GROWS, line.growth);

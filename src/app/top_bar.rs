@@ -138,7 +138,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
                 ("100 %", Command::NormalText),
                 ("+", Command::LargerText),
             ] {
-                let name = format!("{} {sign}", session.localize(strings::TEXT_SIZE));
+                let name = strings::TEXT_SIZE_TO.format(session.look.language, &[("size", sign)]);
                 super::button::button(session, Button::new(sign), &name, command, commands, ui);
             }
         });

@@ -166,7 +166,8 @@ impl Window {
             self.title = title;
         }
         if let Some(command) = session.shared.take() {
-            self.notice = Some(format!("{} {command}", session.localize(strings::SHARED)));
+            let shared = strings::SHARED.format(session.look.language, &[("command", &command)]);
+            self.notice = Some(shared);
             ctx.copy_text(command);
         }
     }

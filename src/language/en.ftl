@@ -11,23 +11,22 @@ focus-patch = patch { $number }
 
 ## common
 
-common-patches = patches
 common-error = error
-common-of = of
-common-matrix-of-form-factors = Matrix of form factors
+common-named = { $name }: { $what }
+common-matrix-of-form-factors = Matrix of form factors { $n } × { $n }.
 common-light = light
 common-eye = eye
-common-rays = rays
+common-blocked = blocked
+common-blocked-by = blocked by { $object }, t { $t }
 common-relative-residual = relative residual
-common-in-hand = In hand:
 common-total-internal-reflection = total internal reflection
-common-level = level
+common-level = level { $level }
 
 ## app
 
 app-present = Present
 app-share = Share step
-app-shared = Copied: the command that opens this lesson at this step.
+app-shared = Copied: the command that opens this lesson at this step. { $command }
 app-theme = Theme
 app-theme-light = light
 app-theme-dark = dark
@@ -50,16 +49,18 @@ app-nothing-measured = Choose a study and measure it. It runs in the background,
 app-debug-build = This is a debug build: its times say nothing about the algorithms.
 app-study-plot = plot of the study
 app-on-the-front = On the Pareto front: no other setting is as quick and as exact.
-app-time-is = time
 app-point-time = time: { $median } (quartiles { $lower } – { $upper }, { $runs }×)
 app-point-errors = error: rms { $rms }, max { $largest }, rel { $relative }
 app-memory-is = memory { $bytes }
 app-no-law = no clean law
+app-law-of-error = error { $law }
+app-law-of-time = time { $law }
 app-click-opens-it = A click opens its picture and its run.
 app-measured-again-by = It draws no picture. Measured again, with a row of its own in the table, by { $command }
 app-reference = Reference
 app-pareto = Ringed, on the grey line: the Pareto front. Bars: quartiles.
 app-text-size = Text size
+app-text-size-to = Text size { $size }
 app-one-back = one event back
 app-one-on = one event on
 app-step-of = step { $step } of { $last }
@@ -89,7 +90,7 @@ app-right = Right.
 app-wrong = Not quite.
 app-skipped = Skipped.
 app-the-answer-is = The answer is
-app-show-the-step = show the step
+app-show-the-step = show the step { $step } →
 app-image = Image
 app-scan-line = Scan line
 app-active-edges = Active edges
@@ -133,9 +134,9 @@ app-drag-the-eye = drag to move the eye
 app-parameters = Parameters
 app-put-back-all = lesson's values
 app-as-a-number = { $name } (as a number)
-app-distance = distance
+app-distance = { $thing }, distance
 app-from-the-target = from what the camera looks at
-app-divisions = divisions
+app-divisions = divisions { $object }
 app-line = line { $y }
 app-polygon = polygon
 app-frame = whole picture
@@ -182,10 +183,9 @@ active-edges-no-table = A wireframe needs no edge table: its edges are drawn one
 active-edges-edge = edge
 active-edges-from = y from
 active-edges-to = y to
-active-edges-a-line = line
+active-edges-a-line = Δ{ $value }/line
 active-edges-waits = waits
 active-edges-done = done
-active-edges-more = more
 
 ## app-skipped
 
@@ -213,38 +213,41 @@ skipped-facing-away = Integrals of pairs that face away
 skipped-facing-away-because = In one plane, or one behind the other: F = 0.
 skipped-sight-tests = Rays between patches
 skipped-sight-tests-because = Nothing can stand between the two: all light passes.
-app-skipped-plane = an infinite plane has no polygons
+app-skipped-plane = { $object }: an infinite plane has no polygons
 app-skipped-objects = { $some } of { $all } objects
 app-skipped-patches = { $some } of { $all } patches
 app-skipped-pairs = { $some } of { $all } pairs of patches
 
 ## comparison
 
-comparison-illuminated = lit
-comparison-interpolated = interpolated
-comparison-roots = roots
-comparison-series = from a series
-comparison-a-pixel = a pixel
+comparison-illuminated = { $count } lit
+comparison-interpolated = { $count } interpolated
+comparison-roots = { $count } roots
+comparison-series = { $count } from a series
+comparison-rays = { $count } rays
+comparison-a-pixel = { $time } ns a pixel
 
 ## convergence
 
 convergence-bound = bound on the error of B
 convergence-iteration = iteration k
 convergence-none-yet = No iteration has come to its end yet.
+convergence-so-far = { $channel }: iteration k { $k }, relative residual { $residual }.
+convergence-so-far-bounded = { $channel }: iteration k { $k }, relative residual { $residual }, bound on the error of B { $bound }.
 
 ## difference
 
-difference-against = luminance minus that of
-difference-rms = rms
-difference-largest = max
-difference-here = here
+difference-against = luminance minus that of { $method }
+difference-rms = rms { $value }
+difference-largest = max { $value }
+difference-here = here: { $value }
 
 ## form-factor
 
 form-factor-no-pair = This run solves for the light of all patches. Look at one form factor to see how it is found.
 form-factor-exact = reference
-form-factor-hits = met j
-form-factor-free = unblocked
+form-factor-hits = met j: { $part } of { $all }
+form-factor-free = unblocked: { $part } of { $all }
 
 ## illumination
 
@@ -262,8 +265,8 @@ formula-no-formula = This step has no formula. Go on to the next.
 
 ## image
 
-image-only = focus:
-image-drawn = pixels drawn so far:
+image-only = focus: { $focus }
+image-drawn = pixels drawn so far: { $count }.
 
 ## keys
 
@@ -307,9 +310,8 @@ keys-all-keys = all keys
 
 matrix-no-matrix = This run finds one form factor, not all of them. Open a lesson on a radiosity solver.
 matrix-no-room = This scene has no patches: radiosity needs surfaces of finite size.
-matrix-gathers = gathers row
-matrix-shoots = shoots column
-matrix-sum = sum of the row
+matrix-gathers = { $patch } gathers row { $row }, sum of the row { $sum }
+matrix-shoots = { $patch } shoots column { $column }
 
 ## panels
 
@@ -318,7 +320,9 @@ panels-no-polygons = This method follows rays and converts no polygons. Look at 
 panels-no-rays = This method converts polygons and follows no rays. Open a lesson on ray casting or ray tracing.
 panels-no-patches = This run exchanges no light between patches. Open a lesson on radiosity.
 panels-not-compared = The pictures to be compared are being made, or this lesson compares none.
-panels-step = Step
+panels-step = Step { $step }, { $kind }
+panels-no-step = Step –
+panels-step-and-values = { $step }: { $values }.
 panels-yes = yes
 panels-no = no
 
@@ -327,8 +331,8 @@ panels-no = no
 profile-intensity = intensity
 profile-slope = its slope, a pixel (jumps of the value are cut off)
 profile-seen = as it looks (lateral inhibition)
-profile-line = scan line
-profile-largest-jump = largest jump of slope
+profile-line = scan line y = { $y }
+profile-largest-jump = { $method }: largest jump of slope { $jump }
 
 ## race
 
@@ -339,17 +343,19 @@ race-running = The solvers are still running.
 race-no-solution = This room has no solution, so nobody can win.
 race-not-begun = The solvers wait at the start. Step to the end of an iteration.
 race-gave-up = gave up
+race-gave-up-after = gave up ({ $effort })
 race-on-the-way = under way
+race-patches = { $count } patches
 
 ## radiosity
 
 radiosity-radiosity = radiosity B
 radiosity-with-unshot = radiosity B + unshot
-radiosity-unshot = unshot radiosity
+radiosity-unshot = unshot radiosity, { $channel }
 radiosity-emission = emission E
 radiosity-reflectance = reflectance ρ
-radiosity-patches = Patches of the room:
-radiosity-seen = seen from their front, through the backs of those that turn away:
+radiosity-patches = Patches of the room: { $patches }, seen from their front, through the backs of those that turn away: { $seen }.
+radiosity-current = Current patch: { $exchange }
 radiosity-no-room = This scene cannot be divided into patches: a surface has no end, no area, or there are too many.
 radiosity-red = red
 radiosity-green = green
@@ -359,7 +365,7 @@ radiosity-blue = blue
 
 ray-tree-no-ray = Once a ray is sent through a pixel, this panel draws the tree of all rays that make its colour. At this step there is none yet: step on.
 ray-tree-no-rays = This method converts polygons and follows no rays. Open a lesson on ray casting or ray tracing to see a pixel's ray tree.
-ray-tree-inside = inside
+ray-tree-inside = { $object }, inside
 ray-tree-background = background
 ray-tree-leaves = leaves the scene
 ray-tree-leaves-short = leaves
@@ -370,24 +376,29 @@ ray-tree-asked = asked for
 ray-tree-no-transmitted = no transmitted ray
 ray-tree-depth-reached = depth reached
 ray-tree-no-coefficient = no coefficient
-ray-tree-ray = ray
-ray-tree-hidden = not shown
-ray-tree-shadow-rays = Shadow rays at
-ray-tree-lights = Lights at
+ray-tree-rays = { $count ->
+    [one] { $count } ray
+   *[other] { $count } rays
+ }
+ray-tree-hidden = { $count } not shown
+ray-tree-level = level { $level } of { $deepest }
+ray-tree-shadow-rays = Shadow rays at { $thing }
+ray-tree-lights = Lights at { $thing }
 ray-tree-coming-back = Coming back up
-ray-tree-blocked = blocked
-ray-tree-blocked-by = blocked by
-ray-tree-clear = clear
-ray-tree-so-far = so far
-ray-tree-nearest = nearest
-ray-tree-tested = tested
-ray-tree-missed = missed
+ray-tree-blocked = { $light } blocked
+ray-tree-blocked-by = { $light } blocked by { $object }
+ray-tree-clear = { $light } clear
+ray-tree-clear-at = clear, d { $distance }
+ray-tree-so-far = so far { $light }
+ray-tree-nearest = nearest: { $thing }, t { $t }
+ray-tree-tested = tested: { $thing }, t { $t }
+ray-tree-missed = tested: { $thing }, missed
 
 ## rays
 
 rays-side = from the side
 rays-above = from above
-rays-rays = Rays of the pixel so far:
+rays-rays = Rays of the pixel so far: { $count }. Current ray: { $kind }, level { $level }{ $goal }.
 rays-no-pixel = No ray is followed yet. Go on to the first pixel.
 rays-plane = picture plane
 
@@ -407,11 +418,10 @@ scan-line-difference = difference
 vectors-not-yet = This ray has met no surface yet. Go on until the nearest object is found.
 vectors-no-point = While a point is being lit, this panel shows its vectors. At this step none is.
 vectors-no-surface = This ray meets no surface: it takes the colour of the background, or of a light. Click an object in the image.
-vectors-angles = angle with N
-vectors-blocked = blocked by
+vectors-angles = { $surface } · angle with N
 vectors-arrives = arrives
 vectors-away = behind the surface
-vectors-leans = out of the plane
+vectors-leans = { $angle } out of the plane
 vectors-critical = critical
 vectors-no-t = no T
 vectors-air = air
@@ -987,6 +997,7 @@ quantity-iterations = iterations
 names-point-light = point light
 names-directional-light = directional light
 names-light = light { $number }
+names-numbered = { $kind } { $number }
 names-background = background
 names-ray-meets = { $ray } → { $thing }
 inspector-step = step { $step }

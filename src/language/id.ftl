@@ -11,23 +11,22 @@ focus-patch = patch { $number }
 
 ## common
 
-common-patches = patch
 common-error = galat
-common-of = dari
-common-matrix-of-form-factors = Matriks faktor bentuk
+common-named = { $name }: { $what }
+common-matrix-of-form-factors = Matriks faktor bentuk { $n } × { $n }.
 common-light = cahaya
 common-eye = mata
-common-rays = sinar
+common-blocked = terhalang
+common-blocked-by = terhalang oleh { $object }, t { $t }
 common-relative-residual = residu relatif
-common-in-hand = Sekarang:
 common-total-internal-reflection = pemantulan internal total
-common-level = tingkat
+common-level = tingkat { $level }
 
 ## app
 
 app-present = Presentasi
 app-share = Bagikan langkah
-app-shared = Disalin: perintah yang membuka pelajaran ini pada langkah ini.
+app-shared = Disalin: perintah yang membuka pelajaran ini pada langkah ini. { $command }
 app-theme = Tema
 app-theme-light = terang
 app-theme-dark = gelap
@@ -50,16 +49,18 @@ app-nothing-measured = Pilih sebuah studi lalu ukur. Studi berjalan di latar bel
 app-debug-build = Ini build debug: waktunya tidak mengatakan apa-apa tentang algoritme.
 app-study-plot = grafik studi
 app-on-the-front = Di front Pareto: tidak ada pengaturan lain yang secepat dan seteliti ini.
-app-time-is = waktu
 app-point-time = waktu: { $median } (kuartil { $lower } – { $upper }, { $runs }×)
 app-point-errors = galat: rms { $rms }, maks { $largest }, rel { $relative }
 app-memory-is = memori { $bytes }
 app-no-law = tidak ada hukum yang jelas
+app-law-of-error = galat { $law }
+app-law-of-time = waktu { $law }
 app-click-opens-it = Klik membuka gambar dan jalannya.
 app-measured-again-by = Tidak menghasilkan gambar. Diukur lagi, dengan baris tersendiri di tabel, oleh { $command }
 app-reference = Acuan
 app-pareto = Berlingkar, pada garis abu-abu: front Pareto. Batang: kuartil.
 app-text-size = Ukuran teks
+app-text-size-to = Ukuran teks { $size }
 app-one-back = satu kejadian mundur
 app-one-on = satu kejadian maju
 app-step-of = langkah { $step } dari { $last }
@@ -89,7 +90,7 @@ app-right = Benar.
 app-wrong = Belum tepat.
 app-skipped = Dilewati.
 app-the-answer-is = Jawabannya
-app-show-the-step = tunjukkan langkahnya
+app-show-the-step = tunjukkan langkah { $step } →
 app-image = Gambar
 app-scan-line = Garis scan
 app-active-edges = Sisi aktif
@@ -133,9 +134,9 @@ app-drag-the-eye = seret untuk memindahkan mata
 app-parameters = Parameter
 app-put-back-all = nilai pelajaran
 app-as-a-number = { $name } (sebagai angka)
-app-distance = jarak
+app-distance = jarak { $thing }
 app-from-the-target = dari yang dilihat kamera
-app-divisions = pembagian
+app-divisions = pembagian { $object }
 app-line = garis { $y }
 app-polygon = poligon
 app-frame = seluruh gambar
@@ -182,10 +183,9 @@ active-edges-no-table = Rangka kawat tidak memerlukan tabel sisi: sisinya digamb
 active-edges-edge = sisi
 active-edges-from = y dari
 active-edges-to = y sampai
-active-edges-a-line = baris
+active-edges-a-line = Δ{ $value }/baris
 active-edges-waits = menunggu
 active-edges-done = selesai
-active-edges-more = lagi
 
 ## app-skipped
 
@@ -213,38 +213,41 @@ skipped-facing-away = Integral pasangan yang membelakangi
 skipped-facing-away-because = Sebidang, atau yang satu di belakang yang lain: F = 0.
 skipped-sight-tests = Sinar antarpatch
 skipped-sight-tests-because = Tidak ada yang dapat menghalangi keduanya: semua cahaya lewat.
-app-skipped-plane = bidang tak terhingga tidak punya poligon
+app-skipped-plane = { $object }: bidang tak terhingga tidak punya poligon
 app-skipped-objects = { $some } dari { $all } objek
 app-skipped-patches = { $some } dari { $all } patch
 app-skipped-pairs = { $some } dari { $all } pasang patch
 
 ## comparison
 
-comparison-illuminated = dihitung
-comparison-interpolated = interpolasi
-comparison-roots = akar
-comparison-series = dari deret
-comparison-a-pixel = per piksel
+comparison-illuminated = { $count } dihitung
+comparison-interpolated = { $count } interpolasi
+comparison-roots = { $count } akar
+comparison-series = { $count } dari deret
+comparison-rays = { $count } sinar
+comparison-a-pixel = { $time } ns per piksel
 
 ## convergence
 
 convergence-bound = batas galat B
 convergence-iteration = iterasi k
 convergence-none-yet = Belum ada iterasi yang selesai.
+convergence-so-far = { $channel }: iterasi k { $k }, residu relatif { $residual }.
+convergence-so-far-bounded = { $channel }: iterasi k { $k }, residu relatif { $residual }, batas galat B { $bound }.
 
 ## difference
 
-difference-against = luminans dikurangi luminans
-difference-rms = rms
-difference-largest = maks
-difference-here = di sini
+difference-against = luminans dikurangi luminans { $method }
+difference-rms = rms { $value }
+difference-largest = maks { $value }
+difference-here = di sini: { $value }
 
 ## form-factor
 
 form-factor-no-pair = Proses ini mencari cahaya semua patch. Pilih satu faktor bentuk untuk melihat cara mencarinya.
 form-factor-exact = acuan
-form-factor-hits = mengenai j
-form-factor-free = tak terhalang
+form-factor-hits = mengenai j: { $part } dari { $all }
+form-factor-free = tak terhalang: { $part } dari { $all }
 
 ## illumination
 
@@ -262,8 +265,8 @@ formula-no-formula = Langkah ini tidak memiliki rumus. Lanjutkan ke langkah beri
 
 ## image
 
-image-only = fokus:
-image-drawn = piksel yang sudah digambar:
+image-only = fokus: { $focus }
+image-drawn = piksel yang sudah digambar: { $count }.
 
 ## keys
 
@@ -307,9 +310,8 @@ keys-all-keys = semua tombol
 
 matrix-no-matrix = Proses ini mencari satu faktor bentuk, bukan semuanya. Buka pelajaran tentang penyelesaian radiositas.
 matrix-no-room = Adegan ini tidak memiliki patch: radiositas memerlukan permukaan yang terbatas.
-matrix-gathers = mengumpulkan baris
-matrix-shoots = menembakkan kolom
-matrix-sum = jumlah baris
+matrix-gathers = { $patch } mengumpulkan baris { $row }, jumlah baris { $sum }
+matrix-shoots = { $patch } menembakkan kolom { $column }
 
 ## panels
 
@@ -318,7 +320,9 @@ panels-no-polygons = Metode ini mengikuti sinar dan tidak mengolah poligon. Liha
 panels-no-rays = Metode ini mengolah poligon dan tidak mengikuti sinar. Buka pelajaran tentang ray casting atau ray tracing.
 panels-no-patches = Proses ini tidak mempertukarkan cahaya antar-patch. Buka pelajaran tentang radiositas.
 panels-not-compared = Gambar-gambar yang dibandingkan sedang dibuat, atau pelajaran ini tidak membandingkan apa pun.
-panels-step = Langkah
+panels-step = Langkah { $step }, { $kind }
+panels-no-step = Langkah –
+panels-step-and-values = { $step }: { $values }.
 panels-yes = ya
 panels-no = tidak
 
@@ -327,8 +331,8 @@ panels-no = tidak
 profile-intensity = intensitas
 profile-slope = kemiringannya, per piksel (lompatan nilai dipotong)
 profile-seen = seperti terlihat (inhibisi lateral)
-profile-line = garis scan
-profile-largest-jump = lompatan kemiringan terbesar
+profile-line = garis scan y = { $y }
+profile-largest-jump = { $method }: lompatan kemiringan terbesar { $jump }
 
 ## race
 
@@ -339,17 +343,19 @@ race-running = Para penyelesai masih berjalan.
 race-no-solution = Ruangan ini tidak punya solusi, jadi tidak ada pemenang.
 race-not-begun = Para penyelesai menunggu di garis mulai. Melangkahlah sampai akhir sebuah iterasi.
 race-gave-up = menyerah
+race-gave-up-after = menyerah ({ $effort })
 race-on-the-way = di jalan
+race-patches = { $count } patch
 
 ## radiosity
 
 radiosity-radiosity = radiositas B
 radiosity-with-unshot = radiositas B + belum ditembakkan
-radiosity-unshot = radiositas belum ditembakkan
+radiosity-unshot = radiositas belum ditembakkan, { $channel }
 radiosity-emission = emisi E
 radiosity-reflectance = reflektansi ρ
-radiosity-patches = Patch ruangan:
-radiosity-seen = terlihat dari depan, menembus punggung patch yang membelakangi:
+radiosity-patches = Patch ruangan: { $patches }, terlihat dari depan, menembus punggung patch yang membelakangi: { $seen }.
+radiosity-current = Patch saat ini: { $exchange }
 radiosity-no-room = Adegan ini tidak dapat dibagi menjadi patch: ada permukaan tanpa batas, tanpa luas, atau jumlahnya terlalu banyak.
 radiosity-red = merah
 radiosity-green = hijau
@@ -359,7 +365,7 @@ radiosity-blue = biru
 
 ray-tree-no-ray = Begitu sebuah sinar dikirim lewat piksel, panel ini menggambar pohon semua sinar pembentuk warnanya. Pada langkah ini belum ada: lanjutkan.
 ray-tree-no-rays = Metode ini mengolah poligon dan tidak mengikuti sinar. Buka pelajaran ray casting atau ray tracing untuk melihat pohon sinar sebuah piksel.
-ray-tree-inside = di dalam
+ray-tree-inside = { $object }, di dalam
 ray-tree-background = latar belakang
 ray-tree-leaves = keluar dari adegan
 ray-tree-leaves-short = keluar
@@ -370,24 +376,26 @@ ray-tree-asked = diminta
 ray-tree-no-transmitted = tanpa sinar bias
 ray-tree-depth-reached = batas kedalaman
 ray-tree-no-coefficient = tanpa koefisien
-ray-tree-ray = sinar
-ray-tree-hidden = tak tampak
-ray-tree-shadow-rays = Sinar bayangan di
-ray-tree-lights = Cahaya di
+ray-tree-rays = { $count } sinar
+ray-tree-hidden = { $count } tak tampak
+ray-tree-level = tingkat { $level } dari { $deepest }
+ray-tree-shadow-rays = Sinar bayangan di { $thing }
+ray-tree-lights = Cahaya di { $thing }
 ray-tree-coming-back = Kembali ke atas
-ray-tree-blocked = terhalang
-ray-tree-blocked-by = terhalang
-ray-tree-clear = bebas
-ray-tree-so-far = sejauh ini
-ray-tree-nearest = terdekat
-ray-tree-tested = diuji
-ray-tree-missed = meleset
+ray-tree-blocked = { $light } terhalang
+ray-tree-blocked-by = { $light } terhalang oleh { $object }
+ray-tree-clear = { $light } bebas
+ray-tree-clear-at = bebas, d { $distance }
+ray-tree-so-far = sejauh ini { $light }
+ray-tree-nearest = terdekat: { $thing }, t { $t }
+ray-tree-tested = diuji: { $thing }, t { $t }
+ray-tree-missed = diuji: { $thing }, meleset
 
 ## rays
 
 rays-side = dari samping
 rays-above = dari atas
-rays-rays = Sinar piksel sejauh ini:
+rays-rays = Sinar piksel sejauh ini: { $count }. Sinar saat ini: { $kind }, tingkat { $level }{ $goal }.
 rays-no-pixel = Belum ada sinar yang diikuti. Lanjutkan ke piksel pertama.
 rays-plane = bidang gambar
 
@@ -407,11 +415,10 @@ scan-line-difference = selisih
 vectors-not-yet = Sinar ini belum mengenai permukaan. Lanjutkan sampai objek terdekat ditemukan.
 vectors-no-point = Saat sebuah titik diberi pencahayaan, panel ini menampilkan vektor-vektornya. Pada langkah ini tidak ada.
 vectors-no-surface = Sinar ini tidak mengenai permukaan: mendapat warna latar belakang atau cahaya. Klik sebuah objek pada gambar.
-vectors-angles = sudut dengan N
-vectors-blocked = terhalang oleh
+vectors-angles = { $surface } · sudut dengan N
 vectors-arrives = sampai
 vectors-away = di balik permukaan
-vectors-leans = keluar bidang
+vectors-leans = { $angle } keluar bidang
 vectors-critical = kritis
 vectors-no-t = tanpa T
 vectors-air = udara
@@ -987,6 +994,7 @@ quantity-iterations = iterasi
 names-point-light = cahaya titik
 names-directional-light = cahaya terarah
 names-light = cahaya { $number }
+names-numbered = { $kind } { $number }
 names-background = latar belakang
 names-ray-meets = { $ray } → { $thing }
 inspector-step = langkah { $step }

@@ -28,7 +28,7 @@ const TO: Message = Message("active-edges-to");
 const A_LINE: Message = Message("active-edges-a-line");
 const WAITS: Message = Message("active-edges-waits");
 const DONE: Message = Message("active-edges-done");
-const MORE: Message = Message("active-edges-more");
+const MORE: Message = Message("inspector-more");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = match input.run {
@@ -108,7 +108,8 @@ fn table(input: &PanelInput, state: &State, size: Vec2) -> Picture {
             size.x - 2.0 * MARGIN,
             ROW,
         );
-        let text = format!("… {} {}", rows.len() - count, MORE.text(input.language));
+        let more = (rows.len() - count).to_string();
+        let text = MORE.format(input.language, &[("count", &more)]);
         if area.bottom() <= size.y {
             picture.text_in(area, text, Style::Body.size(12.0).ink(Ink::Muted));
         }
@@ -182,7 +183,7 @@ fn titles(state: &State, language: Language) -> [String; 7] {
     let symbol = state.names.map_or("", |names| names.corner);
     let step = match symbol {
         "" => String::new(),
-        name => format!("Δ{name}/{}", A_LINE.text(language)),
+        name => A_LINE.format(language, &[("value", name)]),
     };
     [
         EDGE.text(language).to_string(),

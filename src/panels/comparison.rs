@@ -19,7 +19,7 @@ const ILLUMINATED: Message = Message("comparison-illuminated");
 const INTERPOLATED: Message = Message("comparison-interpolated");
 const ROOTS: Message = Message("comparison-roots");
 const SERIES: Message = Message("comparison-series");
-const RAYS: Message = Message("common-rays");
+const RAYS: Message = Message("comparison-rays");
 const A_PIXEL: Message = Message("comparison-a-pixel");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
@@ -71,7 +71,6 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
 
 /// A pixel's share of what was done and of the time.
 fn figures(input: &PanelInput, compared: &Compared) -> (String, String) {
-    let localize = |strings: Message| strings.text(input.language);
     let done = compared.operations;
     let pixels = done.pixels.max(1) as f64;
     let mut recorded = Vec::new();
@@ -83,21 +82,15 @@ fn figures(input: &PanelInput, compared: &Compared) -> (String, String) {
         (done.rays, RAYS),
     ] {
         if count > 0 {
-            recorded.push(format!(
-                "{} {}",
-                input.language.significant(count as f64 / pixels, 3),
-                localize(what)
-            ));
+            let count = input.language.significant(count as f64 / pixels, 3);
+            recorded.push(what.format(input.language, &[("count", &count)]));
         }
     }
     let time = 1e9 * compared.seconds / pixels;
+    let time = input.language.significant(time, 3);
     (
         recorded.join(" · "),
-        format!(
-            "{} ns {}",
-            input.language.significant(time, 3),
-            localize(A_PIXEL)
-        ),
+        A_PIXEL.format(input.language, &[("time", &time)]),
     )
 }
 

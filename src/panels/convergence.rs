@@ -27,6 +27,9 @@ const RESIDUAL: Message = Message("common-relative-residual");
 const BOUND: Message = Message("convergence-bound");
 const ITERATION: Message = Message("convergence-iteration");
 const NONE_YET: Message = Message("convergence-none-yet");
+const SO_FAR: Message = Message("convergence-so-far");
+const SO_FAR_BOUNDED: Message = Message("convergence-so-far-bounded");
+
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let Run::Radiosity(setup, replay) = input.run else {
         return message(NO_PATCHES, input.language, size);
@@ -245,30 +248,24 @@ fn few(channel: &ChannelNow) -> Vec<IterationNow> {
 }
 
 fn in_words(input: &PanelInput, state: &State) -> String {
-    let localize = |strings: Message| strings.text(input.language);
-    let mut strings = step_as_sentence(input);
+    let language = input.language;
+    let mut sentences = vec![step_as_sentence(input)];
     for channel in &state.channels {
         let Some(last) = last_recorded(channel) else {
             continue;
         };
-        let name = names::word(channel.channel.unwrap_or_default(), input.language);
-        strings = format!(
-            "{strings} {name}: {} {}, {} {}",
-            localize(ITERATION),
-            last.k,
-            localize(RESIDUAL),
-            input.language.number(last.residual)
-        );
-        if let Some(bound) = last.error_bound {
-            strings = format!(
-                "{strings}, {} {}",
-                localize(BOUND),
-                input.language.number(bound)
-            );
-        }
-        strings.push('.');
+        let name = names::word(channel.channel.unwrap_or_default(), language);
+        let (k, residual) = (last.k.to_string(), language.number(last.residual));
+        let arguments = [("channel", &*name), ("k", &k), ("residual", &residual)];
+        sentences.push(match last.error_bound.map(|bound| language.number(bound)) {
+            Some(bound) => {
+                let [channel, k, residual] = arguments;
+                SO_FAR_BOUNDED.format(language, &[channel, k, residual, ("bound", &bound)])
+            }
+            None => SO_FAR.format(language, &arguments),
+        });
     }
-    strings
+    sentences.join(" ")
 }
 
 #[cfg(test)]

@@ -6,7 +6,7 @@ use super::comparison::cursor::Cursor;
 use super::message::{NOT_COMPARED, message};
 use super::values::step_as_sentence;
 use crate::figure::{color_strip, diverging, elided};
-use crate::language::Message;
+use crate::language::{Language, Message};
 use crate::picture::{Image, Ink, Picture, Rect, Style};
 use crate::render::compare::{Compared, Difference};
 use glam::Vec2;
@@ -27,18 +27,17 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let Some((_, reference)) = others.next_back().filter(|_| !differences.is_empty()) else {
         return message(NOT_COMPARED, input.language, size);
     };
-    let localize = |strings: Message| strings.text(input.language);
+    let valued = |message: Message, value: f64| {
+        let value = input.language.significant(value, 3);
+        message.format(input.language, &[("value", &value)])
+    };
     let cursor = Cursor::of(input);
     let most = differences
         .iter()
         .fold(0.0, |most: f64, d| most.max(d.largest));
     let mut picture = Picture::new(size.x, size.y);
-    let mut alt = format!(
-        "{} {} {}.",
-        step_as_sentence(input),
-        localize(AGAINST),
-        reference.method.name()
-    );
+    let against = against(reference, input.language);
+    let mut alt = format!("{} {against}.", step_as_sentence(input));
     let room = Vec2::new(size.x, size.y - SCALE - ROW);
     let cells = cells(&reference.frame, differences.len(), 2, room);
     for (((_, compared), difference), cell) in others.zip(differences).zip(cells) {
@@ -54,24 +53,10 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             (Some(x), Some(y)) => difference.signed.get(y as usize * width + x as usize),
             _ => None,
         };
-        let rms = format!(
-            "{} {}",
-            localize(RMS),
-            input.language.significant(difference.rms, 3)
-        );
-        let largest = format!(
-            "{} {}",
-            localize(LARGEST),
-            input.language.significant(difference.largest, 3)
-        );
+        let rms = valued(RMS, difference.rms);
+        let largest = valued(LARGEST, difference.largest);
         let figures = format!("{rms} · {largest}");
-        let here = here.map_or_else(String::new, |here| {
-            format!(
-                "{}: {}",
-                localize(HERE),
-                input.language.significant(*here, 3)
-            )
-        });
+        let here = here.map_or_else(String::new, |&here| valued(HERE, here));
         let style = Style::Body.size(TEXT);
         // In a narrow cell the two figures take both rows.
         let lines = match style.width(&figures) <= cell.below.width {
@@ -82,7 +67,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         cell.lines(&mut picture, lines);
         alt = format!("{alt} {}: {figures}.", compared.method.name());
     }
-    scale(&mut picture, most, reference, input, size);
+    scale(&mut picture, most, &against, input, size);
     picture.alt = alt;
     picture
 }
@@ -100,16 +85,15 @@ fn image(compared: &Compared, difference: &Difference, most: f64) -> Image {
     )
 }
 
+fn against(reference: &Compared, language: Language) -> String {
+    AGAINST.format(language, &[("method", reference.method.name())])
+}
+
 /// Under the images: what the colours mean.
-fn scale(picture: &mut Picture, most: f64, reference: &Compared, input: &PanelInput, size: Vec2) {
+fn scale(picture: &mut Picture, most: f64, against: &str, input: &PanelInput, size: Vec2) {
     let style = Style::Body.size(TEXT).ink(Ink::Muted);
     let row = Rect::new(6.0, size.y - SCALE - ROW, size.x - 12.0, ROW);
-    let strings = format!(
-        "{} {}",
-        AGAINST.text(input.language),
-        reference.method.name()
-    );
-    elided(picture, row, &strings, style);
+    elided(picture, row, against, style);
     let row = Rect::new(6.0, size.y - SCALE, size.x - 12.0, SCALE - 2.0);
     let ends = ["−", "+"].map(|sign| format!("{sign}{}", input.language.significant(most, 3)));
     let ends = ends.each_ref().map(String::as_str);

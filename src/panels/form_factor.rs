@@ -7,7 +7,7 @@ mod pair;
 mod view;
 
 use super::PanelInput;
-use super::message::{NO_PATCHES, NO_STEPS, message};
+use super::message::{NO_PATCHES, NO_STEPS, labelled, message};
 use super::names;
 use super::values::step_as_sentence;
 use crate::algorithms::enclosure::Enclosure;
@@ -26,7 +26,6 @@ const EXACT: Message = Message("form-factor-exact");
 const ERROR: Message = Message("common-error");
 const HITS: Message = Message("form-factor-hits");
 const FREE: Message = Message("form-factor-free");
-const OF: Message = Message("common-of");
 
 /// All that is drawn.
 struct Layout<'a> {
@@ -139,11 +138,10 @@ impl Layout<'_> {
         let localize = |strings: Message| strings.text(language);
         let strong = Style::LabelBold.size(12.0).ink(Ink::This);
         let quiet = Style::Label.size(11.0).ink(Ink::Muted);
-        let counted = |strings: Message, part: usize, all: usize| {
-            (
-                format!("{}: {part} {} {all}", localize(strings), localize(OF)),
-                quiet,
-            )
+        let counted = |message: Message, part: usize, all: usize| {
+            let [part, all] = [part, all].map(|count| count.to_string());
+            let text = message.format(language, &[("part", &part), ("all", &all)]);
+            (text, quiet)
         };
         let mut lines = Vec::new();
         let last = self.running().last().map(|&(f, _)| f);
@@ -153,13 +151,13 @@ impl Layout<'_> {
             (None, None) => {}
         }
         if let Some((exact, _)) = self.state.reference {
-            let text = format!("{}: {}", localize(EXACT), language.number(exact));
+            let text = labelled(localize(EXACT), &language.number(exact), language);
             lines.push((text, quiet.ink(Ink::Text)));
             let found = self.state.found.map(|(f, _)| f);
             let whole = found.or(last.filter(|_| self.state.runs_as_mean()));
             if let Some(f) = whole.filter(|_| exact > 0.0) {
                 let error = percent((f - exact) / exact, language);
-                lines.push((format!("{}: {error}", localize(ERROR)), quiet));
+                lines.push((labelled(localize(ERROR), &error, language), quiet));
             }
         }
         let rays = self.state.running.len();

@@ -2,7 +2,7 @@
 //! the slide's, and both against the distance of the light.
 
 use super::PanelInput;
-use super::message::{NO_STEPS, message};
+use super::message::{NO_STEPS, labelled, message};
 use super::values::{short, step_as_sentence};
 use crate::color::Rgb;
 use crate::figure::{Axis, Cell, Plot, Scale};
@@ -145,9 +145,10 @@ fn rows(point: &CurrentPoint, language: Language) -> Vec<Row> {
             bar: None,
         });
     };
-    let name = format!("{}: {} · N·L", strings(STANDARD), symbol("f_att"));
+    let formula = format!("{} · N·L", symbol("f_att"));
+    let name = labelled(strings(STANDARD), &formula, language);
     factor(name, standard, "f_att", OF_STANDARD);
-    let name = format!("{}: d · cos φ / √d", strings(SLIDE));
+    let name = labelled(strings(SLIDE), "d · cos φ / √d", language);
     factor(name, light.slide_factor, "slide_factor", OF_SLIDE);
     if standard > 0.0 && light.distance.is_finite() {
         let ratio = light.slide_factor / standard;

@@ -7,7 +7,7 @@ mod marks;
 
 use super::PanelInput;
 use super::strings::focus;
-use super::values::step_in_words;
+use super::values::{sentence, step_in_words};
 use crate::algorithms::focus::Focus;
 use crate::color::Rgb;
 use crate::figure::{Fit, joined};
@@ -61,12 +61,9 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     picture.rect(frame, Ink::Rule.stroke(1.0));
     caption(&mut picture, input, &marks, (width, height), zoom);
 
-    picture.alt = format!(
-        "{}: {}. {} {drawn}.",
-        step_in_words(input),
-        current(&marks, input.language).unwrap_or_else(|| focus(input.focus, input.language)),
-        DRAWN.text(input.language),
-    );
+    let at = current(&marks, input.language).unwrap_or_else(|| focus(input.focus, input.language));
+    let drawn = DRAWN.format(input.language, &[("count", &drawn.to_string())]);
+    picture.alt = sentence(&step_in_words(input), &[at], input.language) + " " + &drawn;
     picture
 }
 
@@ -89,11 +86,8 @@ fn finished(input: &PanelInput, size: Vec2) -> Picture {
     let bytes: Vec<u8> = colors.flat_map(|color| color.to_srgb8()).collect();
     picture.pixels(frame, Image::new(width, height, bytes), (0, 0));
     picture.rect(frame, Ink::Rule.stroke(1.0));
-    picture.alt = format!(
-        "{}: {}.",
-        step_in_words(input),
-        focus(input.focus, input.language)
-    );
+    let focus = focus(input.focus, input.language);
+    picture.alt = sentence(&step_in_words(input), &[focus], input.language);
     picture
 }
 
@@ -178,11 +172,8 @@ fn caption(
         format!("{:.0} %", 100.0 * zoom)
     };
     let size = format!("{width} × {height}, {zoom}");
-    let focus = format!(
-        "{} {}",
-        ONLY.text(input.language),
-        focus(input.focus, input.language)
-    );
+    let focus = focus(input.focus, input.language);
+    let focus = ONLY.format(input.language, &[("focus", &focus)]);
     let room = picture.width - 8.0;
     let set = Style::Body.size(CAPTION);
     let more = iter::once(focus).chain(current(marks, input.language));

@@ -4,7 +4,7 @@
 use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::names;
-use super::values::shown;
+use super::values::{self, sentence, shown};
 use crate::figure::Cell;
 use crate::language::Message;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
@@ -204,7 +204,7 @@ impl Layout {
                         (true, _) => this_step.to_string(),
                         (false, true) => {
                             let kind = names::kind(walk.kind(recorded.step), input.language);
-                            format!("{kind} {}", recorded.step)
+                            names::numbered(&kind, &recorded.step.to_string(), input.language)
                         }
                         (false, false) => step_in_words(recorded.step, input),
                     },
@@ -285,13 +285,7 @@ impl Layout {
                 format!("{name} = {value}")
             })
             .collect();
-        let kind = names::kind(walk.kind(step), input.language);
-        let head = format!("{}, {kind}", step_in_words(step, input));
-        if own.is_empty() {
-            format!("{head}.")
-        } else {
-            format!("{head}: {}.", own.join(", "))
-        }
+        sentence(&values::step_in_words(input), &own, input.language)
     }
 }
 

@@ -19,7 +19,6 @@ const NO_ROOM: Message = Message("matrix-no-room");
 const GATHERS: Message = Message("matrix-gathers");
 const SHOOTS: Message = Message("matrix-shoots");
 const MATRIX: Message = Message("common-matrix-of-form-factors");
-const SUM: Message = Message("matrix-sum");
 
 /// All that is drawn.
 struct Layout<'a> {
@@ -89,11 +88,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     };
     let mut picture = Picture::new(size.x, size.y);
     draw::draw(&mut picture, &layout);
-    picture.alt = format!(
-        "{}: {}",
-        super::values::step_in_words(input),
-        layout.in_words()
-    );
+    let step = super::values::step_in_words(input);
+    picture.alt = super::message::labelled(&step, &layout.in_words(), input.language);
     picture
 }
 
@@ -107,19 +103,17 @@ impl Layout<'_> {
     }
 
     fn in_words(&self) -> String {
-        let localize = |strings: Message| strings.text(self.language);
-        let mut text = format!("{} {} × {}.", localize(MATRIX), self.n, self.n);
+        let mut text = MATRIX.format(self.language, &[("n", &self.n.to_string())]);
         if let Some(hand) = self.hand {
-            let does = if hand.shoots() { SHOOTS } else { GATHERS };
-            let (i, name) = (hand.i, self.name(hand.i));
-            text.push_str(&format!(" {name} {} {i}", localize(does)));
-            if !hand.shoots() {
-                text.push_str(&format!(
-                    ", {} {}",
-                    localize(SUM),
-                    self.language.number(self.row_sums[i])
-                ));
-            }
+            let (i, name) = (hand.i.to_string(), self.name(hand.i));
+            let does = if hand.shoots() {
+                SHOOTS.format(self.language, &[("patch", &name), ("column", &i)])
+            } else {
+                let sum = self.language.number(self.row_sums[hand.i]);
+                let arguments = [("patch", &*name), ("row", &i), ("sum", &sum)];
+                GATHERS.format(self.language, &arguments)
+            };
+            text = text + " " + &does;
             if let Some((row, column, f)) = hand.entry {
                 text.push_str(&format!(
                     "; F({row}, {column}) = {}",

@@ -19,6 +19,11 @@ pub const NO_PATCHES: Message = Message("panels-no-patches");
 /// Where no other method is beside the run's, or not yet.
 pub const NOT_COMPARED: Message = Message("panels-not-compared");
 
+/// What is called so, and what it is: `error: 0.5 %`.
+pub(super) fn labelled(name: &str, what: &str, language: Language) -> String {
+    Message("common-named").format(language, &[("name", name), ("what", what)])
+}
+
 /// A picture of one friendly sentence, centred.
 pub fn message(strings: Message, language: Language, size: Vec2) -> Picture {
     const LINE: f32 = 18.0;

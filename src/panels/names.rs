@@ -61,7 +61,12 @@ pub(super) fn light(number: u32, language: Language) -> String {
     Message("names-light").format(language, &[("number", &number.to_string())])
 }
 
-/// What the number told under a field's name stands for, where it stands for a thing of the scene.
+/// A scope by its kind and number: `Iteration 3`.
+pub(super) fn numbered(kind: &str, number: &str, language: Language) -> String {
+    Message("names-numbered").format(language, &[("kind", kind), ("number", number)])
+}
+
+/// What the number recorded under a field's name stands for, where it stands for a thing of the scene.
 pub(super) fn of_field<'a>(
     prepared: &'a PreparedScene,
     field: &str,

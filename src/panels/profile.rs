@@ -48,7 +48,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         height: ROW,
         ..whole
     };
-    let caption = format!("{} y = {row}", localize(LINE));
+    let caption = LINE.format(input.language, &[("y", &row.to_string())]);
     let style = Style::Bold.size(TEXT).ink(Ink::This);
     picture.text_in(title, caption.clone(), style);
     let beside = Rect::between(
@@ -105,16 +105,12 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     }
     let jumps = profiles.iter().map(|profile| {
         let name = profile.method.name();
-        format!(
-            "{name}: {} {}",
-            localize(LARGEST_JUMP),
-            input.language.significant(profile.jump, 3)
-        )
+        let jump = input.language.significant(profile.jump, 3);
+        LARGEST_JUMP.format(input.language, &[("method", name), ("jump", &jump)])
     });
     picture.alt = format!(
-        "{} {} {row}. {}.",
+        "{} {caption}. {}.",
         step_as_sentence(input),
-        localize(LINE),
         jumps.collect::<Vec<_>>().join("; ")
     );
     picture

@@ -1,9 +1,9 @@
 //! All solvers on the same room, side by side: what is left by iteration and by time, as far as the recorded run has come. Where
 //! there is room, the residual, which a solver knows, stands above the error, which it does not.
 
-use super::PanelInput;
-use super::message::{NO_PATCHES, message};
+use super::message::{NO_PATCHES, labelled, message};
 use super::values::step_as_sentence;
+use super::{PanelInput, names};
 use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::{Lap, Race, Racer};
 use crate::figure::{Axis, LEGEND_ROW, Labels, Plot, Scale, Series, elided, legend};
@@ -27,7 +27,8 @@ const NO_SOLUTION: Message = Message("race-no-solution");
 const NOT_BEGUN: Message = Message("race-not-begun");
 const GAVE_UP: Message = Message("race-gave-up");
 const ON_THE_WAY: Message = Message("race-on-the-way");
-const PATCHES: Message = Message("common-patches");
+const GAVE_UP_AFTER: Message = Message("race-gave-up-after");
+const PATCHES: Message = Message("race-patches");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let Run::Radiosity(_, replay) = input.run else {
@@ -202,11 +203,11 @@ impl Quantities {
 fn standings(picture: &mut Picture, race: &Race, now: Now, whole: Rect, language: Language) -> f32 {
     // With names, and without.
     const CELLS: [f32; 2] = [290.0, 150.0];
-    let lines = |named: bool| -> Vec<String> {
+    let lines = |with_names: bool| -> Vec<String> {
         let line = |racer: &Racer| {
             let standing = standing(racer, now, language);
-            match named {
-                true => format!("{}: {standing}", racer.solver.name()),
+            match with_names {
+                true => labelled(&name(racer, language), &standing, language),
                 false => standing,
             }
         };
@@ -268,24 +269,27 @@ fn standing(racer: &Racer, now: Now, language: Language) -> String {
     );
     match racer.unsolved {
         None => effort,
-        Some(Unsolved::NotConverged { .. }) => format!("{} ({effort})", localize(GAVE_UP)),
+        Some(Unsolved::NotConverged { .. }) => {
+            GAVE_UP_AFTER.format(language, &[("effort", &effort)])
+        }
         Some(_) => localize(GAVE_UP).to_owned(),
     }
 }
 
 fn in_words(input: &PanelInput, race: &Race, now: Now) -> String {
-    let localize = |strings: Message| strings.text(input.language);
-    let mut strings = format!(
-        "{} {} {}.",
-        step_as_sentence(input),
-        race.patches,
-        localize(PATCHES)
-    );
+    let language = input.language;
+    let patches = PATCHES.format(language, &[("count", &race.patches.to_string())]);
+    let mut text = format!("{} {patches}.", step_as_sentence(input));
     for racer in &race.racers {
-        let standing = standing(racer, now, input.language);
-        strings = format!("{strings} {}: {standing}.", racer.solver.name());
+        let standing = standing(racer, now, language);
+        let standing = labelled(&name(racer, language), &standing, language);
+        text = format!("{text} {standing}.");
     }
-    strings
+    text
+}
+
+fn name(racer: &Racer, language: Language) -> String {
+    names::word(racer.solver.name(), language)
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ mod smooth;
 
 use super::PanelInput;
 use super::channels::{CHANNELS, channel};
-use super::message::{NO_PATCHES, message};
+use super::message::{NO_PATCHES, labelled, message};
 use super::values::step_as_sentence;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
@@ -39,8 +39,7 @@ const UNSHOT: Message = Message("radiosity-unshot");
 const EMISSION: Message = Message("radiosity-emission");
 const REFLECTANCE: Message = Message("radiosity-reflectance");
 const PATCHES: Message = Message("radiosity-patches");
-const SEEN: Message = Message("radiosity-seen");
-const IN_HAND: Message = Message("common-in-hand");
+const CURRENT: Message = Message("radiosity-current");
 const NO_ROOM: Message = Message("radiosity-no-room");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
@@ -143,10 +142,12 @@ fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
     if let Some(unshot) = state.unshot(room) {
         let least = unshot.brightest * 10_f64.powi(-DECADES);
         colorings.push(Coloring {
-            title: format!(
-                "{}, {}",
-                localize(UNSHOT),
-                channel(unshot.channel).map_or(unshot.channel, |known| localize(known.word))
+            title: UNSHOT.format(
+                input.language,
+                &[(
+                    "channel",
+                    channel(unshot.channel).map_or(unshot.channel, |known| localize(known.word)),
+                )],
             ),
             patches: shares(&unshot).into_iter().map(viridis).collect(),
             may_be_smooth: false,
@@ -179,7 +180,7 @@ fn title(state: &State, room: &Enclosure, language: Language) -> String {
     };
     let lit = (0..CHANNELS.len()).filter(|&c| recorded(c) || recorded(room.first_equal_channel(c)));
     let names: Vec<&str> = lit.map(|c| localize(CHANNELS[c].word)).collect();
-    format!("{}: {}", localize(what), names.join(", "))
+    labelled(localize(what), &names.join(", "), language)
 }
 
 /// Two pictures beside or below each other; the first alone where there is no room for both.
@@ -246,23 +247,16 @@ fn in_words(
     view: &RoomView,
     exchange: Option<&Exchange>,
 ) -> String {
-    let localize = |strings: Message| strings.text(input.language);
-    let mut strings = format!(
-        "{} {} {}, {} {}.",
+    let [patches, seen] = [room.patches.len(), view.seen.len()].map(|count| count.to_string());
+    let mut sentences = vec![
         step_as_sentence(input),
-        localize(PATCHES),
-        room.patches.len(),
-        localize(SEEN),
-        view.seen.len()
-    );
+        PATCHES.format(input.language, &[("patches", &patches), ("seen", &seen)]),
+    ];
     if let Some(exchange) = exchange {
-        strings = format!(
-            "{strings} {} {}",
-            localize(IN_HAND),
-            exchange.in_words(prepared, room, input.language)
-        );
+        let exchange = exchange.in_words(prepared, room, input.language);
+        sentences.push(CURRENT.format(input.language, &[("exchange", &exchange)]));
     }
-    strings
+    sentences.join(" ")
 }
 
 #[cfg(test)]

@@ -298,26 +298,20 @@ fn said_of_tree(
     arrangement: &Arrangement,
     levels: bool,
 ) -> String {
-    let count = rays.len();
-    let word = describer.localize(if count == 1 { RAY } else { RAYS });
-    let mut said = format!("{count} {word}");
+    let counted =
+        |message, count: usize| describer.format(message, &[("count", &count.to_string())]);
+    let mut text = counted(RAYS, rays.len());
     if arrangement.tree.hidden > 0 {
-        said += &format!(
-            ", {} {}",
-            arrangement.tree.hidden,
-            describer.localize(HIDDEN)
-        );
+        text += ", ";
+        text += &counted(HIDDEN, arrangement.tree.hidden);
     }
     if !levels {
-        return said;
+        return text;
     }
-    let level = describer.state.ray().map_or(0, |ray| ray.level);
-    let deepest = describer.state.depth;
-    format!(
-        "{said} · {} {level} {} {deepest}",
-        describer.localize(LEVEL),
-        describer.localize(OF)
-    )
+    let level = describer.state.ray().map_or(0, |ray| ray.level).to_string();
+    let deepest = describer.state.depth.to_string();
+    let level = describer.format(LEVEL_OF, &[("level", &level), ("deepest", &deepest)]);
+    format!("{text} · {level}")
 }
 
 /// What is said of the tree, and at the right the lines of its edges.
@@ -350,27 +344,32 @@ fn head(picture: &mut Picture, said: &str, legend: bool, area: Rect) {
 
 /// The current ray in a sentence.
 fn in_words(describer: &Describer, ray: &RayState) -> String {
-    let mut said = describer.name(ray)[0].clone();
-    if let Some(met) = ray.met.filter(|met| met.t().is_finite()) {
-        said += &format!(", t {}", describer.number(met.t()));
+    let mut met = vec![describer.name(ray)[0].clone()];
+    if let Some(hit) = ray.met.filter(|met| met.t().is_finite()) {
+        met.push(format!("t {}", describer.number(hit.t())));
     }
     if node::nothing_passes(ray) {
-        said += &format!(", {}", describer.localize(TIR));
+        met.push(describer.localize(TIR));
     }
+    let mut parts = vec![met.join(", ")];
     for verdict in &ray.shadows {
         let light = describer.light(verdict.light);
         let by = verdict.by.map(|hit| describer.object(hit.object));
-        said += &match (verdict.blocked, by) {
-            (true, Some(by)) => format!("; {light} {} {by}", describer.localize(BLOCKED_BY)),
-            (true, None) => format!("; {light} {}", describer.localize(BLOCKED)),
-            (false, _) => format!("; {light} {}", describer.localize(CLEAR)),
-        };
+        let light = ("light", &*light);
+        parts.push(match (verdict.blocked, by) {
+            (true, Some(by)) => describer.format(BLOCKED_BY, &[light, ("object", by)]),
+            (true, None) => describer.format(BLOCKED, &[light]),
+            (false, _) => describer.format(CLEAR, &[light]),
+        });
     }
     match (ray.returned, ray.sum) {
         (Some((light, _)), _) => {
-            said + &format!("; I = {}", node::color(light, describer.language))
+            parts.push(format!("I = {}", node::color(light, describer.language)));
         }
-        (None, Some(sum)) => said + &format!("; I sum = {}", node::color(sum, describer.language)),
-        (None, None) => said,
+        (None, Some(sum)) => {
+            parts.push(format!("I sum = {}", node::color(sum, describer.language)));
+        }
+        (None, None) => {}
     }
+    parts.join("; ")
 }

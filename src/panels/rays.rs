@@ -26,8 +26,6 @@ use view::View;
 const SIDE: Message = Message("rays-side");
 const ABOVE: Message = Message("rays-above");
 const RAYS: Message = Message("rays-rays");
-const IN_HAND: Message = Message("common-in-hand");
-const LEVEL: Message = Message("common-level");
 const NO_PIXEL: Message = Message("rays-no-pixel");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
@@ -79,9 +77,8 @@ fn views(state: &State, size: Vec2) -> Vec<(View, Message)> {
 }
 
 fn in_words(state: &State, language: Language) -> String {
-    let strings = |strings: Message| strings.text(language);
     let Some(ray) = state.ray() else {
-        return strings(NO_PIXEL).to_string();
+        return NO_PIXEL.text(language).to_string();
     };
     let (kind, _) = names::ray_kind(ray.kind.name(), language);
     let goal = match ray.met {
@@ -100,14 +97,14 @@ fn in_words(state: &State, language: Language) -> String {
             language.short(hit.t, 3)
         ),
     };
-    format!(
-        "{} {}. {} {kind}, {} {}{goal}.",
-        strings(RAYS),
-        state.rays.len(),
-        strings(IN_HAND),
-        strings(LEVEL),
-        ray.level
-    )
+    let (count, level) = (state.rays.len().to_string(), ray.level.to_string());
+    let arguments = [
+        ("count", &*count),
+        ("kind", &kind),
+        ("level", &level),
+        ("goal", &goal),
+    ];
+    RAYS.format(language, &arguments)
 }
 
 #[cfg(test)]

@@ -7,8 +7,9 @@
 mod rows;
 
 use super::PanelInput;
-use super::message::{NO_STEPS, message};
+use super::message::{NO_STEPS, labelled, message};
 use super::names;
+use super::values::sentence;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::record::Value;
@@ -149,7 +150,9 @@ fn label(
     let ray = names::ray(walk, scope, input.run.prepared(), input.language);
     let names = match (ray, number_of(walk, scope, input.language)) {
         (Some(names), _) => names.to_vec(),
-        (None, Some(number)) if long => vec![format!("{kind} {number}"), number],
+        (None, Some(number)) if long => {
+            vec![names::numbered(&kind, &number, input.language), number]
+        }
         (None, Some(number)) => vec![number],
         (None, None) => vec![kind],
     };
@@ -263,8 +266,8 @@ fn in_words(input: &PanelInput, rows: &[Row]) -> String {
             let kind = in_text(walk.declared(scope), input.language);
             let ray = names::ray(walk, scope, input.run.prepared(), input.language);
             Some(match (ray, number_of(walk, scope, input.language)) {
-                (Some([ray, ..]), _) => format!("{kind}: {ray}"),
-                (None, Some(number)) => format!("{kind} {number}"),
+                (Some([ray, ..]), _) => labelled(&kind, &ray, input.language),
+                (None, Some(number)) => names::numbered(&kind, &number, input.language),
                 (None, None) => kind,
             })
         })
@@ -272,11 +275,7 @@ fn in_words(input: &PanelInput, rows: &[Row]) -> String {
     let [step, steps] = [walk.position(), walk.len()].map(|number| number.to_string());
     let head =
         Message("time-line-at-step").format(input.language, &[("step", &step), ("steps", &steps)]);
-    if scopes.is_empty() {
-        format!("{head}.")
-    } else {
-        format!("{head}: {}.", scopes.join(", "))
-    }
+    sentence(&head, &scopes, input.language)
 }
 
 #[cfg(test)]

@@ -6,8 +6,6 @@ use crate::language::{Language, Message};
 use crate::picture::Ink;
 use crate::record::Value;
 
-const STEP: Message = Message("panels-step");
-
 /// A value with at most `digits` decimals: one number for a grey colour, three for another.
 pub(super) fn short(value: Value, digits: usize, language: Language) -> String {
     let decimal = |v: f64| language.short(v, digits);
@@ -55,15 +53,13 @@ pub(super) fn on_swatch(value: Option<Value>) -> Ink {
 /// How the sentence begins that says a step in words: its number and kind.
 pub(super) fn step_in_words(input: &PanelInput) -> String {
     let walk = input.run.walk();
-    let step = STEP.text(input.language);
     if walk.is_empty() {
-        return format!("{step} –");
+        return Message("panels-no-step").text(input.language).to_string();
     }
     let position = walk.position();
-    format!(
-        "{step} {position}, {}",
-        names::kind(walk.kind(position), input.language)
-    )
+    let kind = names::kind(walk.kind(position), input.language);
+    let step = position.to_string();
+    Message("panels-step").format(input.language, &[("step", &step), ("kind", &kind)])
 }
 
 fn yes_or_no(truth: bool) -> Message {
@@ -115,10 +111,16 @@ pub(super) fn step_as_sentence(input: &PanelInput) -> String {
             format!("{name} = {}", short(field.value, 6, input.language))
         })
         .collect();
+    sentence(&step_in_words(input), &values, input.language)
+}
+
+/// What a step is called, with its values, as a sentence.
+pub(super) fn sentence(step: &str, values: &[String], language: Language) -> String {
     if values.is_empty() {
-        return format!("{}.", step_in_words(input));
+        return format!("{step}.");
     }
-    format!("{}: {}.", step_in_words(input), values.join(", "))
+    let values = values.join(", ");
+    Message("panels-step-and-values").format(language, &[("step", step), ("values", &values)])
 }
 
 #[cfg(test)]

@@ -6,6 +6,8 @@ use crate::algorithms::ray_tree::{End, RayKind};
 use crate::algorithms::visible::Intersection;
 use crate::color::Rgb;
 use crate::figure::Cell;
+use crate::language::Message;
+use crate::panels::message::labelled;
 use crate::panels::names;
 use crate::panels::strings::Language;
 use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, Text, symbol};
@@ -42,7 +44,7 @@ impl Describer<'_> {
                 let name = self.object(hit.object).to_owned();
                 let facing = ray.surface.and_then(|surface| surface.facing);
                 match facing {
-                    Some((.., false)) => [format!("{name}, {}", self.localize(INSIDE)), name],
+                    Some((.., false)) => [self.format(INSIDE, &[("object", &name)]), name],
                     _ => [name.clone(), name],
                 }
             }
@@ -54,8 +56,12 @@ impl Describer<'_> {
         self.language.short(value, 2)
     }
 
-    pub fn localize(&self, strings: crate::language::Message) -> String {
-        strings.text(self.language).to_owned()
+    pub fn localize(&self, message: Message) -> String {
+        message.text(self.language).to_owned()
+    }
+
+    pub fn format(&self, message: Message, arguments: &[(&'static str, &str)]) -> String {
+        message.format(self.language, arguments)
     }
 
     /// Where the ray met it, or why it has no t; and the same in short.
@@ -376,7 +382,8 @@ impl Writer<'_> {
         let missing = too_deep(ray);
         if !missing.is_empty() {
             let depth = describer.localize(DEPTH_REACHED);
-            self.line(&[format!("{}: {depth}", missing.join(", ")), depth], set);
+            let missing = labelled(&missing.join(", "), &depth, describer.language);
+            self.line(&[missing, depth], set);
         }
     }
 }

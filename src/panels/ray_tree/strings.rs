@@ -17,10 +17,9 @@ pub(super) const DEPTH_REACHED: Message = Message("ray-tree-depth-reached");
 pub(super) const NO_COEFFICIENT: Message = Message("ray-tree-no-coefficient");
 pub(super) const TIR: Message = Message("common-total-internal-reflection");
 
-pub(super) const RAY: Message = Message("ray-tree-ray");
-pub(super) const RAYS: Message = Message("common-rays");
+pub(super) const RAYS: Message = Message("ray-tree-rays");
 pub(super) const LEVEL: Message = Message("common-level");
-pub(super) const OF: Message = Message("common-of");
+pub(super) const LEVEL_OF: Message = Message("ray-tree-level");
 pub(super) const HIDDEN: Message = Message("ray-tree-hidden");
 
 pub(super) const SHADOW_RAYS: Message = Message("ray-tree-shadow-rays");
@@ -29,6 +28,9 @@ pub(super) const COMING_BACK: Message = Message("ray-tree-coming-back");
 pub(super) const BLOCKED: Message = Message("ray-tree-blocked");
 pub(super) const BLOCKED_BY: Message = Message("ray-tree-blocked-by");
 pub(super) const CLEAR: Message = Message("ray-tree-clear");
+pub(super) const IS_BLOCKED: Message = Message("common-blocked");
+pub(super) const IS_BLOCKED_BY: Message = Message("common-blocked-by");
+pub(super) const IS_CLEAR: Message = Message("ray-tree-clear-at");
 pub(super) const SO_FAR: Message = Message("ray-tree-so-far");
 pub(super) const NEAREST: Message = Message("ray-tree-nearest");
 pub(super) const TESTED: Message = Message("ray-tree-tested");

@@ -14,7 +14,8 @@ const LINE: f32 = 1.5;
 /// The least width of a column beside another one, in sizes of the text.
 pub(super) const COLUMN: f32 = 13.0;
 const ANGLES: Message = Message("vectors-angles");
-const BLOCKED: Message = Message("vectors-blocked");
+const BLOCKED: Message = Message("common-blocked");
+const BLOCKED_BY: Message = Message("common-blocked-by");
 const ARRIVES: Message = Message("vectors-arrives");
 const AWAY: Message = Message("vectors-away");
 const LEANS: Message = Message("vectors-leans");
@@ -115,7 +116,7 @@ impl Angles {
         Angles {
             lights: first_light,
             name: surface.name().to_string(),
-            title: format!("{} · {}", surface.name(), strings(ANGLES)),
+            title: ANGLES.format(language, &[("surface", surface.name())]),
             rows,
         }
     }
@@ -189,14 +190,13 @@ impl Row {
 
 /// What blocks a light, from the longest form to the shortest.
 fn blocked(surface: &SurfaceInSight, verdict: &Verdict, language: Language) -> Vec<String> {
-    let strings = BLOCKED.text(language);
     let Some(hit) = verdict.by else {
-        return vec![strings.to_string()];
+        return vec![BLOCKED.text(language).to_string()];
     };
     let name = names::object(&surface.state.prepared, hit.object);
     let t = language.short(hit.t, 2);
     vec![
-        format!("{strings} {name}, t {t}"),
+        BLOCKED_BY.format(language, &[("object", name), ("t", &t)]),
         format!("{name}, t {t}"),
         name.to_string(),
     ]
@@ -207,7 +207,10 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
     let strings = |strings: Message| strings.text(language);
     let lean = |vector: DVec3| match surface.lean(vector) {
         lean if lean < 0.05 => String::new(),
-        lean => format!(", {}° {}", language.short(lean, 1), strings(LEANS)),
+        lean => {
+            let angle = format!("{}°", language.short(lean, 1));
+            format!(", {}", LEANS.format(language, &[("angle", &angle)]))
+        }
     };
     let Some(lit) = surface.lit() else {
         return Vec::new();

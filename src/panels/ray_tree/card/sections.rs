@@ -5,13 +5,14 @@ use super::super::strings::*;
 use super::entry::{Entry, SIZE, Section};
 use crate::algorithms::ray_tree::End;
 use crate::algorithms::visible::Intersection;
+use crate::panels::message::labelled;
 use crate::picture::{Ink, Style, Tag};
 use crate::replay::rays::{Outcome, RayState, Target};
 
 /// What the ray met, and how it goes on.
 pub fn surface(describer: &Describer, ray: &RayState) -> Section {
     let mut entries = Vec::new();
-    let level = format!("{} {}", describer.localize(LEVEL), ray.level);
+    let level = describer.format(LEVEL, &[("level", &ray.level.to_string())]);
     let name = describer.name(ray)[0].clone();
     let title = Entry {
         set: Style::LabelBold.size(13.0),
@@ -62,7 +63,7 @@ pub fn surface(describer: &Describer, ray: &RayState) -> Section {
             End::Depth => DEPTH_REACHED,
             End::NoCoefficient => NO_COEFFICIENT,
         });
-        let text = format!("{}: {why}", letter(branch.kind));
+        let text = labelled(letter(branch.kind), &why, describer.language);
         entries.push(Entry::new(text).ink(Ink::Muted).tag(Tag::Step(branch.step)));
     }
     Section {
@@ -80,22 +81,21 @@ fn search(describer: &Describer) -> Option<Entry> {
     };
     let mut parts = Vec::new();
     if let Some(tested) = search.tested {
-        let t = if tested.t.is_finite() {
-            format!("t {}", describer.number(tested.t))
-        } else {
-            describer.localize(MISSED)
-        };
-        parts.push(format!(
-            "{}: {}, {t}",
-            describer.localize(TESTED),
-            name(tested.target)
-        ));
+        parts.push(tested_in_words(describer, &name(tested.target), tested.t));
     }
     if let Some(nearest) = search.nearest {
-        let (word, t) = (describer.localize(NEAREST), describer.number(nearest.t));
-        parts.push(format!("· {word}: {}, t {t}", name(nearest.target)));
+        let (thing, t) = (name(nearest.target), describer.number(nearest.t));
+        let nearest = describer.format(NEAREST, &[("thing", &thing), ("t", &t)]);
+        parts.push(format!("· {nearest}"));
     }
     (!parts.is_empty()).then(|| Entry::parts(parts))
+}
+
+fn tested_in_words(describer: &Describer, thing: &str, t: f64) -> String {
+    match t.is_finite() {
+        true => describer.format(TESTED, &[("thing", thing), ("t", &describer.number(t))]),
+        false => describer.format(MISSED, &[("thing", thing)]),
+    }
 }
 
 /// The verdict of each light, and N·L of the current one; none where no light was tested.
@@ -115,15 +115,14 @@ pub fn lights(describer: &Describer, ray: &RayState) -> Option<Section> {
         .map(|verdict| {
             let why = match (verdict.blocked, verdict.by) {
                 (true, Some(hit)) => {
-                    let (by, name) = (describer.localize(BLOCKED_BY), describer.object(hit.object));
-                    format!("{by} {name}, t {}", describer.number(hit.t))
+                    let (name, t) = (describer.object(hit.object), describer.number(hit.t));
+                    describer.format(IS_BLOCKED_BY, &[("object", name), ("t", &t)])
                 }
-                (true, None) => describer.localize(BLOCKED),
-                (false, _) => format!(
-                    "{}, d {}",
-                    describer.localize(CLEAR),
-                    describer.number(verdict.distance)
-                ),
+                (true, None) => describer.localize(IS_BLOCKED),
+                (false, _) => {
+                    let distance = describer.number(verdict.distance);
+                    describer.format(IS_CLEAR, &[("distance", &distance)])
+                }
             };
             let mark = mark(!verdict.blocked);
             let text = format!("{}  {mark} {why}", describer.light(verdict.light));
@@ -137,16 +136,8 @@ pub fn lights(describer: &Describer, ray: &RayState) -> Option<Section> {
     if let (Some(shadow), true) = (&state.shadow, current) {
         let mut text = format!("{}  …", describer.light(shadow.light));
         if let Some((object, t, _)) = shadow.tested {
-            let place = if t.is_finite() {
-                format!("t {}", describer.number(t))
-            } else {
-                describer.localize(MISSED)
-            };
-            text = format!(
-                "{text} {}: {}, {place}",
-                describer.localize(TESTED),
-                describer.object(object)
-            );
+            let tested = tested_in_words(describer, describer.object(object), t);
+            text = format!("{text} {tested}");
         }
         entries.push(Entry::new(text).ink(Ink::This).tag(Tag::Scope(shadow.step)));
     }
@@ -159,10 +150,10 @@ pub fn lights(describer: &Describer, ray: &RayState) -> Option<Section> {
     if entries.is_empty() {
         return None;
     }
-    let title = describer.localize(if asked { SHADOW_RAYS } else { LIGHTS });
+    let title = if asked { SHADOW_RAYS } else { LIGHTS };
     let name = &describer.name(ray)[0];
     Some(Section {
-        title: headline(format!("{title} {name}")),
+        title: headline(describer.format(title, &[("thing", name)])),
         entries,
     })
 }
@@ -238,11 +229,9 @@ pub(in super::super) fn sum(describer: &Describer, ray: &RayState) -> Vec<String
             if ray.branches[1].is_none() {
                 parts.push("+ …".to_owned());
             }
-            parts.push(format!(
-                "({} {})",
-                describer.localize(SO_FAR),
-                color(sum, describer.language)
-            ));
+            let sum = color(sum, describer.language);
+            let so_far = describer.format(SO_FAR, &[("light", &sum)]);
+            parts.push(format!("({so_far})"));
         }
         (None, None) => {}
     }
