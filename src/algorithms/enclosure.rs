@@ -1,6 +1,6 @@
 //! A scene as radiosity sees it: patches, what stands between them, their form factors, and in the end their light.
 
-use super::enclosure_needs;
+use super::enclosure_needs::{known_channels, shortcuts, skipped_of_channels, skipped_of_pairs};
 use super::form_factor::{Blockers, FormFactors, Method};
 use super::radiosity::race::Race;
 use super::radiosity::{
@@ -11,7 +11,7 @@ use crate::color::Rgb;
 use crate::record::{Recorder, Unrecorded};
 use crate::scene::patch_primitives::PatchPrimitives;
 use crate::scene::patches::{PatchError, Patches};
-use crate::scene::{LeftOut, Limits, Parts, Scene};
+use crate::scene::{LeftOut, Limits, Part, Parts, Scene};
 use std::sync::OnceLock;
 
 /// How the light of an enclosure is found.
@@ -98,14 +98,27 @@ impl Enclosure {
 
     /// What the exchange of light does not need, found on first use.
     pub fn skipped(&self) -> &[LeftOut] {
-        self.skipped.get_or_init(|| enclosure_needs::skipped(self))
+        self.skipped.get_or_init(|| {
+            let lists = self.lists();
+            let mut skipped = skipped_of_channels(&channels(&lists));
+            if self.settings.form_factors.is_reciprocal() {
+                let n = self.patches.len();
+                skipped.extend(skipped_of_pairs(n, &self.form_factors(), self.visibility()));
+            }
+            skipped
+        })
+    }
+
+    /// What stands between patches, where that counts.
+    pub fn visibility(&self) -> Option<&Blockers> {
+        self.settings.visibility.then_some(&self.blockers)
     }
 
     /// By the pair, by the row, or all of them.
     pub fn form_factors(&self) -> FormFactors<'_> {
-        let blockers = self.settings.visibility.then_some(&self.blockers);
-        FormFactors::new(&self.patches, self.settings.form_factors, blockers)
-            .with_forced(self.forced)
+        let method = self.settings.form_factors;
+        FormFactors::new(&self.patches, method, self.visibility())
+            .with_shortcuts(shortcuts(self.forced))
     }
 
     /// F, row-major, n×n for n patches; `make` makes it where it is not there yet.
@@ -184,7 +197,7 @@ impl Enclosure {
     /// All solvers on the first channel that has light, each timed by `clock`, in seconds.
     /// Errors: why not even the exact solution was found.
     pub fn race(&self, matrix: &[f64], clock: impl FnMut() -> f64) -> Result<Race, Unsolved> {
-        let lists = [0, 1, 2].map(|c| self.channel(c));
+        let lists = self.lists();
         let lit = |(_, emission): &(_, Vec<f64>)| emission.iter().any(|&e| e > 0.0);
         let c = lists.iter().position(lit).unwrap_or(0);
         let (rho, emission) = &lists[c];
@@ -195,30 +208,31 @@ impl Enclosure {
         Race::run(&system, CHANNELS[c], self.settings.stop.tolerance, clock)
     }
 
-    /// ρ and E of every patch in channel `c`.
-    pub(super) fn channel(&self, c: usize) -> (Vec<f64>, Vec<f64>) {
-        let of = |colors: &[Rgb]| colors.iter().map(|color| color.channels()[c]).collect();
-        (of(&self.reflectance), of(&self.emission))
+    /// By channel, ρ and E of every patch.
+    fn lists(&self) -> [(Vec<f64>, Vec<f64>); 3] {
+        [0, 1, 2].map(|c| {
+            let of = |colors: &[Rgb]| colors.iter().map(|color| color.channels()[c]).collect();
+            (of(&self.reflectance), of(&self.emission))
+        })
     }
 
     fn solve_by<R: Recorder<Event>>(
         &self,
         recorder: &mut R,
-        solve: impl FnMut(&radiosity::Patches, &mut R) -> Result<Solution, Unsolved>,
+        mut solve: impl FnMut(&radiosity::Patches, &mut R) -> Result<Solution, Unsolved>,
     ) -> Result<Light, ChannelUnsolved> {
-        let lists = [0, 1, 2].map(|c| self.channel(c));
-        let channels = [0, 1, 2].map(|c| Channel {
-            name: CHANNELS[c],
-            rho: &lists[c].0,
-            emission: &lists[c].1,
-        });
+        let lists = self.lists();
+        let channels = channels(&lists);
+        let known = known_channels(&channels, self.forced);
+        let black_rows = self.forced.has(Part::BlackRows);
         let solver = self.settings.solver;
         let tell = |recorded| Event { solver, recorded };
         let patches = self.patches.len() as u32;
         recorder.enter(|| tell(SolverEvent::Enclosure { patches }));
         let areas = self.patches.areas();
-        let forced = self.forced;
-        let solved = solve_channels(&areas, channels, solver, forced, recorder, solve);
+        let solved = solve_channels(&areas, channels, known, solver, recorder, |patches, by| {
+            solve(&patches.with_black_rows(black_rows), by)
+        });
         recorder.leave(|| tell(SolverEvent::RoomDone));
         let solutions = solved?;
         let [red, green, blue] = &solutions;
@@ -230,6 +244,15 @@ impl Enclosure {
             solutions,
         })
     }
+}
+
+/// The channels, of their ρ and E.
+fn channels(lists: &[(Vec<f64>, Vec<f64>); 3]) -> [Channel<'_>; 3] {
+    [0, 1, 2].map(|c| Channel {
+        name: CHANNELS[c],
+        rho: &lists[c].0,
+        emission: &lists[c].1,
+    })
 }
 
 /// Rows of form factors, found one by one.

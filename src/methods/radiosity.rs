@@ -51,8 +51,7 @@ pub fn form_factor<R: Recorder<form_factor::Event>>(
     recorder: &mut R,
 ) {
     let [i, j] = [i as usize, j as usize];
-    let blockers = enclosure.settings.visibility.then_some(&enclosure.blockers);
-    let reference = FormFactors::new(&enclosure.patches, REFERENCE, blockers);
+    let reference = FormFactors::new(&enclosure.patches, REFERENCE, enclosure.visibility());
     let f = reference.pair(i, j, &mut Unrecorded);
     recorder.step(|| form_factor::Event::Reference { f });
     enclosure.form_factors().pair(i, j, recorder);

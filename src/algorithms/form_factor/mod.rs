@@ -25,16 +25,17 @@ pub mod monte_carlo;
 pub mod polygon;
 pub mod report;
 pub mod sample;
+mod shortcuts;
 pub mod sobol;
 pub mod visibility;
 
 pub use event::{Event, PSEUDOCODE};
 pub use report::Report;
+pub use shortcuts::Shortcuts;
 pub use visibility::Blockers;
 
 use crate::record::{Recorder, Unrecorded};
 use crate::scene::patches::Patches;
-use crate::scene::{Part, Parts};
 use far_field::Far;
 use hemicube::Hemicubes;
 use polygon::Polygon;
@@ -105,8 +106,8 @@ impl Method {
     }
 }
 
-/// Gauss points each way where an integral is not needed, and taken all the same.
-const POINTS_ANYWAY: usize = 4;
+/// Gauss points each way between patches that face away from each other.
+const POINTS_AWAY: usize = 4;
 
 /// The form factors of a scene, one at a time, by the row, or by the block of rows.
 #[derive(Clone, Debug)]
@@ -116,8 +117,7 @@ pub struct FormFactors<'a> {
     /// None: nothing stands between patches, whatever the scene.
     blockers: Option<&'a Blockers>,
     far: Far,
-    /// What is done although the patches do not need it.
-    forced: Parts,
+    shortcuts: Shortcuts,
 }
 
 impl<'a> FormFactors<'a> {
@@ -127,13 +127,13 @@ impl<'a> FormFactors<'a> {
             method,
             blockers,
             far: Far::of(patches),
-            forced: Parts::NONE,
+            shortcuts: Shortcuts::default(),
         }
     }
 
-    /// The same, with some parts done although the patches do not need them.
-    pub fn with_forced(self, forced: Parts) -> Self {
-        FormFactors { forced, ..self }
+    /// The same, with those shortcuts alone.
+    pub fn with_shortcuts(self, shortcuts: Shortcuts) -> Self {
+        FormFactors { shortcuts, ..self }
     }
 
     /// Whether no light passes between two patches because one lies behind the other or in its plane, or is the same.
@@ -247,8 +247,8 @@ impl<'a> FormFactors<'a> {
             _ => row.fill(f64::NAN),
         }
         for (j, exchange) in (first..end).zip(row) {
-            let forced = *exchange == 0.0 && self.forced.has(Part::FacingAway);
-            if exchange.is_nan() || forced {
+            let is_away = *exchange == 0.0;
+            if exchange.is_nan() || is_away && !self.shortcuts.facing_away {
                 *exchange = self.unblocked(i, j, &mut Unrecorded);
             }
             if let Some(blockers) = self.blockers
@@ -267,7 +267,7 @@ impl<'a> FormFactors<'a> {
         exchange: f64,
         recorder: &mut R,
     ) -> f64 {
-        if !self.forced.has(Part::SightTests) && !blockers.can_stand_between(i, j) {
+        if self.shortcuts.sight_tests && !blockers.can_stand_between(i, j) {
             return 1.0;
         }
         // The larger of F_ij and F_ji.
@@ -287,9 +287,9 @@ impl<'a> FormFactors<'a> {
             for piece_j in self.polygons(j) {
                 let Some([a, b]) = facing(piece_i.clone(), piece_j.clone()) else {
                     recorder.step(|| Event::FacesAway);
-                    if self.forced.has(Part::FacingAway) {
+                    if !self.shortcuts.facing_away {
                         // At every pair of points one of the cosines is 0.
-                        let points = [POINTS_ANYWAY; 2];
+                        let points = [POINTS_AWAY; 2];
                         sum += area_to_area::exchange(&piece_i, &piece_j, points, recorder);
                     }
                     continue;

@@ -1,4 +1,4 @@
-//! All channels of a colour: each by itself, but none that is dark, and equal ones once.
+//! All channels of a colour: each by itself, but none whose light is known.
 
 use super::Solver;
 use super::event::{Event, SolverEvent};
@@ -6,7 +6,6 @@ use super::iterate::TaggingRecorder;
 use super::outcome::{Solution, Unsolved};
 use super::system::Patches;
 use crate::record::Recorder;
-use crate::scene::{Part, Parts};
 use thiserror::Error;
 
 /// One channel of the patches' colours.
@@ -18,6 +17,15 @@ pub struct Channel<'a> {
     pub emission: &'a [f64],
 }
 
+/// What is known of the light of a channel before anything is solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Known {
+    /// Nothing emits: B = 0.
+    Dark,
+    /// It is that of this channel, which stands before it, and reflects and emits as much.
+    EqualTo(usize),
+}
+
 /// A channel without a result.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("{channel}: {why}")]
@@ -26,19 +34,13 @@ pub struct ChannelUnsolved {
     pub why: Unsolved,
 }
 
-/// The first channel before channel `c` that is as it is.
-pub fn equal_before(channels: &[Channel], c: usize) -> Option<usize> {
-    let Channel { rho, emission, .. } = channels[c];
-    let mut before = channels[..c].iter();
-    before.position(|other| (other.rho, other.emission) == (rho, emission))
-}
-
-/// Solves each channel by itself, in their order, with `solve`, and leaves out what is dark or equal but for `forced`. Errors: those of the first channel that has no result.
+/// Solves each channel of which nothing is known by itself, in their order, with `solve`. Errors: those of the first channel that
+/// has no result.
 pub fn solve_channels<const N: usize, R: Recorder<Event>>(
     area: &[f64],
     channels: [Channel; N],
+    known: [Option<Known>; N],
     solver: Solver,
-    forced: Parts,
     recorder: &mut R,
     mut solve: impl FnMut(&Patches, &mut R) -> Result<Solution, Unsolved>,
 ) -> Result<[Solution; N], ChannelUnsolved> {
@@ -46,30 +48,29 @@ pub fn solve_channels<const N: usize, R: Recorder<Event>>(
     for (c, channel) in channels.iter().enumerate() {
         let name = channel.name;
         let because = |why| ChannelUnsolved { channel: name, why };
-        let patches = Patches::new(area, channel.rho, channel.emission)
-            .map_err(because)?
-            .with_black_rows(forced.has(Part::BlackRows));
+        let patches = Patches::new(area, channel.rho, channel.emission).map_err(because)?;
         let mut by = TaggingRecorder { solver, recorder };
-        let equal = equal_before(&channels, c).filter(|_| !forced.has(Part::EqualChannels));
-        if patches.are_dark() && !forced.has(Part::DarkChannels) {
-            by.step(|| SolverEvent::ChannelLeftOut {
+        match known[c] {
+            Some(Known::Dark) => by.step(|| SolverEvent::ChannelLeftOut {
                 channel: name,
                 why: "nothing emits",
                 like: None,
-            });
-        } else if let Some(equal) = equal {
-            by.step(|| SolverEvent::ChannelLeftOut {
-                channel: name,
-                why: "equal channel",
-                like: Some(channels[equal].name),
-            });
-            solutions[c] = solutions[equal].clone();
-        } else {
-            by.enter(|| SolverEvent::Channel { channel: name });
-            let solution = solve(&patches, by.recorder);
-            let mut by = TaggingRecorder { solver, recorder };
-            by.leave(|| SolverEvent::ChannelDone { channel: name });
-            solutions[c] = solution.map_err(because)?;
+            }),
+            Some(Known::EqualTo(equal)) => {
+                by.step(|| SolverEvent::ChannelLeftOut {
+                    channel: name,
+                    why: "equal channel",
+                    like: Some(channels[equal].name),
+                });
+                solutions[c] = solutions[equal].clone();
+            }
+            None => {
+                by.enter(|| SolverEvent::Channel { channel: name });
+                let solution = solve(&patches, by.recorder);
+                let mut by = TaggingRecorder { solver, recorder };
+                by.leave(|| SolverEvent::ChannelDone { channel: name });
+                solutions[c] = solution.map_err(because)?;
+            }
         }
     }
     Ok(solutions)

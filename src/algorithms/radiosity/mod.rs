@@ -37,7 +37,7 @@ mod system;
 #[cfg(test)]
 mod tests;
 
-pub use channels::{Channel, ChannelUnsolved, equal_before, solve_channels};
+pub use channels::{Channel, ChannelUnsolved, Known, solve_channels};
 pub use chebyshev::chebyshev_on;
 pub use event::{Event, SolverEvent};
 pub use outcome::{Solution, Stop, Unsolved};

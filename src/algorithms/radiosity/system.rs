@@ -118,11 +118,6 @@ impl<'a> Patches<'a> {
     pub fn is_empty(&self) -> bool {
         self.area.is_empty()
     }
-
-    /// Whether no patch emits, so that B = 0.
-    pub fn are_dark(&self) -> bool {
-        self.emission.iter().all(|&e| e == 0.0)
-    }
 }
 
 /// Refuses the first value that is not `right`.

@@ -1,5 +1,6 @@
 use super::cube::{cube, lamp};
 use super::*;
+use crate::algorithms::enclosure_needs::known_channels;
 use crate::record::{Mark, Recording, RecordingLimit, Unrecorded};
 use crate::scene::Parts;
 
@@ -286,8 +287,8 @@ fn dark_and_equal_channels_are_not_solved() {
     let found = solve_channels(
         &area,
         channels,
+        known_channels(&channels, Parts::NONE),
         solver,
-        Parts::NONE,
         &mut recording,
         |patches, recorder| {
             let system = System::new(&matrix, *patches)?;
