@@ -67,6 +67,7 @@
 #[macro_use]
 mod named;
 
+#[macro_use]
 pub mod algorithms;
 #[cfg(feature = "gui")]
 pub mod app;

@@ -8,7 +8,7 @@ use super::focus::Focus;
 use super::frame::Frame;
 use super::phong::{PixelLighting, light_pixels, unit_normal};
 use super::prepared_scene::{Polygon, PreparedScene};
-use super::shading::{self, Shading};
+use super::shading::{self, ShadedScene, Shading};
 use crate::record::{Listing, Recorder};
 use crate::scene::primitives::true_point;
 use glam::DVec3;
@@ -40,22 +40,23 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws what `focus` selects of the prepared scene into `frame`, a band of its picture.
+/// Draws what `focus` selects of the scene into `frame`, a band of its picture.
 pub fn exact<R: Recorder<Event>>(
-    prepared: &PreparedScene,
+    scene: &ShadedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
 ) {
-    light_pixels::<Exact, R>(prepared, focus, frame, recorder);
+    light_pixels::<Exact, R>(scene, focus, frame, recorder);
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Exact {}
 
 impl Shading for Exact {
-    type Recorded = DVec3;
+    const NAME: &'static str = "exact";
     const LISTING: &'static Listing = &PSEUDOCODE;
+    type Recorded = DVec3;
 }
 
 impl PixelLighting for Exact {

@@ -18,9 +18,9 @@ mod listing;
 use super::focus::Focus;
 use super::frame::Frame;
 use super::phong::find_normal;
-use super::prepared_scene::{self, PreparedScene};
+use super::prepared_scene;
 use super::scan_line::{Corner, EdgeTable, clip_near};
-use super::shading;
+use super::shading::{self, ShadedScene};
 use super::texture::PolygonTexture;
 use super::vertex_cache::VertexCache;
 use crate::numeric::PowerTable;
@@ -33,15 +33,15 @@ pub use listing::{FastPhong, PSEUDOCODE};
 #[cfg(test)]
 mod tests;
 
-/// Draws what `focus` selects of the prepared scene into `frame`, a band of its picture.
+/// Draws what `focus` selects of the scene into `frame`, a band of its picture.
 pub fn fast_phong<R: Recorder<Event>>(
-    prepared: &PreparedScene,
+    scene: &ShadedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
 ) {
-    let region = focus.region(frame);
-    let view = &prepared.view;
+    let prepared = scene.prepared;
+    let (region, view) = (focus.region(frame), &prepared.view);
     let mut cache = VertexCache::default();
     let mut corners = Vec::new();
     let mut clipped = Vec::new();
@@ -60,7 +60,7 @@ pub fn fast_phong<R: Recorder<Event>>(
         }
 
         // The normal at each vertex, once for all the polygons that share it
-        let texture = PolygonTexture::of(prepared, &polygon);
+        let texture = scene.texture(&polygon);
         let uvs = texture.as_ref().map_or(&[][..], PolygonTexture::corners);
         corners.clear();
         for (number, (vertex, place)) in polygon.corners().enumerate() {

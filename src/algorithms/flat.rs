@@ -5,10 +5,9 @@
 use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
-use super::prepared_scene::{self, PreparedScene};
+use super::prepared_scene;
 use super::scan_line::EdgeTable;
-use super::shading::{self, Shading, corners, pixel_point};
-use super::texture::PolygonTexture;
+use super::shading::{self, ShadedScene, Shading, corners, pixel_point};
 use crate::record::{Listing, Recorder};
 use glam::DVec3;
 
@@ -29,15 +28,15 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws what `focus` selects of the prepared scene into `frame`, a band of its picture.
+/// Draws what `focus` selects of the scene into `frame`, a band of its picture.
 pub fn flat<R: Recorder<Event>>(
-    prepared: &PreparedScene,
+    scene: &ShadedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
 ) {
+    let (prepared, lighting) = (scene.prepared, &scene.lighting);
     let region = focus.region(frame);
-    let lighting = prepared.lighting();
     let mut plain = EdgeTable::new(&prepared.view, &region);
     let mut textured = EdgeTable::new(&prepared.view, &region);
 
@@ -55,10 +54,10 @@ pub fn flat<R: Recorder<Event>>(
         recorder.step(|| Event::Middle { position });
         let normal = polygon.mesh.normal(polygon.face);
         let point = SurfacePoint::seen_from(prepared.view.eye, position, normal, polygon.material);
-        let intensity = illuminate(&point, &lighting, recorder, |_, _| true);
+        let intensity = illuminate(&point, lighting, recorder, |_, _| true);
 
         // Every pixel takes it; a texture multiplies its diffuse part
-        match PolygonTexture::of(prepared, &polygon) {
+        match scene.texture(&polygon) {
             None => {
                 let corners = corners(&polygon, vertices.iter().map(|_| ()));
                 plain.fill(corners, frame, recorder, |_, _, ()| intensity.whole);
@@ -80,9 +79,10 @@ pub fn flat<R: Recorder<Event>>(
 pub enum Flat {}
 
 impl Shading for Flat {
+    const NAME: &'static str = "flat";
+    const LISTING: &'static Listing = &PSEUDOCODE;
     /// Nothing is interpolated.
     type Recorded = ();
-    const LISTING: &'static Listing = &PSEUDOCODE;
 }
 
 pub type Event = shading::Event<Flat>;

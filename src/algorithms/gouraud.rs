@@ -10,10 +10,9 @@ use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{Lighting, SurfacePoint, illuminate};
 use super::intensity::Intensity;
-use super::prepared_scene::{self, Polygon, PreparedScene};
+use super::prepared_scene::{self, Polygon};
 use super::scan_line::{self, EdgeTable, Pixel, Varying};
-use super::shading::{self, Shading, corners, pixel_point};
-use super::texture::PolygonTexture;
+use super::shading::{self, ShadedScene, Shading, corners, pixel_point};
 use super::vertex_cache::VertexCache;
 use super::vertex_normal::vertex_normal;
 use crate::color::Rgb;
@@ -41,15 +40,15 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws what `focus` selects of the prepared scene into `frame`, a band of its picture.
+/// Draws what `focus` selects of the scene into `frame`, a band of its picture.
 pub fn gouraud<R: Recorder<Event>>(
-    prepared: &PreparedScene,
+    scene: &ShadedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
 ) {
-    let region = focus.region(frame);
-    let (eye, lighting) = (prepared.view.eye, prepared.lighting());
+    let (prepared, lighting) = (scene.prepared, &scene.lighting);
+    let (region, eye) = (focus.region(frame), prepared.view.eye);
     let mut cache = VertexCache::default();
     let mut intensities = Vec::new();
     let mut plain = EdgeTable::new(&prepared.view, &region);
@@ -64,12 +63,12 @@ pub fn gouraud<R: Recorder<Event>>(
         for (vertex, _) in polygon.corners() {
             let intensity = cache
                 .at(&polygon, vertex)
-                .get_or_insert_with(|| light_vertex(vertex, &polygon, eye, &lighting, recorder));
+                .get_or_insert_with(|| light_vertex(vertex, &polygon, eye, lighting, recorder));
             intensities.push(*intensity);
         }
 
         // Interpolation to the pixels; a texture multiplies the diffuse part, which is then interpolated as well
-        match PolygonTexture::of(prepared, &polygon) {
+        match scene.texture(&polygon) {
             None => {
                 let intensities = intensities.iter().map(|intensity| intensity.whole);
                 plain.build(corners(&polygon, intensities), recorder);
@@ -167,9 +166,10 @@ fn fill<I: Varying<Recorded = Rgb>, R: Recorder<Event>>(
 pub enum Gouraud {}
 
 impl Shading for Gouraud {
+    const NAME: &'static str = "gouraud";
+    const LISTING: &'static Listing = &PSEUDOCODE;
     /// An intensity is interpolated.
     type Recorded = Rgb;
-    const LISTING: &'static Listing = &PSEUDOCODE;
 }
 
 pub type Event = shading::Event<Gouraud>;

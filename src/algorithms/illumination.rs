@@ -12,7 +12,7 @@ use super::intensity::Intensity;
 use crate::color::Rgb;
 use crate::numeric::{Linear, power_of_cosine};
 use crate::record::{Listing, Recorder};
-use crate::scene::{Highlight, Light, Material};
+use crate::scene::{Highlight, Light, Material, Scene};
 use glam::DVec3;
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -71,6 +71,16 @@ pub struct Lighting<'a> {
     pub lights: &'a [Light],
     /// Whether any surface has a highlight. Without one, no cosine is raised to a power.
     pub specular: bool,
+}
+
+impl<'a> Lighting<'a> {
+    pub fn of(scene: &'a Scene, specular: bool) -> Self {
+        Lighting {
+            ambient: scene.ambient,
+            lights: &scene.lights,
+            specular,
+        }
+    }
 }
 
 /// Intensity at `point`, unclamped. `arrives` says whether the light of a source reaches the point, and is called only where

@@ -12,7 +12,7 @@
 //! | [`fast_phong`] | cosines as Taylor series over a triangle | Bishop & Weimer 1986 |
 //! | [`exact`] | lit with the normal of the true surface: the reference for the other three | |
 //! | [`shading`], [`vertex_cache`] | what these have in common | |
-//! | [`texture`], [`mapping`] | textures on polygons, and what linear interpolation of (u, v) does to them | Heckbert & Moreton 1991 |
+//! | [`texture`] | textures on polygons, and what linear interpolation of (u, v) does to them | Heckbert & Moreton 1991 |
 //! | [`primary`], [`visible`], [`surface`] | a ray per pixel, the nearest object that it meets, the point that is lit | Appel 1968 |
 //! | [`ray_casting`] | the visible surface, lit | Appel 1968, Roth 1982 |
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays | Whitted 1980 |
@@ -37,6 +37,22 @@ macro_rules! contains_events {
     };
 }
 
+/// Hands the scan-line methods that light surfaces to the macro `$then`, in the order of lists. A new one is a line here and its
+/// file, with a function of the file's name, an `Event`, and a type that is [`shading::Shading`].
+macro_rules! with_shading_methods {
+    ($then:ident! { $($more:tt)* }) => {
+        $then! {
+            { $($more)* }
+            Flat: flat,
+            Gouraud: gouraud,
+            Phong: phong,
+            FastPhong: fast_phong,
+            /// With the normals of the true surfaces.
+            Exact: exact,
+        }
+    };
+}
+
 pub mod enclosure;
 pub mod enclosure_needs;
 pub mod enclosure_notes;
@@ -50,7 +66,6 @@ pub mod gouraud;
 pub mod illumination;
 pub mod incidence;
 pub mod intensity;
-pub mod mapping;
 pub mod patch_view;
 pub mod phong;
 pub mod prepared_scene;

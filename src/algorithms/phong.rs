@@ -10,7 +10,7 @@ use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
 use super::prepared_scene::{self, Polygon, PreparedScene};
 use super::scan_line::{self, EdgeTable, Pixel};
-use super::shading::{self, Shading, corners, pixel_point};
+use super::shading::{self, ShadedScene, Shading, corners, pixel_point};
 use super::texture::PolygonTexture;
 use super::vertex_cache::VertexCache;
 use super::vertex_normal::{self, VANISHED, vertex_normal};
@@ -44,14 +44,14 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// Draws what `focus` selects of the prepared scene into `frame`, a band of its picture.
+/// Draws what `focus` selects of the scene into `frame`, a band of its picture.
 pub fn phong<R: Recorder<Event>>(
-    prepared: &PreparedScene,
+    scene: &ShadedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
 ) {
-    light_pixels::<Phong, R>(prepared, focus, frame, recorder);
+    light_pixels::<Phong, R>(scene, focus, frame, recorder);
 }
 
 /// A method that interpolates the vertex normals and lights every pixel.
@@ -68,13 +68,13 @@ pub(super) trait PixelLighting: Shading<Recorded = DVec3> {
 }
 
 pub(super) fn light_pixels<M: PixelLighting, R: Recorder<shading::Event<M>>>(
-    prepared: &PreparedScene,
+    scene: &ShadedScene,
     focus: Focus,
     frame: &mut Frame,
     recorder: &mut R,
 ) {
+    let (prepared, lighting) = (scene.prepared, &scene.lighting);
     let region = focus.region(frame);
-    let lighting = prepared.lighting();
     let mut cache = VertexCache::default();
     let mut normals = Vec::new();
     let mut edge_table = EdgeTable::new(&prepared.view, &region);
@@ -93,7 +93,7 @@ pub(super) fn light_pixels<M: PixelLighting, R: Recorder<shading::Event<M>>>(
         }
 
         // Interpolation to the pixels, and the illumination model at each pixel
-        let texture = PolygonTexture::of(prepared, &polygon);
+        let texture = scene.texture(&polygon);
         let uvs = texture.as_ref().map_or(&[][..], PolygonTexture::corners);
         let uvs = uvs.iter().copied().chain(repeat(DVec2::ZERO));
         let normals = zip(normals.iter().copied(), uvs);
@@ -110,7 +110,7 @@ pub(super) fn light_pixels<M: PixelLighting, R: Recorder<shading::Event<M>>>(
                 if let Some(texture) = &texture {
                     point.diffuse = texture.color_at(position, uv, recorder) * point.diffuse;
                 }
-                illuminate(&point, &lighting, recorder, |_, _| true).whole
+                illuminate(&point, lighting, recorder, |_, _| true).whole
             },
         );
         recorder.leave(|| prepared_scene::Event::PolygonDone.into());
@@ -202,9 +202,10 @@ pub(super) fn unit_normal<M: Shading, R: Recorder<shading::Event<M>>>(
 pub enum Phong {}
 
 impl Shading for Phong {
+    const NAME: &'static str = "phong";
+    const LISTING: &'static Listing = &PSEUDOCODE;
     /// A normal is interpolated.
     type Recorded = DVec3;
-    const LISTING: &'static Listing = &PSEUDOCODE;
 }
 
 impl PixelLighting for Phong {

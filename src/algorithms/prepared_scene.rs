@@ -2,13 +2,9 @@
 
 use super::focus::{Focus, Region};
 use super::frame::Frame;
-use super::illumination::Lighting;
-use super::mapping::Mapping;
 use crate::color::Rgb;
 use crate::scene::primitives::{self, Primitives};
-use crate::scene::{
-    Light, Material, Mesh, Part, Parts, Scene, Tessellation, Texture, View, has_highlights,
-};
+use crate::scene::{Light, Material, Mesh, Scene, Tessellation, View};
 use glam::{DVec2, DVec3};
 use std::sync::OnceLock;
 
@@ -18,12 +14,6 @@ pub struct PreparedScene {
     pub scene: Scene,
     pub tessellation: Tessellation,
     pub view: View,
-    /// Where the textures of polygons are looked up.
-    pub mapping: Mapping,
-    /// What polygons without a texture of their own take.
-    texture: Option<Texture>,
-    /// Whether highlights are lit.
-    specular: bool,
     /// By object, then by vertex of its mesh.
     vertices: Vec<Vec<PreparedVertex>>,
     /// Made when the first ray asks for them.
@@ -59,7 +49,6 @@ pub struct Polygon<'a> {
     pub number: usize,
     pub mesh: &'a Mesh,
     pub material: &'a Material,
-    pub texture: Option<Texture>,
     vertices: &'a [PreparedVertex],
 }
 
@@ -69,7 +58,6 @@ impl PreparedScene {
     /// camera's target was put.
     pub fn new(scene: Scene, mut view: View) -> Self {
         let tessellation = Tessellation::of(&scene);
-        let specular = has_highlights(&scene);
         let vertices: Vec<Vec<PreparedVertex>> = tessellation
             .meshes
             .iter()
@@ -95,17 +83,9 @@ impl PreparedScene {
             scene,
             tessellation,
             view,
-            mapping: Mapping::default(),
-            texture: None,
-            specular,
             vertices,
             primitives: OnceLock::new(),
         }
-    }
-
-    /// The same, with textures taken so.
-    pub fn with_mapping(self, mapping: Mapping) -> Self {
-        PreparedScene { mapping, ..self }
     }
 
     /// The same under other lights.
@@ -115,16 +95,6 @@ impl PreparedScene {
             ..self.scene
         };
         PreparedScene { scene, ..self }
-    }
-
-    /// The same, with those parts done although the scene does not need them, and no others.
-    pub fn with_forced(self, forced: Parts) -> Self {
-        let white = forced.has(Part::TextureCoordinates);
-        PreparedScene {
-            texture: white.then_some(Texture::WHITE),
-            specular: forced.has(Part::Highlights) || has_highlights(&self.scene),
-            ..self
-        }
     }
 
     /// The objects as rays meet them.
@@ -146,15 +116,6 @@ impl PreparedScene {
         Frame::new(self.view.width, 0..self.view.height, self.scene.background)
     }
 
-    /// Without shadows, and with every term that the scene needs.
-    pub fn lighting(&self) -> Lighting<'_> {
-        Lighting {
-            ambient: self.scene.ambient,
-            lights: &self.scene.lights,
-            specular: self.specular,
-        }
-    }
-
     /// Polygon `number`, counted from 0 over all objects.
     pub fn polygon(&self, number: usize) -> Option<Polygon<'_>> {
         let (object, face) = self.tessellation.locate(number)?;
@@ -165,7 +126,6 @@ impl PreparedScene {
             number,
             mesh: &self.tessellation.meshes[object],
             material,
-            texture: material.texture.or(self.texture),
             vertices: &self.vertices[object],
         })
     }

@@ -70,10 +70,7 @@ impl<'a, S: Search> RayCaster<'a, S> {
             settings,
             needs,
             search,
-            lighting: Lighting {
-                specular: needs.specular,
-                ..prepared.lighting()
-            },
+            lighting: Lighting::of(&prepared.scene, needs.specular),
         }
     }
 

@@ -95,10 +95,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
             settings,
             needs,
             search,
-            lighting: Lighting {
-                specular: needs.specular,
-                ..prepared.lighting()
-            },
+            lighting: Lighting::of(&prepared.scene, needs.specular),
             around_eye: Media::new(),
         };
         if needs.transmission {

@@ -1,22 +1,60 @@
-//! What the scan-line methods that light surfaces have in common: their events, and how they meet polygons and pixels. A method
-//! says what it interpolates, and on which lines of its pseudocode.
+//! What the scan-line methods that light surfaces have in common: what they draw, their events, and how they meet polygons and
+//! pixels. A method says what it is called and interpolates, and on which lines of its pseudocode.
 
-use super::illumination;
+use super::illumination::{self, Lighting};
 use super::prepared_scene::{self, Polygon, PreparedScene};
 use super::scan_line::{self, Corner, Named, Pixel};
-use super::texture;
+use super::texture::{self, PolygonTexture, Texturing};
 use super::vertex_normal;
 use crate::color::Rgb;
-use crate::record::{Listing, Recorder};
+use crate::record::{self, Listing, Recorder};
+use crate::scene::{Part, has_highlights};
 use glam::DVec3;
 use std::fmt::Debug;
 use std::iter::zip;
 
 /// A scan-line method that lights surfaces.
 pub trait Shading: Copy + PartialEq + Debug + Send + Sync + 'static {
+    /// As on the command line and in lesson files.
+    const NAME: &'static str;
+    const LISTING: &'static Listing;
+    /// What of its work a scene may not need.
+    const PARTS: &'static [Part] = &[Part::TextureCoordinates, Part::Highlights];
     /// What is interpolated from the corners to the pixels and recorded.
     type Recorded: Named;
-    const LISTING: &'static Listing;
+}
+
+/// What such a method draws.
+#[derive(Clone, Copy, Debug)]
+pub struct ShadedScene<'a> {
+    pub prepared: &'a PreparedScene,
+    /// Without shadows.
+    pub lighting: Lighting<'a>,
+    pub texturing: Texturing,
+}
+
+impl<'a> ShadedScene<'a> {
+    /// With what the scene needs, and no more.
+    pub fn of(prepared: &'a PreparedScene) -> Self {
+        let scene = &prepared.scene;
+        ShadedScene {
+            prepared,
+            lighting: Lighting::of(scene, has_highlights(scene)),
+            texturing: Texturing::default(),
+        }
+    }
+
+    /// The texture of a polygon, where it takes one.
+    pub fn texture(&self, polygon: &Polygon<'a>) -> Option<PolygonTexture<'a>> {
+        PolygonTexture::of(&self.prepared.scene.objects, polygon, self.texturing)
+    }
+}
+
+/// An event of such a method: one that all of them have, or one of its own.
+pub trait ShadingEvent: record::Event {
+    type Shading: Shading;
+
+    fn shading(&self) -> Option<&Event<Self::Shading>>;
 }
 
 /// The corners of a polygon, with a value for each.
@@ -86,6 +124,14 @@ pub enum Event<M: Shading> {
         position: DVec3,
         normal: DVec3,
     },
+}
+
+impl<M: Shading> ShadingEvent for Event<M> {
+    type Shading = M;
+
+    fn shading(&self) -> Option<&Self> {
+        Some(self)
+    }
 }
 
 contains_events! {

@@ -6,12 +6,11 @@
 //! shading", 1991): it is recorded beside the right one, and drawn with [`Mapping::Linear`].
 
 use super::intensity::Intensity;
-use super::mapping::Mapping;
-use super::prepared_scene::{Polygon, PreparedScene};
+use super::prepared_scene::Polygon;
 use crate::color::Rgb;
 use crate::record::{Listing, Recorder};
-use crate::scene::Texture;
 use crate::scene::primitives::FaceChart;
+use crate::scene::{Object, Texture};
 use glam::{DVec2, DVec3};
 
 pub static PSEUDOCODE: Listing = Listing {
@@ -31,6 +30,26 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
+named! {
+    /// Where (u, v) come from on a converted polygon.
+    #[derive(Default)]
+    pub enum Mapping {
+        /// From the point that the pixel shows.
+        #[default]
+        Perspective = "perspective",
+        /// From the corners, linearly on the screen: a mistake worth looking at.
+        Linear = "linear",
+    }
+}
+
+/// How the polygons of a scene are textured.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Texturing {
+    /// What polygons take that have no texture of their own.
+    pub plain: Option<Texture>,
+    pub mapping: Mapping,
+}
+
 /// The texture of a polygon. The polygon interpolates the (u, v) of its corners.
 pub struct PolygonTexture<'a> {
     texture: Texture,
@@ -39,14 +58,14 @@ pub struct PolygonTexture<'a> {
 }
 
 impl<'a> PolygonTexture<'a> {
-    /// None where the polygon has no texture.
-    pub fn of(prepared: &'a PreparedScene, polygon: &Polygon<'a>) -> Option<Self> {
-        let texture = polygon.texture?;
-        let shape = &prepared.scene.objects[polygon.object].shape;
+    /// None where the polygon, which is one of `objects`, has no texture.
+    pub fn of(objects: &'a [Object], polygon: &Polygon<'a>, texturing: Texturing) -> Option<Self> {
+        let texture = polygon.material.texture.or(texturing.plain)?;
+        let shape = &objects[polygon.object].shape;
         Some(PolygonTexture {
             texture,
             chart: FaceChart::new(shape, polygon.mesh, polygon.face),
-            mapping: prepared.mapping,
+            mapping: texturing.mapping,
         })
     }
 

@@ -5,6 +5,7 @@ use super::failure::Failure;
 use super::files::{self, Document};
 use super::notes;
 use super::progress::Progress;
+use crate::algorithms::enclosure;
 use crate::panels::strings::Language;
 use crate::panels::{Panel, PanelInput, TreeView, draw};
 use crate::picture::{Theme, rasterize, to_png};
@@ -94,6 +95,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 
     std::fs::create_dir_all(&arguments.out)
         .map_err(|error| Failure::Wrong(format!("--out {}: {error}", arguments.out.display())))?;
+    let radiosity: enclosure::Settings = open.setup.settings.get();
     let progress = Progress::new("drawing");
     for (done, &step) in steps.iter().enumerate() {
         open.run.walk_mut().seek(step);
@@ -105,12 +107,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             narrated: &narrated,
             breakpoints: &[],
             tree: TreeView::whole(),
-            smooth: open
-                .setup
-                .settings
-                .radiosity
-                .smooth
-                .then_some(smooth_patches),
+            smooth: radiosity.smooth.then_some(smooth_patches),
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

@@ -52,16 +52,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let path = &arguments.scene;
     let (scene, settings) = files::scene(path, &arguments.limits.into())?;
     let has_camera = scene.camera.is_some();
-    let settings = Settings {
-        rays: arguments.rays.or(settings.rays),
-        radiosity: arguments
-            .solution
-            .or(settings.radiosity, arguments.limits)?,
-        ..Settings::default()
-    };
+    let solution = &arguments.solution;
+    let radiosity = solution.or(settings.get(), arguments.limits)?;
     if method == Method::Radiosity {
-        form_factors::enclosure(&scene, path, settings.radiosity)?;
+        form_factors::enclosure(&scene, path, radiosity)?;
     }
+    let settings = Settings::from(arguments.rays.or(settings.get())).with(radiosity);
     let prepared = files::prepared(with_camera(scene), SIZE, method, &path.display())?;
     let setup = Setup::new(prepared, settings);
     let skipped = setup.skipped(method);
@@ -112,7 +108,7 @@ fn with_camera(mut scene: Scene) -> Scene {
 fn needed(method: Method, skipped: &[LeftOut]) -> impl Iterator<Item = Part> {
     let is_needed = move |&part: &Part| {
         let mut skipped = skipped.iter();
-        method.does(part) && skipped.all(|skipped| skipped.part != part)
+        method.parts().contains(&part) && skipped.all(|skipped| skipped.part != part)
     };
     Part::ALL.into_iter().filter(is_needed)
 }

@@ -82,7 +82,7 @@ impl SolutionArguments {
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     files::check_output(&arguments.out)?;
     let (scene, unless) = files::scene(&arguments.scene, &arguments.limits.into())?;
-    let settings = arguments.solution.or(unless.radiosity, arguments.limits)?;
+    let settings = arguments.solution.or(unless.get(), arguments.limits)?;
     let start = Instant::now();
     let enclosure = enclosure(&scene, &arguments.scene, settings)?;
     let divided = start.elapsed();

@@ -80,16 +80,11 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let start = Instant::now();
     let (scene, settings) = files::scene(&arguments.scene, &arguments.limits.into())?;
     let read = start.elapsed();
-    let settings = Settings {
-        rays: arguments.rays.or(settings.rays),
-        radiosity: enclosure::Settings {
-            smooth: arguments.smooth,
-            ..arguments
-                .solution
-                .or(settings.radiosity, arguments.limits)?
-        },
-        ..Settings::default()
-    };
+    let solution = &arguments.solution;
+    let settings = Settings::from(arguments.rays.or(settings.get())).with(enclosure::Settings {
+        smooth: arguments.smooth,
+        ..solution.or(settings.get(), arguments.limits)?
+    });
     let prepared = files::prepared(scene, arguments.size, method, &arguments.scene.display())?;
     let setup = Setup::new(prepared, settings);
     let staged = start.elapsed();

@@ -140,11 +140,9 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 
 impl Arguments {
     fn settings(&self, unless: Settings) -> Result<Settings, Failure> {
-        Ok(Settings {
-            rays: self.rays.or(unless.rays),
-            radiosity: self.solution.or(unless.radiosity, self.limits)?,
-            ..unless
-        })
+        let rays = self.rays.or(unless.get());
+        let radiosity = self.solution.or(unless.get(), self.limits)?;
+        Ok(unless.with(rays).with(radiosity))
     }
 }
 

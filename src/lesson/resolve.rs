@@ -123,11 +123,9 @@ impl Lesson {
             );
             problems.push(problem("focus", message));
         }
-        let settings = Settings {
-            rays: rays(&file, &mut problems),
-            radiosity: radiosity(&file, &mut problems),
-            mapping: mapping(&file, &mut problems),
-        };
+        let settings = Settings::from(rays(&file, &mut problems))
+            .with(radiosity(&file, &mut problems))
+            .with(mapping(&file, &mut problems));
         let compare = compare(&file, &mut problems);
 
         match (scene, method) {
@@ -181,7 +179,7 @@ impl Lesson {
         let [width, height] = self.size;
         let view = View::new(scene.camera.as_ref()?, width, height);
         let prepared = PreparedScene::new(scene, view);
-        Some(Setup::new(prepared, self.settings))
+        Some(Setup::new(prepared, self.settings.clone()))
     }
 
     /// What is said in a run of the lesson's own part. Errors: every anchor, value and answer that is not in the run.

@@ -15,7 +15,7 @@ impl Lesson {
     pub fn of_picture(title: String, say: [String; 2], setup: &Setup, method: Method) -> Lesson {
         let prepared = &setup.prepared;
         let size = [prepared.view.width, prepared.view.height];
-        let panels = method.panels().iter();
+        let panels = method.panels().into_iter();
         let [en, id] = say;
         let say = Text { en, id };
         Lesson {
@@ -30,11 +30,11 @@ impl Lesson {
             scene: prepared.scene.clone(),
             method,
             size,
-            settings: setup.settings,
+            settings: setup.settings.clone(),
             compare: Vec::new(),
             focus: method.family().focus(size),
             parameters: Vec::new(),
-            panels: panels.filter_map(|name| Panel::from_name(name)).collect(),
+            panels: panels.filter_map(Panel::from_name).collect(),
             steps: vec![StepFile {
                 at: Query::default(),
                 say,

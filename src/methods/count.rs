@@ -1,8 +1,6 @@
 //! What a whole run of a method does, counted by kinds of events, of which none is kept.
 
-use super::radiosity;
-use super::wireframe::Wireframe;
-use super::{Draw, Method, RayMethod, Setup, ShadingMethod, Visitor};
+use super::{Draw, Method, RayMethod, Setup, ShadingMethod, Visitor, Wireframe, radiosity};
 use crate::algorithms;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::visible::Bvh;

@@ -1,25 +1,22 @@
 //! The methods, each as one value: its name, what it needs of a scene, which parts of its work can be recorded, and how it runs.
 //!
 //! Whatever depends on the method goes through [`Method`], or is a [`Visitor`] that is handed the method's type. The families in
-//! which replay and panels tell methods apart are the visitor's: a new shading method is one file here, and one line in the list.
+//! which replay and panels tell methods apart are the visitor's. A new method of a family is a line in the list of that family:
+//! of shading methods in [`algorithms`](crate::algorithms), of ray methods in `rays`.
 
 mod count;
-pub mod exact;
-pub mod fast_phong;
-pub mod flat;
-pub mod gouraud;
 mod notes;
-pub mod phong;
 pub mod radiosity;
-pub mod ray_casting;
-pub mod ray_tracing;
+mod rays;
+mod settings;
 mod setup;
-pub mod wireframe;
+mod shading;
+mod wireframe;
 
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::ray_tracing as algorithm;
-use crate::algorithms::shading::{self, Shading};
+use crate::algorithms::shading::ShadingEvent;
 use crate::algorithms::visible::Search;
 use crate::color::Rgb;
 use crate::record::{self, Recorder};
@@ -28,7 +25,12 @@ use crate::vocabulary::Declared;
 
 pub use count::Counted;
 pub use notes::notes_of;
-pub use setup::{Outside, Settings, Setup};
+pub use radiosity::Radiosity;
+pub use rays::{RayCasting, RayTracing};
+pub use settings::Settings;
+pub use setup::{Outside, Setup};
+pub use shading::*;
+pub use wireframe::Wireframe;
 
 /// What a method works on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,6 +54,15 @@ impl Family {
         }
     }
 
+    /// By name: what a lesson shows that is made in the program.
+    fn panels(self) -> [&'static str; 3] {
+        match self {
+            Family::Polygons => ["image", "scan-line", "inspector"],
+            Family::Rays => ["image", "ray-tree", "rays"],
+            Family::Exchange => ["radiosity", "matrix", "convergence"],
+        }
+    }
+
     fn records(self, focus: Focus) -> bool {
         match focus {
             Focus::Frame => true,
@@ -69,11 +80,8 @@ pub trait Properties {
     /// As on the command line and in lesson files.
     const NAME: &'static str;
     const FAMILY: Family;
-    /// By name: what a lesson shows that is made in the program.
-    const PANELS: &'static [&'static str];
-
-    /// Whether it does that part of the work, where the scene needs it.
-    fn does(part: Part) -> bool;
+    /// What of its work a scene may not need.
+    const PARTS: &'static [Part];
 
     /// Hands the method's type to the visitor.
     fn visit<V: Visitor>(visitor: V) -> V::Output;
@@ -95,21 +103,6 @@ pub trait Draw {
 
 /// A scan-line method that lights surfaces.
 pub trait ShadingMethod: Draw<Event: ShadingEvent> {}
-
-/// An event of such a method: one that all of them have, or one of its own.
-pub trait ShadingEvent: record::Event {
-    type Shading: Shading;
-
-    fn shading(&self) -> Option<&shading::Event<Self::Shading>>;
-}
-
-impl<M: Shading> ShadingEvent for shading::Event<M> {
-    type Shading = M;
-
-    fn shading(&self) -> Option<&Self> {
-        Some(self)
-    }
-}
 
 /// A method that colours each pixel by itself, by the rays through it. Its events are those of ray tracing, or fewer.
 pub trait RayMethod: Draw<Event: Into<algorithm::Event>> {
@@ -139,59 +132,50 @@ pub trait Visitor: Sized {
     fn radiosity(self) -> Self::Output;
 }
 
+/// Makes values of the types: of shading methods those that come from the list of `algorithms`, in their place among the others.
 macro_rules! methods {
-    ($($(#[$doc:meta])* $name:ident: $module:ident,)*) => {
+    ({ { $($first:ident)* } { $($last:ident)* } } $($(#[$about:meta])* $shading:ident: $_module:ident,)*) => {
+        methods! { $($first)* $($(#[$about])* $shading)* $($last)* }
+    };
+    ($($(#[$about:meta])* $name:ident)*) => {
         named! {
             /// A way to make a picture of a scene.
             pub enum Method {
-                $($(#[$doc])* $name = $module::$name::NAME,)*
+                $($(#[$about])* $name = $name::NAME,)*
             }
         }
 
         impl Method {
-            /// By name: what a lesson shows that is made in the program.
-            pub fn panels(self) -> &'static [&'static str] {
-                match self {
-                    $(Method::$name => $module::$name::PANELS,)*
-                }
-            }
-
             pub fn family(self) -> Family {
                 match self {
-                    $(Method::$name => $module::$name::FAMILY,)*
+                    $(Method::$name => $name::FAMILY,)*
                 }
             }
 
-            /// Whether it does that part of the work, where the scene needs it.
-            pub fn does(self, part: Part) -> bool {
+            /// What of its work a scene may not need.
+            pub fn parts(self) -> &'static [Part] {
                 match self {
-                    $(Method::$name => $module::$name::does(part),)*
+                    $(Method::$name => $name::PARTS,)*
                 }
             }
 
             pub fn visit<V: Visitor>(self, visitor: V) -> V::Output {
                 match self {
-                    $(Method::$name => $module::$name::visit(visitor),)*
+                    $(Method::$name => $name::visit(visitor),)*
                 }
             }
         }
     };
 }
 
-methods! {
-    Wireframe: wireframe,
-    Flat: flat,
-    Gouraud: gouraud,
-    Phong: phong,
-    FastPhong: fast_phong,
-    /// With the normals of the true surfaces.
-    Exact: exact,
-    RayCasting: ray_casting,
-    RayTracing: ray_tracing,
-    Radiosity: radiosity,
-}
+with_shading_methods! { methods! { { Wireframe } { RayCasting RayTracing Radiosity } } }
 
 impl Method {
+    /// By name: what a lesson shows that is made in the program.
+    pub fn panels(self) -> [&'static str; 3] {
+        self.family().panels()
+    }
+
     /// Whether it follows rays instead of converting polygons.
     pub fn follows_rays(self) -> bool {
         self.family() == Family::Rays

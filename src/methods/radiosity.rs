@@ -13,11 +13,13 @@ pub enum Radiosity {}
 impl Properties for Radiosity {
     const NAME: &'static str = "radiosity";
     const FAMILY: Family = Family::Exchange;
-    const PANELS: &'static [&'static str] = &["radiosity", "matrix", "convergence"];
-
-    fn does(part: Part) -> bool {
-        part.concerns_patches()
-    }
+    const PARTS: &'static [Part] = &[
+        Part::DarkChannels,
+        Part::EqualChannels,
+        Part::BlackRows,
+        Part::FacingAway,
+        Part::SightTests,
+    ];
 
     fn visit<V: Visitor>(visitor: V) -> V::Output {
         visitor.radiosity()

@@ -1,51 +1,14 @@
 //! What a run starts from: a prepared scene with the settings of the methods.
 
-use super::{Family, Method};
-use crate::algorithms::enclosure::{self, Enclosure};
+use super::{Family, Method, Settings};
+use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
-use crate::algorithms::mapping::Mapping;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::primary;
+use crate::algorithms::shading::ShadedScene;
+use crate::algorithms::texture::Texturing;
 use crate::scene::patches::PatchError;
-use crate::scene::{LeftOut, Light, Needs, Parts, View};
+use crate::scene::{LeftOut, Light, Needs, Part, Parts, Texture, View};
 use std::sync::{Arc, OnceLock};
-
-/// The settings of all methods.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Settings {
-    /// Of ray casting and ray tracing; radiosity has the samples too.
-    pub rays: primary::Settings,
-    pub radiosity: enclosure::Settings,
-    /// Of the scan-line methods that light surfaces.
-    pub mapping: Mapping,
-}
-
-impl From<primary::Settings> for Settings {
-    fn from(rays: primary::Settings) -> Self {
-        Settings {
-            rays,
-            ..Settings::default()
-        }
-    }
-}
-
-impl From<Mapping> for Settings {
-    fn from(mapping: Mapping) -> Self {
-        Settings {
-            mapping,
-            ..Settings::default()
-        }
-    }
-}
-
-impl From<enclosure::Settings> for Settings {
-    fn from(radiosity: enclosure::Settings) -> Self {
-        Settings {
-            radiosity,
-            ..Settings::default()
-        }
-    }
-}
 
 /// A scene that any method can draw, and what is found of it once.
 #[derive(Clone, Debug)]
@@ -69,14 +32,9 @@ pub struct Outside {
 
 impl Setup {
     pub fn new(prepared: impl Into<Arc<PreparedScene>>, settings: impl Into<Settings>) -> Self {
-        let (mut prepared, settings) = (prepared.into(), settings.into());
-        if prepared.mapping != settings.mapping {
-            let remapped = Arc::unwrap_or_clone(prepared).with_mapping(settings.mapping);
-            prepared = Arc::new(remapped);
-        }
         Setup {
-            prepared,
-            settings,
+            prepared: prepared.into(),
+            settings: settings.into(),
             forced: Parts::NONE,
             needs: OnceLock::new(),
             enclosure: OnceLock::new(),
@@ -85,10 +43,9 @@ impl Setup {
 
     /// The same, with those parts done although the scene does not need them, and no others.
     pub fn with_forced(&self, forced: Parts) -> Self {
-        let prepared = (*self.prepared).clone().with_forced(forced);
         Setup {
             forced,
-            ..Setup::new(prepared, self.settings)
+            ..Setup::new(self.prepared.clone(), self.settings.clone())
         }
     }
 
@@ -107,6 +64,18 @@ impl Setup {
         self.forced
     }
 
+    /// The scene as the scan-line methods light it: with what it needs, and what is done although it does not.
+    pub fn shaded_scene(&self) -> ShadedScene<'_> {
+        let mut scene = ShadedScene::of(&self.prepared);
+        let white = self.forced.has(Part::TextureCoordinates);
+        scene.lighting.specular |= self.forced.has(Part::Highlights);
+        scene.texturing = Texturing {
+            plain: white.then_some(Texture::WHITE),
+            mapping: self.settings.get(),
+        };
+        scene
+    }
+
     /// What rays need of the scene.
     pub fn needs(&self) -> &Needs {
         self.needs
@@ -115,9 +84,9 @@ impl Setup {
 
     /// The scene divided into patches. Errors: what cannot be divided.
     pub fn enclosure(&self) -> Result<&Enclosure, &PatchError> {
-        let enclosure = self.enclosure.get_or_init(|| {
-            Enclosure::of(&self.prepared.scene, self.settings.radiosity, self.forced)
-        });
+        let enclosure = self
+            .enclosure
+            .get_or_init(|| Enclosure::of(&self.prepared.scene, self.settings.get(), self.forced));
         enclosure.as_ref()
     }
 
@@ -130,7 +99,9 @@ impl Setup {
                 .map_or(&[][..], |enclosure| enclosure.skipped()),
             Family::Polygons | Family::Rays => &self.needs().skipped,
         };
-        let done = all.iter().filter(|skipped| method.does(skipped.part));
+        let done = all
+            .iter()
+            .filter(|skipped| method.parts().contains(&skipped.part));
         done.cloned().collect()
     }
 

@@ -13,11 +13,7 @@ pub enum Wireframe {}
 impl Properties for Wireframe {
     const NAME: &'static str = "wireframe";
     const FAMILY: Family = Family::Polygons;
-    const PANELS: &'static [&'static str] = &["image", "scan-line", "inspector"];
-
-    fn does(_: Part) -> bool {
-        false
-    }
+    const PARTS: &'static [Part] = &[];
 
     fn visit<V: Visitor>(visitor: V) -> V::Output {
         visitor.wireframe()

@@ -31,14 +31,14 @@ const SO_FAR: Message = Message("convergence-so-far");
 const SO_FAR_BOUNDED: Message = Message("convergence-so-far-bounded");
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
-    let Run::Radiosity(setup, replay) = input.run else {
+    let (Run::Radiosity(_, replay), Some(enclosure)) = (input.run, input.run.enclosure()) else {
         return message(NO_PATCHES, input.language, size);
     };
     let state = replay.state();
     let mut picture = Picture::new(size.x, size.y);
     picture.alt = in_words(input, state);
     let whole = picture.bounds().grown(-MARGIN);
-    let tolerance = setup.settings.radiosity.stop.tolerance;
+    let tolerance = enclosure.settings.stop.tolerance;
     let kinds = [(RESIDUAL, false), (BOUND, true)].map(|(strings, dashed)| {
         let stroke = kind_of_line(Ink::Text, dashed);
         (stroke, strings.text(input.language))

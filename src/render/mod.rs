@@ -14,10 +14,10 @@ mod thread_pool;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::patch_view::PatchView;
+use crate::algorithms::primary;
 use crate::algorithms::visible::Bvh;
 use crate::color::Rgb;
-use crate::methods::wireframe::Wireframe;
-use crate::methods::{Draw, RayMethod, Setup, ShadingMethod, Visitor};
+use crate::methods::{Draw, RayMethod, Setup, ShadingMethod, Visitor, Wireframe};
 use crate::record::Unrecorded;
 use crate::scene::Needs;
 use std::convert::Infallible;
@@ -162,7 +162,8 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Visitor for Paint<'_,
         };
         match &light {
             Some((enclosure, light)) => {
-                let (view, samples) = (&setup.prepared.view, setup.settings.rays.samples);
+                let primary::Settings { samples, .. } = setup.settings.get();
+                let view = &setup.prepared.view;
                 let view = PatchView::new(view, samples, enclosure, &light.radiosity);
                 painter.pixels(|x, y| view.pixel(x, y))
             }

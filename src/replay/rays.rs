@@ -55,7 +55,7 @@ impl State {
     pub fn new(setup: &Setup) -> Self {
         let prepared = setup.prepared.clone();
         State {
-            depth: setup.settings.rays.depth,
+            depth: setup.settings.get::<primary::Settings>().depth,
             canvas: Canvas::blank(&prepared),
             around_eye: media::around_eye(&prepared).into(),
             prepared,

@@ -6,11 +6,10 @@ use super::{Fold, Replay, Timeline, Walk, form_factor, radiosity, rays, shading,
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::algorithms::shading::Shading;
+use crate::algorithms::shading::{Shading, ShadingEvent};
 use crate::algorithms::visible::BruteForce;
 use crate::methods;
-use crate::methods::wireframe::Wireframe;
-use crate::methods::{Draw, Method, RayMethod, Setup, ShadingEvent, ShadingMethod, Visitor};
+use crate::methods::{Draw, Method, RayMethod, Setup, ShadingMethod, Visitor, Wireframe};
 use crate::record::{Event, Recording, RecordingLimit};
 use crate::render::matrix;
 use crate::vocabulary::Declared;

@@ -9,10 +9,9 @@ pub use super::current::{
 };
 use crate::algorithms::prepared_scene::{self, PreparedScene};
 use crate::algorithms::scan_line::{Named, Names};
-use crate::algorithms::shading::Event;
+use crate::algorithms::shading::{Event, ShadingEvent};
 use crate::algorithms::{scan_line, vertex_normal};
 use crate::color::Rgb;
-use crate::methods::ShadingEvent;
 use crate::record::Value;
 use glam::DVec3;
 use std::sync::Arc;

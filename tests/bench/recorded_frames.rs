@@ -14,6 +14,7 @@ use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::frame::Frame;
 use lightwalk::algorithms::gouraud::{Event, gouraud};
 use lightwalk::algorithms::prepared_scene::PreparedScene;
+use lightwalk::algorithms::shading::ShadedScene;
 use lightwalk::record::{Recording, RecordingLimit, Unrecorded};
 use lightwalk::render::Method;
 use lightwalk::replay::Run;
@@ -31,7 +32,12 @@ fn frame(prepared: &PreparedScene) -> Frame {
 
 fn unrecorded(prepared: &PreparedScene) -> Frame {
     let mut frame = frame(prepared);
-    gouraud(prepared, Focus::Frame, &mut frame, &mut Unrecorded);
+    gouraud(
+        &ShadedScene::of(prepared),
+        Focus::Frame,
+        &mut frame,
+        &mut Unrecorded,
+    );
     frame
 }
 
@@ -45,7 +51,12 @@ fn no_recorder(prepared: &PreparedScene) -> Frame {
 fn recorded(prepared: &PreparedScene) -> usize {
     let mut recording = Recording::new(RecordingLimit::default());
     let mut frame = frame(prepared);
-    gouraud(prepared, Focus::Frame, &mut frame, &mut recording);
+    gouraud(
+        &ShadedScene::of(prepared),
+        Focus::Frame,
+        &mut frame,
+        &mut recording,
+    );
     black_box(frame);
     recording.len()
 }

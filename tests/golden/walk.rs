@@ -1,5 +1,6 @@
 //! A lesson with all that its panels need, for a walk through its narrated steps.
 
+use lightwalk::algorithms::enclosure;
 use lightwalk::lesson::{OpenLesson, builtin};
 use lightwalk::panels::strings::Language;
 use lightwalk::panels::{Panel, PanelInput, TreeView, draw};
@@ -62,6 +63,7 @@ impl Walk {
         shrink: f32,
     ) -> Picture {
         self.open.run.walk_mut().seek(self.narrated[index]);
+        let radiosity: enclosure::Settings = self.open.setup.settings.get();
         let input = PanelInput {
             run: &self.open.run,
             finished: &self.finished,
@@ -70,13 +72,7 @@ impl Walk {
             narrated: &self.narrated,
             breakpoints: &[],
             tree: TreeView::whole(),
-            smooth: self
-                .open
-                .setup
-                .settings
-                .radiosity
-                .smooth
-                .then_some(smooth_patches),
+            smooth: radiosity.smooth.then_some(smooth_patches),
         };
         let size = if panel == Panel::TimeLine {
             (800.0 / shrink, 130.0 / shrink)

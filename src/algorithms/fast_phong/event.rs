@@ -1,7 +1,7 @@
 //! The events of Fast Phong shading.
 
 use super::listing::FastPhong;
-use crate::algorithms::shading;
+use crate::algorithms::shading::{self, ShadingEvent};
 use crate::algorithms::{illumination, prepared_scene, scan_line, texture, vertex_normal};
 use crate::color::Rgb;
 use crate::numeric::{Differences, Quadratic};
@@ -78,6 +78,18 @@ pub enum Event {
     },
     /// Closes `Triangle`.
     TriangleDone,
+}
+
+impl ShadingEvent for Event {
+    type Shading = FastPhong;
+
+    /// All but the series.
+    fn shading(&self) -> Option<&shading::Event<FastPhong>> {
+        match self {
+            Event::Shading(event) => Some(event),
+            _ => None,
+        }
+    }
 }
 
 const _: () = assert!(size_of::<Event>() <= 64);

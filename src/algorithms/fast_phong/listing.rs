@@ -2,6 +2,7 @@
 
 use crate::algorithms::shading::Shading;
 use crate::record::Listing;
+use crate::scene::Part;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "Fast Phong",
@@ -55,7 +56,10 @@ pub static PSEUDOCODE: Listing = Listing {
 pub enum FastPhong {}
 
 impl Shading for FastPhong {
+    const NAME: &'static str = "fast-phong";
+    const LISTING: &'static Listing = &PSEUDOCODE;
+    /// Its series includes the highlight, whatever the material.
+    const PARTS: &'static [Part] = &[Part::TextureCoordinates];
     /// Nothing is interpolated: the cosines follow from their series.
     type Recorded = ();
-    const LISTING: &'static Listing = &PSEUDOCODE;
 }

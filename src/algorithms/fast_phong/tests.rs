@@ -1,5 +1,6 @@
 use super::*;
 use crate::algorithms::phong::phong;
+use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::scan_line::Pixel;
 use crate::color::Rgb;
 use crate::numeric::{LinearNormal, Quadratic};
@@ -116,7 +117,7 @@ fn draw<R: Recorder<Event>>(prepared: &PreparedScene, focus: Focus, recorder: &m
         0..prepared.view.height,
         prepared.scene.background,
     );
-    fast_phong(prepared, focus, &mut frame, recorder);
+    fast_phong(&ShadedScene::of(prepared), focus, &mut frame, recorder);
     frame
 }
 
@@ -195,7 +196,12 @@ fn far_from_light_and_eye_it_is_near_phongs_picture() {
     let prepared = prepared(json, 160, 160);
     let fast = draw(&prepared, Focus::Frame, &mut Unrecorded);
     let mut exact = Frame::new(160, 0..160, Rgb::BLACK);
-    phong(&prepared, Focus::Frame, &mut exact, &mut Unrecorded);
+    phong(
+        &ShadedScene::of(&prepared),
+        Focus::Frame,
+        &mut exact,
+        &mut Unrecorded,
+    );
     // On the outline Phong turns N pixel by pixel, where it points away from the eye by a little; a triangle is turned once.
     let seen = |x: u32, y: u32| exact.inverse_depth[exact.index(x, y)] > 0.0;
     let (mut turned, mut largest) = (0, 0_f64);

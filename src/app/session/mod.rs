@@ -20,6 +20,7 @@ pub use playing::Direction;
 pub use question::read_number;
 pub use study::{Outcome, Studying};
 
+use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
@@ -184,7 +185,8 @@ impl Session {
     fn start_over(&mut self) {
         self.recording += 1;
         self.look.inspector = self.open.lesson.panels.contains(&Panel::Inspector);
-        self.look.smooth = self.open.setup.settings.radiosity.smooth;
+        let radiosity: enclosure::Settings = self.open.setup.settings.get();
+        self.look.smooth = radiosity.smooth;
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
         self.standings = vec![Standing::Open; self.narrated.len()];
         self.breakpoints.clear();

@@ -101,12 +101,12 @@ fn the_axis_spans_the_iterations_that_are_looked_at() {
     let shares = |focus, ks: [f64; 2]| {
         let mut fixture = Fixture::room(Solver::Shooting, focus);
         fixture.go_to("IterationDone", 2);
-        let Run::Radiosity(setup, replay) = &fixture.run else {
+        let Run::Radiosity(_, replay) = &fixture.run else {
             panic!("the sample is a room");
         };
         let whole = Rect::new(0.0, 0.0, SIZE.x, SIZE.y);
-        let tolerance = setup.settings.radiosity.stop.tolerance;
         let input = fixture.input();
+        let tolerance = input.run.enclosure().unwrap().settings.stop.tolerance;
         let iterations = Iterations::new(tolerance, replay.state(), &input, whole);
         ks.map(|k| iterations.plot.x.scale.share(k))
     };

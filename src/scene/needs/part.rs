@@ -49,19 +49,6 @@ impl Part {
             _ => "objects",
         }
     }
-
-    /// Whether ray casting, which follows primary rays only, would have done it.
-    pub fn concerns_primary_rays(self) -> bool {
-        matches!(
-            self,
-            Part::TextureCoordinates | Part::Highlights | Part::LightBalls
-        )
-    }
-
-    /// Whether it belongs to the exchange of light between patches.
-    pub fn concerns_patches(self) -> bool {
-        self as u16 >= Part::DarkChannels as u16
-    }
 }
 
 /// Some of the parts.

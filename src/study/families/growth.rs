@@ -9,6 +9,7 @@ use crate::algorithms::frame::Frame;
 use crate::algorithms::gouraud::{self, gouraud};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
+use crate::algorithms::shading::ShadedScene;
 use crate::language::Message;
 use crate::record::{Mark, Outline, Recording, RecordingLimit, Unrecorded};
 use crate::render::Method;
@@ -335,5 +336,10 @@ fn events(request: &Request) -> Result<Sweep, String> {
 fn draw(prepared: &PreparedScene, recorder: &mut impl crate::record::Recorder<gouraud::Event>) {
     let view = &prepared.view;
     let mut frame = Frame::new(view.width, 0..view.height, prepared.scene.background);
-    gouraud(prepared, Focus::Frame, &mut frame, recorder);
+    gouraud(
+        &ShadedScene::of(prepared),
+        Focus::Frame,
+        &mut frame,
+        recorder,
+    );
 }

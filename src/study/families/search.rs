@@ -80,7 +80,7 @@ fn curve<S: Search + 'static>(name: &str, stages: &[Rc<Setup>], search: S) -> Cu
 /// The picture by ray casting.
 fn cast(setup: &Setup, search: impl Search) -> Vec<f64> {
     let prepared = &setup.prepared;
-    let caster = RayCaster::new(prepared, setup.settings.rays, setup.needs(), search);
+    let caster = RayCaster::new(prepared, setup.settings.get(), setup.needs(), search);
     let pixels =
         (0..prepared.view.height).flat_map(|y| (0..prepared.view.width).map(move |x| (x, y)));
     pixels

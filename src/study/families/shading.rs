@@ -103,7 +103,7 @@ fn tessellated(scene: &Scene, camera: &Camera, size: [u32; 2], longitudes: u32) 
 fn truth(scene: &Scene, camera: &Camera, size: [u32; 2]) -> Result<Rc<[f64]>, String> {
     let setup = scenes::setup(scene.clone(), camera, size);
     let prepared = &setup.prepared;
-    let caster = RayCaster::new(prepared, setup.settings.rays, setup.needs(), Bvh);
+    let caster = RayCaster::new(prepared, setup.settings.get(), setup.needs(), Bvh);
     let mut truth = Vec::new();
     for y in 0..size[1] {
         for x in 0..size[0] {

@@ -23,7 +23,7 @@ fn traced(objects: &str, light: &str, search: impl Search) -> Frame {
     );
     let setup = Setup::new(prepared(&json, SIZE, SIZE), settings(5, 1));
     let mut frame = blank(&setup);
-    let tracer = RayTracer::new(&setup.prepared, setup.settings.rays, setup.needs(), search);
+    let tracer = RayTracer::new(&setup.prepared, setup.settings.get(), setup.needs(), search);
     ray_tracing(&tracer, Focus::Frame, &mut frame, &mut Unrecorded);
     frame
 }

@@ -29,7 +29,7 @@ fn depth_64_stays_far_from_the_end_of_the_stack() {
         let mut recording = Recording::new(RecordingLimit::default());
         let tracer = RayTracer::new(
             &setup.prepared,
-            setup.settings.rays,
+            setup.settings.get(),
             setup.needs(),
             BruteForce,
         );
@@ -50,7 +50,7 @@ fn a_tree_of_a_million_rays_is_recorded_within_its_limit() {
     let focus = Focus::Pixel { x: 4, y: 4 };
     let tracer = RayTracer::new(
         &setup.prepared,
-        setup.settings.rays,
+        setup.settings.get(),
         setup.needs(),
         BruteForce,
     );

@@ -25,14 +25,14 @@ fn blank(setup: &Setup) -> Frame {
 
 fn traced(setup: &Setup, needs: &Needs, search: impl Search) -> Frame {
     let mut frame = blank(setup);
-    let tracer = RayTracer::new(&setup.prepared, setup.settings.rays, needs, search);
+    let tracer = RayTracer::new(&setup.prepared, setup.settings.get(), needs, search);
     ray_tracing(&tracer, Focus::Frame, &mut frame, &mut Unrecorded);
     frame
 }
 
 fn cast(setup: &Setup, needs: &Needs, search: impl Search) -> Frame {
     let mut frame = blank(setup);
-    let caster = RayCaster::new(&setup.prepared, setup.settings.rays, needs, search);
+    let caster = RayCaster::new(&setup.prepared, setup.settings.get(), needs, search);
     ray_casting(&caster, Focus::Frame, &mut frame, &mut Unrecorded);
     frame
 }

@@ -1,9 +1,11 @@
 use super::super::{Command, Session};
 use super::*;
 use crate::algorithms::focus::Focus;
+use crate::algorithms::primary;
 use crate::color::Rgb;
 use crate::lesson::Coefficient;
 use crate::lesson::{Answer, Lesson, builtin};
+use crate::methods::Setup;
 use crate::panels::strings::Language;
 use crate::panels::{Panel, draw};
 use crate::picture::Picture;
@@ -77,7 +79,8 @@ fn a_moved_light_is_seen_in_picture_run_and_narration_at_the_same_step() {
     };
     *position = THERE;
     let open = lit.open().unwrap();
-    assert_eq!(session.open.setup.settings, open.setup.settings);
+    let rays = |setup: &Setup| setup.settings.get::<primary::Settings>();
+    assert_eq!(rays(&session.open.setup), rays(&open.setup));
     let rendered = render(
         &open.setup,
         open.lesson.method,
