@@ -3,7 +3,9 @@
 //! Right-handed coordinates, any length unit; angles in radians here, in degrees in files; colours in linear RGB.
 
 mod camera;
+mod division;
 pub mod document;
+mod even_odd;
 mod file;
 mod mesh;
 mod mesh_file;

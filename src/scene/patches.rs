@@ -354,21 +354,21 @@ fn triangles(mesh: &Mesh) -> Vec<[DVec3; 3]> {
         .collect()
 }
 
-/// A planar convex polygon as it is, any other as triangles.
+/// The planar convex faces of a polygon as they are, any others as triangles.
 fn convex_pieces(corners: &[DVec3]) -> Vec<Vec<DVec3>> {
-    let face: Vec<u32> = (0..corners.len() as u32).collect();
-    let mesh = Mesh::new(corners, [face], &[]);
-    if mesh.face_count() == 0 {
-        return Vec::new();
+    let mesh = tessellation::polygon(corners);
+    let mut pieces = Vec::new();
+    for face in 0..mesh.face_count() {
+        let polygon = Polygon::of_face(&mesh, face);
+        let corners = corners_of(&mesh, face);
+        if polygon.is_planar() && polygon.is_convex() {
+            pieces.push(corners);
+        } else {
+            let triangles = polygon.triangles().into_iter();
+            pieces.extend(triangles.map(|triangle| triangle.map(|i| corners[i as usize]).to_vec()));
+        }
     }
-    let polygon = Polygon::of_face(&mesh, 0);
-    if polygon.is_planar() && polygon.is_convex() {
-        return vec![corners_of(&mesh, 0)];
-    }
-    triangles(&mesh)
-        .into_iter()
-        .map(|triangle| triangle.to_vec())
-        .collect()
+    pieces
 }
 
 /// Of a planar polygon: its area along its normal, taken from the first corner, so that it stays exact far from the origin.

@@ -1,5 +1,6 @@
 //! Polygons for the scan-line methods: every object but the infinite planes as a mesh.
 
+use super::division::divided;
 use super::{Mesh, Object, Scene, Shape};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
@@ -23,7 +24,7 @@ impl Tessellation {
         let polygons = |object: &Object| match &object.shape {
             Shape::Sphere { .. } => 2 * u64::from(object.divisions).pow(2),
             Shape::Plane { .. } => 0,
-            Shape::Polygon { .. } => 1,
+            Shape::Polygon { vertices } => polygon(vertices).face_count() as u64,
             Shape::Cylinder { capped, .. } => u64::from(CYLINDER_SIDES) + 2 * u64::from(*capped),
             Shape::Bezier { patches, divisions } => {
                 patches.len() as u64 * u64::from(*divisions).pow(2)
@@ -77,10 +78,7 @@ pub(super) fn mesh_of(shape: &Shape, divisions: u32) -> Mesh {
     match shape {
         Shape::Sphere { center, radius } => sphere(*center, *radius, [2 * divisions, divisions]),
         Shape::Plane { .. } => Mesh::default(),
-        Shape::Polygon { vertices } => {
-            let face: Vec<u32> = (0..vertices.len() as u32).collect();
-            Mesh::new(vertices, [face], &[])
-        }
+        Shape::Polygon { vertices } => polygon(vertices),
         Shape::Cylinder {
             base,
             axis,
@@ -91,6 +89,14 @@ pub(super) fn mesh_of(shape: &Shape, divisions: u32) -> Mesh {
         Shape::Bezier { patches, divisions } => bezier(patches, *divisions),
         Shape::Mesh(mesh) => mesh.clone(),
     }
+}
+
+/// The one face of a polygon, divided where it is not planar or crosses itself.
+pub(super) fn polygon(vertices: &[DVec3]) -> Mesh {
+    let face: Vec<u32> = (0..vertices.len() as u32).collect();
+    let mesh = Mesh::new(vertices, [face], &[]);
+    // A polygon that cannot be divided is refused where scenes are read.
+    divided(mesh.clone()).map_or(mesh, |divided| divided.mesh)
 }
 
 /// The poles on the y axis; longitudes from z toward x, latitudes from the north pole (+y) down. Faces latitude by latitude.

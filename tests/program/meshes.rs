@@ -56,3 +56,81 @@ fn a_file_of_another_kind_is_called_by_its_name() {
         "{message}"
     );
 }
+
+/// The pixels of a picture that are not of the background's colour.
+fn drawn(folder: &TempDir, scene: &str, method: &str) -> Vec<bool> {
+    let render = format!("render {scene} --method {method} --size 80x60 --out a.pfm");
+    succeeded(folder.path(), &render);
+    let file = fs::read(folder.path().join("a.pfm")).unwrap();
+    let colors = file[file.len() - 80 * 60 * 12..].chunks_exact(12);
+    let background: [f32; 3] = match method {
+        "radiosity" => [0.0; 3],
+        _ => [0.2, 0.3, 0.5],
+    };
+    let background: Vec<u8> = background.iter().flat_map(|x| x.to_le_bytes()).collect();
+    colors.map(|color| color != background).collect()
+}
+
+/// Faces that are not planar, seen aslant, and faces that cross themselves: in a mesh and as a polygon.
+#[test]
+fn every_method_draws_the_same_pixels_of_any_face() {
+    let hexagon: [[f64; 3]; 6] = std::array::from_fn(|i| {
+        let (sin, cos) = (1.0 + i as f64 * std::f64::consts::FRAC_PI_3).sin_cos();
+        [cos, sin, if i % 2 == 0 { 0.5 } else { -0.5 }]
+    });
+    let pentagram: [[f64; 3]; 5] = std::array::from_fn(|i| {
+        let (sin, cos) = (0.1 + 2.0 * i as f64 * std::f64::consts::TAU / 5.0).sin_cos();
+        [cos, sin, 0.2 * sin]
+    });
+    let bow_tie = [
+        [-1.0, 0.95, 0.0],
+        [1.0, -1.0, 0.1],
+        [1.0, 1.0, 0.1],
+        [-1.0, -0.9, 0.0],
+    ];
+    let bent = [
+        [-1.0, -1.0, 0.0],
+        [1.0, -1.0, 1.5],
+        [1.0, 1.0, 0.0],
+        [-1.0, 1.0, 1.5],
+    ];
+    let material =
+        r#""m": { "ambient": [0.1, 0.1, 0.1], "diffuse": [0.6, 0.5, 0.4], "emission": [1, 1, 1] }"#;
+    for face in [&hexagon[..], &pentagram, &bow_tie, &bent] {
+        let lines: String = face
+            .iter()
+            .map(|[x, y, z]| format!("v {x} {y} {z}\n"))
+            .collect();
+        let indices: String = (1..=face.len()).map(|i| format!(" {i}")).collect();
+        let folder = folder_with(format!("{lines}f{indices}\n").as_bytes());
+        let polygon = format!("\"polygon\": {{ \"vertices\": {face:?} }}");
+        let mesh = "\"mesh\": { \"file\": \"mesh.obj\" }";
+        for (name, shape) in [("mesh.json", mesh), ("polygon.json", &polygon)] {
+            let scene = SCENE
+                .replace(mesh, shape)
+                .replace("[2.5, 2, 4]", "[2.5, 0.5, 2.3]");
+            let material_at =
+                scene.find("\"m\":").unwrap()..scene.find(" },\n  \"objects\"").unwrap();
+            let scene = scene.replace(&scene[material_at], material);
+            fs::write(folder.path().join(name), scene).unwrap();
+        }
+        let expected = drawn(&folder, "mesh.json", "flat");
+        let area = expected.iter().filter(|&&is_drawn| is_drawn).count();
+        assert!(area > 200, "{area}");
+        for method in [
+            "gouraud",
+            "phong",
+            "fast-phong",
+            "exact",
+            "ray-casting",
+            "ray-tracing",
+            "radiosity",
+        ] {
+            for scene in ["mesh.json", "polygon.json"] {
+                let found = drawn(&folder, scene, method);
+                let off = found.iter().zip(&expected).filter(|(a, b)| a != b).count();
+                assert_eq!(off, 0, "{method} of {scene} {face:?}");
+            }
+        }
+    }
+}

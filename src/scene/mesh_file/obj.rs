@@ -271,7 +271,7 @@ impl Reader {
                 "face of fewer than three corners",
                 "faces of fewer than three corners",
             ],
-            "they are left out: they have no area",
+            "left out, having no area",
         );
         remark(
             uvs.missing,
@@ -305,7 +305,7 @@ impl Reader {
                 "vertex with a fourth number",
                 "vertices with a fourth number",
             ],
-            "it is left out: a weight is for rational curves and surfaces",
+            "left out: a weight is for rational curves and surfaces",
         );
         remark(
             self.colors,

@@ -2,10 +2,13 @@
 
 use super::super::Mesh;
 use earcut::Earcut;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// How far corners may lie off their plane, as a share of the polygon's extent, to be in it but for rounding.
 pub(super) const PLANAR: f64 = 1e-10;
+
+/// The same for polygons whose corners were written with few digits: those are drawn as one polygon.
+const NEARLY_PLANAR: f64 = 1e-4;
 
 /// The corners of a polygon, and the plane through them.
 pub(in crate::scene) struct Polygon {
@@ -27,8 +30,11 @@ pub fn triangles(mesh: &Mesh, face: usize) -> Vec<[u32; 3]> {
 
 impl Polygon {
     pub fn of_face(mesh: &Mesh, face: usize) -> Self {
-        let corners: Vec<DVec3> = mesh.face(face).iter().map(|&v| mesh.position(v)).collect();
-        let normal = mesh.normal(face);
+        let corners = mesh.face(face).iter().map(|&v| mesh.position(v)).collect();
+        Polygon::new(corners, mesh.normal(face))
+    }
+
+    fn new(corners: Vec<DVec3>, normal: DVec3) -> Self {
         let furthest = |distance: &dyn Fn(DVec3) -> f64| {
             let distances = corners.iter().map(|&corner| distance(corner - corners[0]));
             distances.fold(0.0, f64::max)
@@ -41,8 +47,56 @@ impl Polygon {
         }
     }
 
+    /// The same in a plane across another unit vector.
+    pub fn with_normal(self, normal: DVec3) -> Self {
+        Polygon::new(self.corners, normal)
+    }
+
+    /// The unit normal of the plane that the polygon lies in: also where it crosses itself, so that the parts of its area cancel out. The front
+    /// is then where its first turn is counter-clockwise. None where all corners lie on a line.
+    pub fn facing(&self) -> Option<DVec3> {
+        let places = || {
+            self.corners
+                .iter()
+                .map(|&corner| (corner - self.corners[0]) / self.extent)
+        };
+        let longest = |a: DVec3, b: DVec3| {
+            if b.length_squared() > a.length_squared() {
+                b
+            } else {
+                a
+            }
+        };
+        let far = places().fold(DVec3::ZERO, longest);
+        let widest = places()
+            .map(|place| far.cross(place))
+            .fold(DVec3::ZERO, longest);
+        if widest.length() < PLANAR {
+            return None;
+        }
+        let places: Vec<DVec3> = places().collect();
+        let area: DVec3 = places.windows(2).map(|pair| pair[0].cross(pair[1])).sum();
+        if area.length() > 0.05 * widest.length() {
+            return Some(area.normalize());
+        }
+        let turns = places
+            .windows(3)
+            .map(|at| (at[1] - at[0]).cross(at[2] - at[1]));
+        let first_turn = turns
+            .map(|turn| turn.dot(widest))
+            .find(|turn| turn.abs() > PLANAR);
+        let front = [area.dot(widest), first_turn.unwrap_or(1.0)]
+            .into_iter()
+            .find(|side| side.abs() > PLANAR);
+        Some(widest.normalize() * front.unwrap_or(1.0).signum())
+    }
+
     pub fn is_planar(&self) -> bool {
         self.normal != DVec3::ZERO && self.off_plane <= PLANAR * self.extent
+    }
+
+    pub fn is_nearly_planar(&self) -> bool {
+        self.normal != DVec3::ZERO && self.off_plane <= NEARLY_PLANAR * self.extent
     }
 
     /// Triangles by corner, in the sense of the polygon.
@@ -57,7 +111,7 @@ impl Polygon {
         };
         match self.corners.len() {
             3 => fan(),
-            4 if self.is_planar() && (self.is_reflex(1) || self.is_reflex(3)) => {
+            4 if self.is_nearly_planar() && (self.is_reflex(1) || self.is_reflex(3)) => {
                 vec![[1, 2, 3], [1, 3, 0]]
             }
             4 => fan(),
@@ -71,9 +125,48 @@ impl Polygon {
         }
     }
 
-    /// Whether the polygon turns one way at all corners.
+    /// Whether the polygon turns one way at all corners, and once in all.
     pub fn is_convex(&self) -> bool {
-        (0..self.corners.len()).all(|corner| !self.is_reflex(corner))
+        (0..self.corners.len()).all(|corner| !self.is_reflex(corner)) && self.turns_once()
+    }
+
+    /// Of a polygon without a reflex corner, whether it turns by 360° in all: it then runs forward once and back once, along both axes.
+    fn turns_once(&self) -> bool {
+        let flat = self.flattened();
+        [0, 1].into_iter().all(|axis| {
+            let steps = (0..flat.len()).map(|i| flat[(i + 1) % flat.len()][axis] - flat[i][axis]);
+            let mut forward = steps.filter(|&step| step != 0.0).map(|step| step > 0.0);
+            let Some(first) = forward.next() else {
+                return true;
+            };
+            let (changes, last) = forward.fold((0, first), |(changes, before), now| {
+                (changes + u32::from(before != now), now)
+            });
+            changes + u32::from(first != last) <= 2
+        })
+    }
+
+    /// Whether it does not cross itself, as far as its turns alone can say.
+    pub fn is_surely_simple(&self) -> bool {
+        let reflex = || (0..self.corners.len()).filter(|&corner| self.is_reflex(corner));
+        match self.corners.len() {
+            4 => reflex().count() < 2,
+            _ => self.is_convex(),
+        }
+    }
+
+    /// The corners in the coordinate plane that the polygon faces most, from the first, in units of the extent, counter-clockwise.
+    pub fn flattened(&self) -> Vec<DVec2> {
+        let drop = self.normal.abs().max_position();
+        let [x, y] = match self.normal[drop] >= 0.0 {
+            true => [(drop + 1) % 3, (drop + 2) % 3],
+            false => [(drop + 2) % 3, (drop + 1) % 3],
+        };
+        self.corners
+            .iter()
+            .map(|&corner| (corner - self.corners[0]) / self.extent)
+            .map(|corner| DVec2::new(corner[x], corner[y]))
+            .collect()
     }
 
     /// Whether the polygon turns the other way at a corner.
@@ -89,14 +182,7 @@ impl Polygon {
 
     /// By `earcut`, in the coordinate plane that the polygon faces most.
     fn ears(&self) -> Vec<[u32; 3]> {
-        let drop = self.normal.abs().max_position();
-        let (x, y) = ((drop + 1) % 3, (drop + 2) % 3);
-        let flat: Vec<[f64; 2]> = self
-            .corners
-            .iter()
-            .map(|&corner| (corner - self.corners[0]) / self.extent)
-            .map(|corner| [corner[x], corner[y]])
-            .collect();
+        let flat: Vec<[f64; 2]> = self.flattened().iter().map(DVec2::to_array).collect();
         let mut indices: Vec<u32> = Vec::new();
         Earcut::new().earcut_slice(&flat, &[], &mut indices);
         let area = |[a, b, c]: [u32; 3]| {

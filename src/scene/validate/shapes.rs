@@ -2,6 +2,7 @@
 
 use super::objects::{Division, Objects};
 use super::rules::{COORDINATE, LARGEST, LENGTH, SMALLEST};
+use crate::scene::division::divided;
 use crate::scene::document::{Keyed, Place};
 use crate::scene::file::{
     BezierFile, CylinderFile, MeshFile, PlaneFile, PolygonFile, SphereFile, TransformFile,
@@ -13,8 +14,9 @@ use crate::scene::{Mesh, Shape};
 use glam::{DAffine3, DMat3, DVec3};
 use std::rc::Rc;
 
-/// How far the vertices of a polygon may lie off their mean plane, as a share of its extent.
-const NEARLY_PLANAR: f64 = 0.05;
+/// Why faces are noted that cross themselves, or are not planar.
+const EVEN_ODD: &str = "filled by the even-odd rule";
+const TRIANGLES: &str = "divided into triangles";
 
 impl Objects<'_, '_> {
     pub fn sphere(&mut self, place: &Place, file: &SphereFile) -> (Shape, Division) {
@@ -45,27 +47,38 @@ impl Objects<'_, '_> {
             self.check.refuse(place, message);
             return None;
         }
-        let Some(normal) = normal_of(&vertices) else {
+        let face: Vec<u32> = (0..count as u32).collect();
+        let divided = match divided(Mesh::new(&vertices, [face], &[])) {
+            Ok(divided) => divided,
+            Err(message) => {
+                self.check.refuse(place, message);
+                return None;
+            }
+        };
+        let has_area = match divided.bent + divided.crossing {
+            0 => has_area(&vertices),
+            _ => divided.mesh.face_count() > 0,
+        };
+        if !has_area {
             self.check.refuse(
                 place,
                 "found vertices on one line, or a turn that undoes itself; a polygon has an area"
                     .into(),
             );
             return None;
-        };
-        let off_plane = distance_off_plane(&vertices, normal);
-        if count > 4 && off_plane > NEARLY_PLANAR {
-            let message = format!(
-                "found vertices that lie off their mean plane by {:.0} % of the polygon's size; a polygon of more than 4 vertices is planar or nearly so (up to {:.0} %)",
-                100.0 * off_plane,
-                100.0 * NEARLY_PLANAR
-            );
-            self.check.refuse(place, message);
-            return None;
+        }
+        if divided.crossing > 0 {
+            self.check
+                .note(place, "a polygon that crosses itself", EVEN_ODD);
+        }
+        if divided.bent > 0 && count > 4 {
+            self.check
+                .note(place, "a polygon that is not planar", TRIANGLES);
         }
         let division = match count {
             3 => Division::Triangles(1),
-            4 => Division::Quadrilateral,
+            4 if divided.crossing == 0 => Division::Quadrilateral,
+            4 => Division::Never("a polygon that crosses itself"),
             _ => Division::Never("a polygon of more than 4 vertices"),
         };
         Some((Shape::Polygon { vertices }, division))
@@ -143,7 +156,8 @@ impl Objects<'_, '_> {
 
         let mesh_place = &object.key("mesh");
         let place = &mesh_place.key("file");
-        let data = self.mesh_data(place, &file.file);
+        let is_new = !self.meshes.contains_key(&file.file);
+        let data = self.mesh_data(&file.file);
         let data = match &*data {
             Ok(data) => data,
             Err(message) => {
@@ -155,6 +169,40 @@ impl Objects<'_, '_> {
             return None;
         }
         let mesh = data.mesh(&to_world);
+        let lost = data.face_count() - mesh.face_count();
+        let divided = match divided(mesh) {
+            Ok(divided) => divided,
+            Err(message) => {
+                let message = format!("in {:?}: {message}", file.file);
+                self.check.refuse(place, message);
+                return None;
+            }
+        };
+        if is_new {
+            for remark in &data.remarks {
+                self.check.note(place, &*remark.what, remark.why);
+            }
+            for (count, which, why) in [
+                (
+                    lost,
+                    "fewer than three different corners",
+                    "left out, having no area",
+                ),
+                (
+                    divided.bent,
+                    "corners that do not lie in a plane",
+                    TRIANGLES,
+                ),
+                (divided.crossing, "a border that crosses itself", EVEN_ODD),
+            ] {
+                if count > 0 {
+                    let faces = if count == 1 { "face" } else { "faces" };
+                    self.check
+                        .note(place, format!("{count} {faces} with {which}"), why);
+                }
+            }
+        }
+        let mesh = divided.mesh;
         if mesh.face_count() == 0 {
             let message = format!(
                 "found no face in {:?} with three corners at different places; a mesh needs at least one",
@@ -170,7 +218,9 @@ impl Objects<'_, '_> {
             );
             return None;
         }
-        Some((Shape::Mesh(mesh), Division::Triangles(data.triangles())))
+        let triangles = (0..mesh.face_count()).map(|face| mesh.face(face).len() as u64 - 2);
+        let division = Division::Triangles(triangles.sum());
+        Some((Shape::Mesh(mesh), division))
     }
 
     fn points(&mut self, place: &Place, written: &[Triple]) -> Vec<DVec3> {
@@ -201,8 +251,8 @@ impl Objects<'_, '_> {
         DAffine3::from_mat3_translation(rotation * scale, translate)
     }
 
-    /// What the mesh file at this path holds; each is read once, and what it says without effect is noted where it is first named.
-    fn mesh_data(&mut self, place: &Place, path: &str) -> Rc<Result<MeshData, String>> {
+    /// What the mesh file at this path holds; each is read once.
+    fn mesh_data(&mut self, path: &str) -> Rc<Result<MeshData, String>> {
         if let Some(data) = self.meshes.get(path) {
             return data.clone();
         }
@@ -215,21 +265,18 @@ impl Objects<'_, '_> {
             .and_then(|bytes| {
                 MeshData::read(&bytes, max_triangles).map_err(|why| format!("in {path:?}: {why}"))
             });
-        for remark in data.iter().flat_map(|data| &data.remarks) {
-            self.check.note(place, &*remark.what, remark.why);
-        }
         let data = Rc::new(data);
         self.meshes.insert(path.to_owned(), data.clone());
         data
     }
 }
 
-/// The unit normal of a polygon, unless its area is within what the rounding of its coordinates can make up.
-fn normal_of(vertices: &[DVec3]) -> Option<DVec3> {
+/// Whether the area of a polygon is more than the rounding of its coordinates can make up.
+fn has_area(vertices: &[DVec3]) -> bool {
     let origin = vertices[0];
     let size = extent(vertices);
     if size < SMALLEST {
-        return None;
+        return false;
     }
     let furthest = vertices
         .iter()
@@ -239,16 +286,7 @@ fn normal_of(vertices: &[DVec3]) -> Option<DVec3> {
         .windows(2)
         .map(|pair| ((pair[0] - origin) / size).cross((pair[1] - origin) / size))
         .sum();
-    (area.length() > 4.0 * f64::EPSILON * (furthest / size)).then(|| area.normalize())
-}
-
-/// The largest distance of a vertex from the plane through the mean of all, as a share of the extent.
-fn distance_off_plane(vertices: &[DVec3], normal: DVec3) -> f64 {
-    let origin = vertices[0];
-    let size = extent(vertices);
-    let heights = || vertices.iter().map(|&v| ((v - origin) / size).dot(normal));
-    let mean = heights().sum::<f64>() / vertices.len() as f64;
-    heights().map(|h| (h - mean).abs()).fold(0.0, f64::max)
+    area.length() > 4.0 * f64::EPSILON * (furthest / size)
 }
 
 /// The largest difference of a coordinate from that of the first vertex.
