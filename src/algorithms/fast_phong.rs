@@ -63,11 +63,11 @@ pub fn fast_phong<R: Recorder<Event>>(
         let texture = scene.texture(&polygon);
         let uvs = texture.as_ref().map_or(&[][..], PolygonTexture::corners);
         corners.clear();
-        for (number, (vertex, place)) in polygon.corners().enumerate() {
+        for (corner, (_, place)) in polygon.corners().enumerate() {
             let normal = cache
-                .at(&polygon, vertex)
-                .get_or_insert_with(|| find_normal::<FastPhong, _>(vertex, &polygon, recorder));
-            let uv = uvs.get(number).copied().unwrap_or_default();
+                .at(&polygon, corner)
+                .get_or_insert_with(|| find_normal::<FastPhong, _>(corner, &polygon, recorder));
+            let uv = uvs.get(corner).copied().unwrap_or_default();
             corners.push(Corner {
                 position: place.camera,
                 value: (*normal, uv),

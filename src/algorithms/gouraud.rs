@@ -60,10 +60,10 @@ pub fn gouraud<R: Recorder<Event>>(
 
         // The intensity at each vertex, once for all the polygons that share it
         intensities.clear();
-        for (vertex, _) in polygon.corners() {
+        for corner in 0..polygon.corner_count() {
             let intensity = cache
-                .at(&polygon, vertex)
-                .get_or_insert_with(|| light_vertex(vertex, &polygon, eye, lighting, recorder));
+                .at(&polygon, corner)
+                .get_or_insert_with(|| light_vertex(corner, &polygon, eye, lighting, recorder));
             intensities.push(*intensity);
         }
 
@@ -98,15 +98,16 @@ pub fn gouraud<R: Recorder<Event>>(
 
 /// I_v: the illumination model at a vertex, with the mean normal of the faces around it.
 fn light_vertex<R: Recorder<Event>>(
-    vertex: u32,
+    corner: usize,
     polygon: &Polygon,
     eye: DVec3,
     lighting: &Lighting,
     recorder: &mut R,
 ) -> Intensity {
+    let vertex = polygon.mesh.face(polygon.face)[corner];
     let position = polygon.mesh.position(vertex);
     recorder.enter(|| Event::Vertex { vertex, position });
-    let normal = vertex_normal(polygon.mesh, vertex, recorder);
+    let normal = vertex_normal(polygon.corner(corner), polygon.vertex_normals, recorder);
     let point = SurfacePoint::seen_from(eye, position, normal, polygon.material);
     let intensity = illuminate(&point, lighting, recorder, |_, _| true);
     recorder.leave(|| Event::VertexLit {

@@ -85,10 +85,10 @@ pub(super) fn light_pixels<M: PixelLighting, R: Recorder<shading::Event<M>>>(
 
         // The normal at each vertex, once for all the polygons that share it
         normals.clear();
-        for (vertex, _) in polygon.corners() {
+        for corner in 0..polygon.corner_count() {
             let normal = cache
-                .at(&polygon, vertex)
-                .get_or_insert_with(|| find_normal::<M, _>(vertex, &polygon, recorder));
+                .at(&polygon, corner)
+                .get_or_insert_with(|| find_normal::<M, _>(corner, &polygon, recorder));
             normals.push(*normal);
         }
 
@@ -120,16 +120,17 @@ pub(super) fn light_pixels<M: PixelLighting, R: Recorder<shading::Event<M>>>(
 
 /// N_v: the mean normal of the faces around a vertex.
 pub(super) fn find_normal<M: Shading, E>(
-    vertex: u32,
+    corner: usize,
     polygon: &Polygon,
     recorder: &mut impl Recorder<E>,
 ) -> DVec3
 where
     E: From<shading::Event<M>> + From<vertex_normal::Event>,
 {
+    let vertex = polygon.mesh.face(polygon.face)[corner];
     let position = polygon.mesh.position(vertex);
     recorder.enter(|| shading::Event::Vertex { vertex, position }.into());
-    let normal = vertex_normal(polygon.mesh, vertex, recorder);
+    let normal = vertex_normal(polygon.corner(corner), polygon.vertex_normals, recorder);
     recorder.leave(|| shading::Event::VertexReady { vertex }.into());
     normal
 }

@@ -2,9 +2,10 @@
 
 use super::focus::{Focus, Region};
 use super::frame::Frame;
+use super::vertex_normal::FaceCorner;
 use crate::color::Rgb;
 use crate::scene::primitives::{self, Primitives};
-use crate::scene::{Light, Material, Mesh, Scene, Tessellation, View};
+use crate::scene::{Light, Material, Mesh, Scene, Tessellation, VertexNormals, View};
 use glam::{DVec2, DVec3};
 use std::sync::OnceLock;
 
@@ -49,6 +50,7 @@ pub struct Polygon<'a> {
     pub number: usize,
     pub mesh: &'a Mesh,
     pub material: &'a Material,
+    pub vertex_normals: VertexNormals,
     vertices: &'a [PreparedVertex],
 }
 
@@ -119,13 +121,15 @@ impl PreparedScene {
     /// Polygon `number`, counted from 0 over all objects.
     pub fn polygon(&self, number: usize) -> Option<Polygon<'_>> {
         let (object, face) = self.tessellation.locate(number)?;
-        let material = &self.scene.materials[self.scene.objects[object].material];
+        let whole = &self.scene.objects[object];
+        let material = &self.scene.materials[whole.material];
         Some(Polygon {
             object,
             face,
             number,
             mesh: &self.tessellation.meshes[object],
             material,
+            vertex_normals: whole.vertex_normals,
             vertices: &self.vertices[object],
         })
     }
@@ -190,6 +194,18 @@ impl<'a> Polygon<'a> {
             .face(self.face)
             .iter()
             .map(|&vertex| (vertex, vertices[vertex as usize]))
+    }
+
+    pub fn corner_count(&self) -> usize {
+        self.mesh.face(self.face).len()
+    }
+
+    pub fn corner(&self, corner: usize) -> FaceCorner<'a> {
+        FaceCorner {
+            mesh: self.mesh,
+            face: self.face,
+            corner,
+        }
     }
 
     /// Its division into triangles, by corner.

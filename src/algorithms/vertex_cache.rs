@@ -1,6 +1,8 @@
-//! What is computed once per vertex of an object, for all the polygons that share it.
+//! What is computed once per vertex of an object, for all the polygons that share it, or once per corner where each polygon has a
+//! vertex normal of its own.
 
 use super::prepared_scene::Polygon;
+use crate::scene::VertexNormals;
 
 pub struct VertexCache<V> {
     object: Option<usize>,
@@ -17,13 +19,23 @@ impl<V> Default for VertexCache<V> {
 }
 
 impl<V: Clone> VertexCache<V> {
-    /// The value at a vertex of the polygon's object, none as long as it is not computed. Objects come one after another.
-    pub fn at(&mut self, polygon: &Polygon, vertex: u32) -> &mut Option<V> {
+    /// The value at a corner of the polygon, none as long as it is not computed. Objects come one after another.
+    pub fn at(&mut self, polygon: &Polygon, corner: usize) -> &mut Option<V> {
+        let (mesh, face) = (polygon.mesh, polygon.face);
+        let is_shared = polygon.vertex_normals == VertexNormals::AVERAGED;
         if self.object != Some(polygon.object) {
             self.object = Some(polygon.object);
             self.values.clear();
-            self.values.resize(polygon.mesh.vertex_count(), None);
+            let count = match is_shared {
+                true => mesh.vertex_count(),
+                false => mesh.corners_before(mesh.face_count()),
+            };
+            self.values.resize(count, None);
         }
-        &mut self.values[vertex as usize]
+        let index = match is_shared {
+            true => mesh.face(face)[corner] as usize,
+            false => mesh.corners_before(face) + corner,
+        };
+        &mut self.values[index]
     }
 }

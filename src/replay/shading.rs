@@ -145,6 +145,7 @@ impl State {
                 vertex.sum = sum;
             }
             vertex_normal::Event::VertexNormal { normal, .. }
+            | vertex_normal::Event::FileNormal { normal }
             | vertex_normal::Event::NormalVanished { normal, .. } => {
                 vertex.normal = Some(normal);
             }

@@ -91,15 +91,19 @@ impl Parts {
             let corners = mesh.face(face);
             let Some((_, regions)) = parts.next_if(|(divided, _)| *divided == face) else {
                 faces.uvs.extend(mesh.face_uvs(face));
+                faces.normals.extend(mesh.face_normals(face));
                 faces.vertices.push(corners.to_vec());
                 continue;
             };
             for region in regions {
                 let vertices = region.iter().map(|&Place { edge, share }| {
                     let [from, to] = ends(corners.len(), edge);
-                    if !mesh.face_uvs(face).is_empty() {
-                        let uvs = mesh.face_uvs(face);
+                    if let uvs @ [_, ..] = mesh.face_uvs(face) {
                         faces.uvs.push(uvs[from].lerp(uvs[to], share));
+                    }
+                    if let normals @ [_, ..] = mesh.face_normals(face) {
+                        let mixed = normals[from].lerp(normals[to], share);
+                        faces.normals.push(mixed.normalize_or_zero());
                     }
                     if share == 0.0 {
                         return corners[from];
@@ -111,7 +115,7 @@ impl Parts {
                 faces.vertices.push(vertices.collect());
             }
         }
-        Mesh::new(&positions, &faces.vertices, &faces.uvs)
+        Mesh::with_normals(&positions, &faces.vertices, &faces.uvs, &faces.normals)
     }
 }
 
@@ -119,6 +123,7 @@ impl Parts {
 struct Faces {
     vertices: Vec<Vec<u32>>,
     uvs: Vec<DVec2>,
+    normals: Vec<DVec3>,
 }
 
 /// The corners at the ends of an edge of a face.

@@ -100,6 +100,10 @@ pub(super) struct ObjectFile {
     #[serde(default, deserialize_with = "present")]
     pub casts_shadow: Option<bool>,
     #[serde(default, deserialize_with = "present")]
+    pub normals: Option<String>,
+    #[serde(default, deserialize_with = "present")]
+    pub crease_degrees: Option<Number>,
+    #[serde(default, deserialize_with = "present")]
     pub transform: Option<Keyed<TransformFile>>,
 }
 

@@ -15,6 +15,8 @@ pub struct Mesh {
     corners: Vec<u32>,
     /// One a corner, or none at all.
     uvs: Vec<DVec2>,
+    /// Unit normals, one a corner, or none at all; zero at corners without one.
+    corner_normals: Vec<DVec3>,
     /// Unit normals, one a face; zero where a face has no area.
     normals: Vec<DVec3>,
     /// The faces around vertex `v` are `around[around_starts[v]..around_starts[v + 1]]`.
@@ -31,6 +33,16 @@ impl Mesh {
         positions: &[DVec3],
         faces: impl IntoIterator<Item = impl AsRef<[u32]>>,
         uvs: &[DVec2],
+    ) -> Self {
+        Mesh::with_normals(positions, faces, uvs, &[])
+    }
+
+    /// The same with unit normals of the corners, in the order of `faces`; zero at corners without one.
+    pub fn with_normals(
+        positions: &[DVec3],
+        faces: impl IntoIterator<Item = impl AsRef<[u32]>>,
+        uvs: &[DVec2],
+        normals: &[DVec3],
     ) -> Self {
         let mut mesh = Mesh {
             starts: vec![0],
@@ -54,6 +66,7 @@ impl Mesh {
                 if mesh.corners[start..].last() != Some(&vertex) {
                     mesh.corners.push(vertex);
                     mesh.uvs.extend(uvs.get(corner));
+                    mesh.corner_normals.extend(normals.get(corner));
                 }
                 corner += 1;
             }
@@ -63,6 +76,7 @@ impl Mesh {
             let end = if end - start < 3 { start } else { end };
             mesh.corners.truncate(end);
             mesh.uvs.truncate(end);
+            mesh.corner_normals.truncate(end);
             if end > start {
                 mesh.starts.push(end as u32);
             }
@@ -102,6 +116,20 @@ impl Mesh {
             &[]
         } else {
             &self.uvs[self.starts[face] as usize..self.starts[face + 1] as usize]
+        }
+    }
+
+    /// How many corners stand before those of a face, in the order of the faces; of the number of faces, how many there are.
+    pub fn corners_before(&self, face: usize) -> usize {
+        self.starts.get(face).map_or(0, |&start| start as usize)
+    }
+
+    /// The unit normals that its corners were given, zero at corners without one; empty where the mesh has none.
+    pub fn face_normals(&self, face: usize) -> &[DVec3] {
+        if self.corner_normals.is_empty() {
+            &[]
+        } else {
+            &self.corner_normals[self.starts[face] as usize..self.starts[face + 1] as usize]
         }
     }
 

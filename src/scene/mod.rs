@@ -97,6 +97,25 @@ pub struct Object {
     /// Of a sphere: into n parts from pole to pole and 2n around, where polygons are needed.
     pub divisions: u32,
     pub casts_shadow: bool,
+    pub vertex_normals: VertexNormals,
+}
+
+/// What the scan-line methods take for the normal at a corner of a face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum VertexNormals {
+    /// The mean over the faces around the vertex that meet this one at no more than `crease`, an angle in radians.
+    Averaged { crease: f64 },
+    /// That of the mesh file, and the mean over all faces around the vertex where the file has none.
+    File,
+    /// That of the face.
+    Face,
+}
+
+impl VertexNormals {
+    /// Over all faces around the vertex.
+    pub const AVERAGED: VertexNormals = VertexNormals::Averaged {
+        crease: std::f64::consts::PI,
+    };
 }
 
 impl Default for Scene {
@@ -145,6 +164,7 @@ impl Object {
             patches: [1, 1],
             divisions: Object::DIVISIONS,
             casts_shadow: true,
+            vertex_normals: VertexNormals::AVERAGED,
         }
     }
 

@@ -24,6 +24,13 @@ vocabulary! {
         [
             entry("event-vertex-normal", &[is("N_v = [sum_N; {|ΣN_k|=length}]")]),
         ];
+    Event::FileNormal { normal } => "FileNormal" at "vertex-normal"
+        {
+            "N_v" = normal,
+        }
+        [
+            entry("event-file-normal", &[]),
+        ];
     Event::NormalVanished { faces, length, normal } => "NormalVanished" at "vertex-normal"
         {
             "faces" = faces,

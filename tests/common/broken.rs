@@ -102,6 +102,8 @@ pub const BROKEN: &[(&str, &str, &[&str])] = &[
     ("\"radius\": 0.8 }", "\"radius\": 0.8 }, \"divisions\": 4000000000", &["objects[0].divisions: found 4000000000; allowed"]),
     ("\"patches\": [8, 8]", "\"divisions\": 8", &["objects[2].divisions: found divisions on a shape that takes none here; only spheres do"]),
     (",[3,3,0]]] }", "]] }", &["objects[5].bezier.patches[0]: found 15 points; a bicubic patch has 16"]),
+    ("\"sphere\":", "\"normals\": \"smooth\", \"sphere\":", &["objects[0].normals: found \"smooth\"; allowed are \"averaged\", \"file\" and \"face\""]),
+    ("\"sphere\":", "\"crease_degrees\": 181, \"sphere\":", &["objects[0].crease_degrees: found 181.0; allowed are angles from 0 to 180"]),
     // Patches.
     ("\"patches\": [8, 8]", "\"patches\": [0, 8]", &["objects[2].patches: found [0, 8]"]),
     ("\"patches\": [8, 8]", "\"patches\": [1000, 1000]", &["objects[2].patches: found [1000, 1000], which makes 1000000 patches here", "at most 100000", "--max-patches"]),

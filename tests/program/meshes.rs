@@ -134,3 +134,72 @@ fn every_method_draws_the_same_pixels_of_any_face() {
         }
     }
 }
+
+/// A cube whose file gives every face its own normal.
+const CUBE: &str =
+    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1
+vn 0 0 1\nvn 0 0 -1\nvn 1 0 0\nvn -1 0 0\nvn 0 1 0\nvn 0 -1 0
+f 5//1 6//1 7//1 8//1\nf 1//2 4//2 3//2 2//2\nf 2//3 3//3 7//3 6//3
+f 1//4 5//4 8//4 4//4\nf 4//5 8//5 7//5 3//5\nf 1//6 2//6 6//6 5//6\n";
+
+#[test]
+fn the_front_of_a_cube_with_hard_edges_is_lit_evenly() {
+    // Light from (1, 1, 2)/√6: N·L = 2/√6 on the front.
+    let expected = 2.0 / 6_f32.sqrt();
+    let scene = r#"{ "schema": 1,
+  "camera": { "eye": [0, 0, 6], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 30 },
+  "materials": { "m": { "diffuse": [1, 1, 1] } },
+  "objects": [{ "name": "c", "material": "m", "mesh": { "file": "mesh.obj" } NORMALS }],
+  "lights": [{ "directional": { "toward": [-0.5, -0.5, -1] } }] }"#;
+    let folder = folder_with(CUBE.as_bytes());
+    let front = |normals: &str, method: &str| {
+        fs::write(
+            folder.path().join("cube.json"),
+            scene.replace("NORMALS", normals),
+        )
+        .unwrap();
+        let render = format!("render cube.json --method {method} --size 40x40 --out a.pfm");
+        let notes = text(&succeeded(folder.path(), &render).stderr);
+        let file = fs::read(folder.path().join("a.pfm")).unwrap();
+        let reds = file[file.len() - 40 * 40 * 12..].chunks_exact(12);
+        let reds: Vec<f32> = reds
+            .map(|color| f32::from_le_bytes([color[0], color[1], color[2], color[3]]))
+            .filter(|&red| red > 0.0)
+            .collect();
+        let low = reds.iter().copied().fold(f32::INFINITY, f32::min);
+        let high = reds.iter().copied().fold(0.0, f32::max);
+        (low, high, notes)
+    };
+    for method in ["gouraud", "phong", "fast-phong", "exact"] {
+        for normals in [
+            r#", "normals": "file""#,
+            r#", "normals": "face""#,
+            r#", "crease_degrees": 60"#,
+            r#", "normals": "averaged", "crease_degrees": 89.9"#,
+        ] {
+            let (low, high, _) = front(normals, method);
+            assert!((low - expected).abs() < 1e-6, "{method} {normals}: {low}");
+            assert!((high - expected).abs() < 1e-6, "{method} {normals}: {high}");
+        }
+        for normals in ["", r#", "crease_degrees": 90"#] {
+            let (low, high, notes) = front(normals, method);
+            assert!(low < 0.1 && high > 0.9, "{method} {normals}: {low} {high}");
+            assert!(notes.contains("normals of the file: not used"), "{notes}");
+        }
+    }
+    let (.., notes) = front(r#", "normals": "file", "crease_degrees": 30"#, "gouraud");
+    assert!(
+        notes.contains("objects[0].crease_degrees: a crease angle with normals \"file\""),
+        "{notes}"
+    );
+    fs::write(
+        folder.path().join("mesh.obj"),
+        CUBE.replace("vn 0 0 1\n", "vn 0 0 nan\n"),
+    )
+    .unwrap();
+    let (.., notes) = front(r#", "normals": "file""#, "gouraud");
+    assert!(
+        notes.contains("objects[0].normals: 4 of 24 corners without a normal in the file"),
+        "{notes}"
+    );
+}

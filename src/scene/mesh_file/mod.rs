@@ -79,16 +79,23 @@ impl MeshData {
         self.triangles
     }
 
-    pub fn has_uvs(&self) -> bool {
-        self.uvs.len() > 1
+    pub fn corner_count(&self) -> usize {
+        self.corners.len()
     }
 
     pub fn has_normals(&self) -> bool {
         self.normals.len() > 1
     }
 
-    /// The mesh in world coordinates, its vertices welded. `to_world` turns, moves, and scales equally in all directions.
-    pub fn mesh(&self, to_world: &DAffine3) -> Mesh {
+    /// How many corners have no normal.
+    pub fn corners_without_normal(&self) -> usize {
+        let without = |corner: &&[u32; 3]| self.normals[corner[2] as usize] == DVec3::ZERO;
+        self.corners.iter().filter(without).count()
+    }
+
+    /// The mesh in world coordinates, its vertices welded, and with the normals of its corners where wanted. `to_world` turns, moves, and
+    /// scales equally in all directions.
+    pub fn mesh(&self, to_world: &DAffine3, with_normals: bool) -> Mesh {
         // Positions that no face refers to are left out.
         const UNUSED: u32 = u32::MAX;
         let mut numbers = vec![UNUSED; self.positions.len()];
@@ -107,9 +114,22 @@ impl MeshData {
         if self.corners.iter().any(|&[_, uv, _]| uv > 0) {
             uvs.extend((self.corners.iter()).map(|&[_, uv, _]| self.uvs[uv as usize]));
         }
+        let mut normals = Vec::new();
+        if with_normals {
+            let turned = self
+                .normals
+                .iter()
+                .map(|&normal| to_world.transform_vector3(normal));
+            let turned: Vec<DVec3> = turned.map(DVec3::normalize_or_zero).collect();
+            normals.extend(
+                self.corners
+                    .iter()
+                    .map(|&[.., normal]| turned[normal as usize]),
+            );
+        }
         let faces = self.starts.windows(2);
         let faces = faces.map(|ends| &vertices[ends[0] as usize..ends[1] as usize]);
-        Mesh::new(&positions, faces, &uvs)
+        Mesh::with_normals(&positions, faces, &uvs, &normals)
     }
 }
 

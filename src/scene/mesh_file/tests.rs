@@ -35,7 +35,7 @@ fn remarks(text: &str) -> Vec<String> {
 fn polygons_of_any_size_keep_their_texture_coordinates() {
     let data = read(HOUSE).unwrap();
     assert_eq!(data.triangles(), 5);
-    let mesh = data.mesh(&DAffine3::from_translation(DVec3::X));
+    let mesh = data.mesh(&DAffine3::from_translation(DVec3::X), false);
     assert_eq!((mesh.face_count(), mesh.vertex_count()), (2, 7));
     let place = |face: usize, corner: usize| mesh.position(mesh.face(face)[corner]).to_array();
     assert_eq!(place(0, 3), [2.0, 2.0, 0.0]);
@@ -45,7 +45,7 @@ fn polygons_of_any_size_keep_their_texture_coordinates() {
     assert_eq!(mesh.face_uvs(0)[1], DVec2::new(1.0, 0.5));
     assert_eq!(mesh.face_uvs(1), [DVec2::ZERO; 4]);
     let without = read(&format!("{CORNERS}vt 1 1\nf 1 2 3")).unwrap();
-    assert!(!without.mesh(&DAffine3::IDENTITY).has_uvs());
+    assert!(!without.mesh(&DAffine3::IDENTITY, false).has_uvs());
 }
 
 #[test]
@@ -54,7 +54,7 @@ fn corners_without_texture_coordinates_take_the_origin() {
         "{CORNERS}f 1 2 3\nvt 5 6\nf 1 2/1 3\nf 1/1 2 3/1\n"
     ))
     .unwrap();
-    let mesh = data.mesh(&DAffine3::IDENTITY);
+    let mesh = data.mesh(&DAffine3::IDENTITY, false);
     let (none, given) = (DVec2::ZERO, DVec2::new(5.0, 6.0));
     assert_eq!(mesh.face_uvs(0), [none, none, none]);
     assert_eq!(mesh.face_uvs(1), [none, given, none]);
@@ -66,7 +66,7 @@ fn the_teapot_has_992_triangles_over_welded_vertices() {
     let teapot = include_bytes!("../../../lessons/meshes/teapot.obj");
     let data = MeshData::read(teapot, 992).unwrap();
     assert_eq!(data.triangles(), 992);
-    let mesh = data.mesh(&DAffine3::IDENTITY);
+    let mesh = data.mesh(&DAffine3::IDENTITY, false);
     assert_eq!(mesh.face_count(), 992);
     assert!(mesh.vertex_count() < 792);
     let message = MeshData::read(teapot, 991).unwrap_err();
@@ -89,7 +89,7 @@ fn coordinates_keep_all_their_digits() {
 fn the_same_triangle_is_read_however_it_is_written() {
     let same = |text: &[u8]| {
         let data = MeshData::read(text, 1000).unwrap();
-        let mesh = data.mesh(&DAffine3::IDENTITY);
+        let mesh = data.mesh(&DAffine3::IDENTITY, false);
         let corners: Vec<[f64; 3]> = mesh
             .face(0)
             .iter()
@@ -147,6 +147,13 @@ fn normals_of_the_file_are_of_unit_length_and_belong_to_corners() {
         .map(|corner| data.normals[corner[2] as usize])
         .collect();
     assert_eq!(corners, [DVec3::Z, DVec3::NEG_X, DVec3::ZERO]);
+    assert_eq!(data.corners_without_normal(), 1);
+    let turned = DAffine3::from_rotation_y(std::f64::consts::FRAC_PI_2);
+    let mesh = data.mesh(&(DAffine3::from_scale(DVec3::splat(3.0)) * turned), true);
+    let expected = [DVec3::X, DVec3::Z, DVec3::ZERO];
+    for (found, expected) in mesh.face_normals(0).iter().zip(expected) {
+        assert!(found.distance(expected) < 1e-15);
+    }
 }
 
 #[test]
@@ -270,7 +277,7 @@ proptest! {
             prop_assert!(data.positions.iter().all(|position| position.is_finite()));
             prop_assert!(data.uvs.iter().all(|uv| uv.is_finite()));
             prop_assert!(data.normals.iter().all(|normal| normal.is_finite()));
-            prop_assert!(data.mesh(&DAffine3::IDENTITY).face_count() <= data.face_count());
+            prop_assert!(data.mesh(&DAffine3::IDENTITY, false).face_count() <= data.face_count());
         }
     }
 }

@@ -1,11 +1,11 @@
 //! Objects: their names, materials and patches, and the limits of the scene. Shapes are for [`super::shapes`].
 
-use super::rules::Check;
+use super::rules::{CREASE, Check};
 use super::{Limits, ReadFile};
 use crate::scene::document::{Keyed, Place};
 use crate::scene::file::ObjectFile;
 use crate::scene::values::{Count, PatchCounts};
-use crate::scene::{Material, MeshData, Object, Shape};
+use crate::scene::{Material, MeshData, Object, Shape, VertexNormals};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::rc::Rc;
@@ -106,7 +106,8 @@ impl<'a, 'f> Objects<'a, 'f> {
                 "found a transform on a shape that takes none; only meshes do".into(),
             );
         }
-        let (shape, division) = self.shape(place, &file)?;
+        let vertex_normals = self.vertex_normals(place, &file);
+        let (shape, division) = self.shape(place, &file, vertex_normals)?;
         let patches = self.patches(&place.key("patches"), &division, file.patches);
         let divisions = self.divisions(&place.key("divisions"), &division, file.divisions);
         Some(Object {
@@ -116,10 +117,58 @@ impl<'a, 'f> Objects<'a, 'f> {
             patches,
             divisions,
             casts_shadow: file.casts_shadow.unwrap_or(true),
+            vertex_normals,
         })
     }
 
-    fn shape(&mut self, object: &Place, file: &ObjectFile) -> Option<(Shape, Division)> {
+    /// What the keys `normals` and `crease_degrees` say; notes where one has no effect.
+    fn vertex_normals(&mut self, object: &Place, file: &ObjectFile) -> VertexNormals {
+        let place = object.key("normals");
+        let crease_place = object.key("crease_degrees");
+        let degrees = file.crease_degrees.map_or(180.0, |degrees| {
+            self.check.number(&crease_place, degrees, CREASE)
+        });
+        let written = file.normals.as_deref().unwrap_or("averaged");
+        let normals = match written {
+            "averaged" => VertexNormals::Averaged {
+                crease: degrees.to_radians(),
+            },
+            "file" if file.mesh.is_none() => {
+                let why = "only meshes have normals in a file; those of the faces are averaged";
+                self.check
+                    .note(&place, "\"file\" on a shape without a file", why);
+                VertexNormals::AVERAGED
+            }
+            "file" => VertexNormals::File,
+            "face" => VertexNormals::Face,
+            other => {
+                let message =
+                    format!("found {other:?}; allowed are \"averaged\", \"file\" and \"face\"");
+                self.check.refuse(&place, message);
+                VertexNormals::AVERAGED
+            }
+        };
+        if file.crease_degrees.is_some() && written != "averaged" {
+            let what = format!("a crease angle with normals {written:?}");
+            self.check.note(
+                &crease_place,
+                what,
+                "only normals that are averaged have one",
+            );
+        }
+        if file.plane.is_some() && (file.normals.is_some() || file.crease_degrees.is_some()) {
+            let why = "the scan-line methods, which interpolate normals, leave planes out";
+            self.check.note(object, "vertex normals of a plane", why);
+        }
+        normals
+    }
+
+    fn shape(
+        &mut self,
+        object: &Place,
+        file: &ObjectFile,
+        vertex_normals: VertexNormals,
+    ) -> Option<(Shape, Division)> {
         let found: Vec<&str> = [
             ("sphere", file.sphere.is_some()),
             ("plane", file.plane.is_some()),
@@ -152,7 +201,10 @@ impl<'a, 'f> Objects<'a, 'f> {
             .or_else(|| self.polygon(place, &file.polygon.as_ref()?.0))
             .or_else(|| Some(self.cylinder(place, &file.cylinder.as_ref()?.0)))
             .or_else(|| self.bezier(place, &file.bezier.as_ref()?.0))
-            .or_else(|| self.mesh(object, &file.mesh.as_ref()?.0, file.transform.as_ref()))
+            .or_else(|| {
+                let mesh = &file.mesh.as_ref()?.0;
+                self.mesh(object, mesh, file.transform.as_ref(), vertex_normals)
+            })
     }
 
     /// Patches along u and v; 1 where the file has none, or a wrong number.

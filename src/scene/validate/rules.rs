@@ -22,6 +22,7 @@ pub const FIELD_OF_VIEW: Rule = (
     |x| x > 0.0 && x < 180.0,
     "angles greater than 0 and less than 180",
 );
+pub const CREASE: Rule = (|x| (0.0..=180.0).contains(&x), "angles from 0 to 180");
 pub const COORDINATE: Rule = (|x| x.abs() <= LARGEST, "numbers from -1e75 to 1e75");
 pub const LENGTH: Rule = (
     |x| x > 0.0 && x <= LARGEST,

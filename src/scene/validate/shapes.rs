@@ -10,7 +10,7 @@ use crate::scene::file::{
 use crate::scene::mesh_file::{MeshData, mesh_format_is_known, mesh_path_is_inside};
 use crate::scene::tessellation::CYLINDER_SIDES;
 use crate::scene::values::{Count, Triple};
-use crate::scene::{Mesh, Shape};
+use crate::scene::{Mesh, Shape, VertexNormals};
 use glam::{DAffine3, DMat3, DVec3};
 use std::rc::Rc;
 
@@ -146,6 +146,7 @@ impl Objects<'_, '_> {
         object: &Place,
         file: &MeshFile,
         transform: Option<&Keyed<TransformFile>>,
+        vertex_normals: VertexNormals,
     ) -> Option<(Shape, Division)> {
         let problems = self.check.count;
         let transform_place = &object.key("transform");
@@ -168,7 +169,8 @@ impl Objects<'_, '_> {
         if !self.has_room_for(place, data.triangles().into()) || !transform_is_right {
             return None;
         }
-        let mesh = data.mesh(&to_world);
+        let with_normals = vertex_normals == VertexNormals::File;
+        let mesh = data.mesh(&to_world, with_normals);
         let lost = data.face_count() - mesh.face_count();
         let divided = match divided(mesh) {
             Ok(divided) => divided,
@@ -201,6 +203,15 @@ impl Objects<'_, '_> {
                         .note(place, format!("{count} {faces} with {which}"), why);
                 }
             }
+        }
+        if with_normals && data.corners_without_normal() > 0 {
+            let (count, of) = (data.corners_without_normal(), data.corner_count());
+            let what = format!("{count} of {of} corners without a normal in the file");
+            let why = "they take the mean of the faces around the vertex";
+            self.check.note(&object.key("normals"), what, why);
+        } else if !with_normals && data.has_normals() && is_new {
+            let why = "not used: an object takes them with \"normals\": \"file\"";
+            self.check.note(place, "normals of the file", why);
         }
         let mesh = divided.mesh;
         if mesh.face_count() == 0 {

@@ -8,11 +8,11 @@ use super::screen::{
 };
 use crate::algorithms::frame::Frame;
 use crate::algorithms::scan_line::Corner;
-use crate::algorithms::vertex_normal::{self, vertex_normal};
+use crate::algorithms::vertex_normal::{self, FaceCorner, vertex_normal};
 use crate::color::Rgb;
 use crate::record::Unrecorded;
 use crate::render::Method;
-use crate::scene::Mesh;
+use crate::scene::{Mesh, VertexNormals};
 use glam::DVec3;
 
 pub const CASES: &[Case] = &[
@@ -166,7 +166,10 @@ pub const CASES: &[Case] = &[
         run: || {
             let corners = [DVec3::ZERO, DVec3::X, DVec3::Y];
             let mesh = Mesh::new(&corners, [[0, 1, 2], [2, 1, 0]], &[]);
-            let normal = vertex_normal::<vertex_normal::Event>(&mesh, 0, &mut Unrecorded);
+            let (mesh, face, corner) = (&mesh, 0, 0);
+            let at = FaceCorner { mesh, face, corner };
+            let normals = VertexNormals::AVERAGED;
+            let normal = vertex_normal::<vertex_normal::Event>(at, normals, &mut Unrecorded);
             Ok(Measured::ulps(normal.length(), 1.0).into())
         },
         recorded: holds(0.0),

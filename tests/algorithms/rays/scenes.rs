@@ -2,7 +2,9 @@
 
 use glam::DVec3;
 use lightwalk::color::Rgb;
-use lightwalk::scene::{Camera, Highlight, Light, Material, Object, Scene, Shape, Texture};
+use lightwalk::scene::{
+    Camera, Highlight, Light, Material, Object, Scene, Shape, Texture, VertexNormals,
+};
 use proptest::prelude::*;
 
 fn rgb(largest: f64) -> impl Strategy<Value = Rgb> {
@@ -125,6 +127,7 @@ pub fn scene() -> impl Strategy<Value = Scene> {
                         shape,
                         patches: [1, 1],
                         divisions: Object::DIVISIONS,
+                        vertex_normals: VertexNormals::AVERAGED,
                         casts_shadow,
                     })
                     .collect(),
