@@ -233,9 +233,9 @@ fn drawing_calls_no_algorithm() {
     let mut read = 0;
     for file in sources(&panels) {
         let relative = file.strip_prefix(&panels).unwrap();
-        if relative.starts_with("fixtures")
-            || relative.starts_with("fixture.rs")
-            || relative.starts_with("fixtures.rs")
+        if relative.starts_with("shared/fixtures")
+            || relative.starts_with("shared/fixture.rs")
+            || relative.starts_with("shared/fixtures.rs")
             || relative.ends_with("tests.rs")
         {
             continue;

@@ -2,9 +2,9 @@
 
 mod columns;
 
-use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
 use super::values::step_as_sentence;
+use super::{PanelInput, Properties};
 use crate::figure::Cell;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
@@ -29,6 +29,8 @@ const A_LINE: Message = Message("active-edges-a-line");
 const WAITS: Message = Message("active-edges-waits");
 const DONE: Message = Message("active-edges-done");
 const MORE: Message = Message("inspector-more");
+
+pub const PANEL: Properties = Properties::titled(Message("app-active-edges"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = match input.run {

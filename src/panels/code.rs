@@ -1,7 +1,7 @@
 //! The pseudocode, with the line that this step carries out; a listing that was called stands below its caller.
 
-use super::PanelInput;
 use super::message::{NO_STEPS, message};
+use super::{PanelInput, Properties};
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Script, Style, Tag, braced, math, measure};
 use crate::record::{Line, Listing};
@@ -18,6 +18,8 @@ const LARGEST: f32 = 16.0;
 const SMALLEST: f32 = 11.0;
 /// The largest text whose lines are continued on the next rather than made smaller still.
 const CONTINUED: f32 = 13.0;
+
+pub const PANEL: Properties = Properties::titled(Message("app-code"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let walk = input.run.walk();

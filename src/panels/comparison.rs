@@ -4,9 +4,9 @@
 pub(super) mod cells;
 pub(super) mod cursor;
 
-use super::PanelInput;
 use super::message::{NOT_COMPARED, message};
 use super::values::step_as_sentence;
+use super::{PanelInput, Properties};
 use crate::language::Message;
 use crate::methods::Method;
 use crate::picture::{Image, Ink, Picture};
@@ -21,6 +21,8 @@ const ROOTS: Message = Message("comparison-roots");
 const SERIES: Message = Message("comparison-series");
 const RAYS: Message = Message("comparison-rays");
 const A_PIXEL: Message = Message("comparison-a-pixel");
+
+pub const PANEL: Properties = Properties::titled(Message("app-comparison")).comparing();
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let Some(first) = input.finished.compared.pictures().first() else {

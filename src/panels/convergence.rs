@@ -3,7 +3,7 @@
 use super::channels;
 use super::message::{NO_PATCHES, message};
 use super::values::step_as_sentence;
-use super::{PanelInput, names};
+use super::{PanelInput, Properties, names};
 use crate::algorithms::focus::Focus;
 use crate::figure::{Axis, LEGEND_ROW, Labels, Plot, Scale, elided, legend};
 use crate::language::{Language, Message};
@@ -29,6 +29,8 @@ const ITERATION: Message = Message("convergence-iteration");
 const NONE_YET: Message = Message("convergence-none-yet");
 const SO_FAR: Message = Message("convergence-so-far");
 const SO_FAR_BOUNDED: Message = Message("convergence-so-far-bounded");
+
+pub const PANEL: Properties = Properties::titled(Message("app-convergence"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let (Run::Radiosity(_, replay), Some(enclosure)) = (input.run, input.run.enclosure()) else {

@@ -1,10 +1,10 @@
 //! How far each method's picture is from the reference's, pixel by pixel: brighter, darker, and by how much at most and on average.
 
-use super::PanelInput;
 use super::comparison::cells::{ROW, cells};
 use super::comparison::cursor::Cursor;
 use super::message::{NOT_COMPARED, message};
 use super::values::step_as_sentence;
+use super::{PanelInput, Properties};
 use crate::figure::{color_strip, diverging, elided};
 use crate::language::{Language, Message};
 use crate::picture::{Image, Ink, Picture, Rect, Style};
@@ -18,6 +18,8 @@ const AGAINST: Message = Message("difference-against");
 const RMS: Message = Message("difference-rms");
 const LARGEST: Message = Message("difference-largest");
 const HERE: Message = Message("difference-here");
+
+pub const PANEL: Properties = Properties::titled(Message("app-difference")).comparing();
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     // Wires shade nothing: how far they are says nothing.

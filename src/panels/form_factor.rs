@@ -6,10 +6,10 @@ mod curve;
 mod pair;
 mod view;
 
-use super::PanelInput;
 use super::message::{NO_PATCHES, NO_STEPS, labelled, message};
 use super::names;
 use super::values::step_as_sentence;
+use super::{PanelInput, Properties};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
@@ -36,6 +36,8 @@ struct Layout<'a> {
     i: usize,
     j: usize,
 }
+
+pub const PANEL: Properties = Properties::titled(Message("app-form-factor"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let (setup, replay) = match input.run {

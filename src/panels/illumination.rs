@@ -1,9 +1,9 @@
 //! The illumination model at the current point: its terms as bars, the standard factor f_att·N·L of the current light beside
 //! the slide's, and both against the distance of the light.
 
-use super::PanelInput;
 use super::message::{NO_STEPS, labelled, message};
 use super::values::{short, step_as_sentence};
+use super::{PanelInput, Properties};
 use crate::color::Rgb;
 use crate::figure::{Axis, Cell, Plot, Scale};
 use crate::language::{Language, Message};
@@ -28,6 +28,8 @@ const MARGIN: f32 = 8.0;
 const PLOT: Vec2 = Vec2::new(180.0, 110.0);
 const OF_STANDARD: Ink = Ink::Series(0);
 const OF_SLIDE: Ink = Ink::Series(1);
+
+pub const PANEL: Properties = Properties::titled(Message("app-illumination"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if input.run.walk().is_empty() {

@@ -5,9 +5,9 @@
 
 mod marks;
 
-use super::PanelInput;
 use super::strings::focus;
 use super::values::{sentence, step_in_words};
+use super::{PanelInput, Properties};
 use crate::algorithms::focus::Focus;
 use crate::color::Rgb;
 use crate::figure::{Fit, joined};
@@ -28,6 +28,8 @@ const CAPTION_HEIGHT: f32 = 20.0;
 
 const ONLY: Message = Message("image-only");
 const DRAWN: Message = Message("image-drawn");
+
+pub const PANEL: Properties = Properties::titled(Message("app-image"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);

@@ -1,10 +1,10 @@
 //! All values known at the step: its own first, then those of the scopes around it from the innermost outwards, each with
 //! where it was recorded. Of a name that several scopes record the innermost value is shown.
 
-use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::names;
 use super::values::{self, sentence, shown};
+use super::{PanelInput, Properties};
 use crate::figure::Cell;
 use crate::language::Message;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
@@ -17,6 +17,8 @@ const GAP: f32 = 14.0;
 const LINE_HEIGHT: f32 = 1.6;
 const LARGEST: f32 = 14.0;
 const SMALLEST: f32 = 11.0;
+
+pub const PANEL: Properties = Properties::titled(Message("app-inspector"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let walk = input.run.walk();

@@ -3,8 +3,8 @@
 mod draw;
 mod grid;
 
-use super::PanelInput;
 use super::message::{NO_PATCHES, NO_STEPS, message};
+use super::{PanelInput, Properties};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::radiosity::SolverEvent;
@@ -60,6 +60,8 @@ impl Hand {
         matches!(self.recorded, SolverEvent::Shooting { .. })
     }
 }
+
+pub const PANEL: Properties = Properties::titled(Message("common-matrix-of-form-factors"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let (setup, replay) = match input.run {

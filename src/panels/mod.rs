@@ -1,42 +1,17 @@
 //! The panels: what each draws of a run at its step. A picture depends on a [`PanelInput`] and its size alone.
+//!
+//! Every file of this folder is a panel, with its `PANEL` and `draw`: `build.rs` lists them. What panels share is in `shared`.
 
-mod active_edges;
-mod channels;
-mod code;
-mod comparison;
-mod convergence;
-mod difference;
-#[cfg(test)]
-pub(crate) mod fixture;
-#[cfg(test)]
-mod fixtures;
-mod form_factor;
-mod formula;
-mod illumination;
-mod image;
-mod inspector;
-mod matrix;
-mod message;
-mod names;
-mod profile;
-mod race;
-mod radiosity;
-mod ray_tree;
-mod rays;
-mod scan_line;
-pub mod strings;
-mod time_line;
-mod values;
-mod vectors;
-mod vertex;
+mod shared;
 
-pub use formula::{Evaluated, evaluated};
-pub use names::kind as kind_name;
-pub use ray_tree::TreeView;
-pub use ray_tree::{area as tree_area, middle as tree_middle};
-pub use rays::{Grip, grip};
-pub use time_line::step_at;
-pub use vectors::{Held, PlaneGrip, grip as vector_grip};
+pub use list::formula::{Evaluated, evaluated};
+pub use list::ray_tree::TreeView;
+pub use list::ray_tree::{area as tree_area, middle as tree_middle};
+pub use list::rays::{Grip, grip};
+pub use list::time_line::step_at;
+pub use list::vectors::{Held, PlaneGrip, grip as vector_grip};
+pub use shared::names::kind as kind_name;
+pub use shared::strings;
 
 use crate::algorithms::focus::Focus;
 use crate::language::Message;
@@ -44,28 +19,48 @@ use crate::picture::Picture;
 use crate::render::{DrawPatches, Finished};
 use crate::replay::Run;
 use glam::Vec2;
+use shared::{channels, message, names, values};
+#[cfg(test)]
+use shared::{fixture, fixtures};
 use strings::Language;
 
+/// What is known of a panel without drawing it.
+#[derive(Clone, Copy)]
+struct Properties {
+    title: Message,
+    compares: bool,
+}
+
+impl Properties {
+    const fn titled(title: Message) -> Self {
+        Properties {
+            title,
+            compares: false,
+        }
+    }
+
+    /// It shows the pictures of several methods.
+    const fn comparing(self) -> Self {
+        Properties {
+            compares: true,
+            ..self
+        }
+    }
+}
+
 macro_rules! panels {
-    ($($(#[$doc:meta])* $panel:ident: $module:ident $name:literal titled $title:literal $(compares $compares:literal)?,)*) => {
+    ($($panel:ident: $module:ident $name:literal,)*) => {
         named! {
             /// A panel, by what it shows.
             pub enum Panel {
-                $($(#[$doc])* $panel = $name,)*
+                $($panel = $name,)*
             }
         }
 
         impl Panel {
-            pub fn title(self) -> Message {
+            fn properties(self) -> Properties {
                 match self {
-                    $(Panel::$panel => Message($title),)*
-                }
-            }
-
-            /// Whether it shows the pictures of several methods.
-            pub fn compares(self) -> bool {
-                match self {
-                    $(Panel::$panel => false $(|| $compares)?,)*
+                    $(Panel::$panel => list::$module::PANEL,)*
                 }
             }
         }
@@ -73,53 +68,24 @@ macro_rules! panels {
         /// The picture of a panel, `size` points large, without title or frame.
         pub fn draw(panel: Panel, input: &PanelInput, size: Vec2) -> Picture {
             match panel {
-                $(Panel::$panel => $module::draw(input, size),)*
+                $(Panel::$panel => list::$module::draw(input, size),)*
             }
         }
     };
 }
 
-panels! {
-    /// The picture so far.
-    Image: image "image" titled "app-image",
-    /// The current polygon, its edges, the scan line, the span and the pixel.
-    ScanLine: scan_line "scan-line" titled "app-scan-line",
-    /// The table of active edges.
-    ActiveEdges: active_edges "active-edges" titled "app-active-edges",
-    /// The current vertex: face normals, their mean, and the vectors of the illumination model.
-    Vertex: vertex "vertex" titled "app-vertex",
-    /// The binary ray tree of the current pixel.
-    RayTree: ray_tree "ray-tree" titled "app-ray-tree",
-    /// The vectors where the current ray meets a surface, in the plane of incidence.
-    Vectors: vectors "vectors" titled "app-vectors",
-    /// The rays of the pixel among the objects, from the side and from above.
-    Rays: rays "rays" titled "app-rays",
-    /// The terms of the point that is lit, and the slide's factor against the standard one.
-    Illumination: illumination "illumination" titled "app-illumination",
-    /// The patches of the enclosure, each in its light, with the current exchange.
-    Radiosity: radiosity "radiosity" titled "app-radiosity",
-    /// Two patches, and the form factor between them as it is computed.
-    FormFactor: form_factor "form-factor" titled "app-form-factor",
-    /// The form factors of the system, row by row.
-    Matrix: matrix "matrix" titled "common-matrix-of-form-factors",
-    /// Residual and error bound, iteration by iteration.
-    Convergence: convergence "convergence" titled "app-convergence",
-    /// All solvers on the same enclosure, by iteration and by time.
-    Race: race "race" titled "app-race",
-    /// The picture by several methods side by side.
-    Comparison: comparison "comparison" titled "app-comparison" compares true,
-    /// How far each is from the reference.
-    Difference: difference "difference" titled "app-difference" compares true,
-    /// Intensity along a scan line, its slope, and how it looks.
-    Profile: profile "profile" titled "app-profile" compares true,
-    /// All values of the step, and where each comes from.
-    Inspector: inspector "inspector" titled "app-inspector",
-    /// The pseudocode, with the current line.
-    Code: code "code" titled "app-code",
-    /// The formula of the step, with symbols and with numbers.
-    Formula: formula "formula" titled "app-formula",
-    /// Scopes as nested bars, marks and the cursor.
-    TimeLine: time_line "time-line" titled "app-time-line",
+// The files of this folder as modules of `list`, and `panels!` of them.
+include!(concat!(env!("OUT_DIR"), "/panels.rs"));
+
+impl Panel {
+    pub fn title(self) -> Message {
+        self.properties().title
+    }
+
+    /// Whether it shows the pictures of several methods.
+    pub fn compares(self) -> bool {
+        self.properties().compares
+    }
 }
 
 /// All that a panel's picture depends on.

@@ -1,10 +1,10 @@
 //! Intensity along one scan line by several methods: the luminance itself, its slope, and how bright it looks. A jump of the slope is
 //! seen as a band that is in no pixel: a Mach band.
 
-use super::PanelInput;
 use super::comparison::cursor::Cursor;
 use super::message::{NOT_COMPARED, message};
 use super::values::step_as_sentence;
+use super::{PanelInput, Properties};
 use crate::figure::{Axis, Plot, Scale, Series, legend};
 use crate::language::Message;
 use crate::methods::Method;
@@ -28,6 +28,8 @@ const SLOPE: Message = Message("profile-slope");
 const SEEN: Message = Message("profile-seen");
 const LINE: Message = Message("profile-line");
 const LARGEST_JUMP: Message = Message("profile-largest-jump");
+
+pub const PANEL: Properties = Properties::titled(Message("app-profile")).comparing();
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let compared = &input.finished.compared;

@@ -3,7 +3,7 @@
 
 use super::message::{NO_PATCHES, labelled, message};
 use super::values::step_as_sentence;
-use super::{PanelInput, names};
+use super::{PanelInput, Properties, names};
 use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::{Lap, Race, Racer};
 use crate::figure::{Axis, LEGEND_ROW, Labels, Plot, Scale, Series, elided, legend};
@@ -29,6 +29,8 @@ const GAVE_UP: Message = Message("race-gave-up");
 const ON_THE_WAY: Message = Message("race-on-the-way");
 const GAVE_UP_AFTER: Message = Message("race-gave-up-after");
 const PATCHES: Message = Message("race-patches");
+
+pub const PANEL: Properties = Properties::titled(Message("app-race"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let Run::Radiosity(_, replay) = input.run else {

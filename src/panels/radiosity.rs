@@ -7,10 +7,10 @@ mod order;
 mod room_view;
 mod smooth;
 
-use super::PanelInput;
 use super::channels::{CHANNELS, channel};
 use super::message::{NO_PATCHES, labelled, message};
 use super::values::step_as_sentence;
+use super::{PanelInput, Properties};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
@@ -41,6 +41,8 @@ const REFLECTANCE: Message = Message("radiosity-reflectance");
 const PATCHES: Message = Message("radiosity-patches");
 const CURRENT: Message = Message("radiosity-current");
 const NO_ROOM: Message = Message("radiosity-no-room");
+
+pub const PANEL: Properties = Properties::titled(Message("app-radiosity"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let (Run::Radiosity(setup, _) | Run::FormFactor(setup, _)) = input.run else {

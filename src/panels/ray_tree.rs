@@ -15,11 +15,12 @@ mod tests;
 
 pub use view::TreeView;
 
-use super::PanelInput;
 use super::message::message;
 use super::values::step_in_words;
+use super::{PanelInput, Properties};
 use crate::algorithms::ray_tree::RayKind;
 use crate::figure::elided;
+use crate::language::Message;
 use crate::methods::Method;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::rays::{Outcome, RayState, State};
@@ -34,6 +35,8 @@ const MARGIN: f32 = 6.0;
 const HEAD: f32 = 18.0;
 /// Of the sign that collapses and expands.
 const SIGN: f32 = 6.0;
+
+pub const PANEL: Properties = Properties::titled(Message("app-ray-tree"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let state = match input.run.rays() {

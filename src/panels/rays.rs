@@ -12,10 +12,10 @@ mod view;
 
 pub use grip::{Grip, grip};
 
-use super::PanelInput;
 use super::message::{NO_RAYS, NO_STEPS, message};
 use super::names;
 use super::values::step_as_sentence;
+use super::{PanelInput, Properties};
 use crate::algorithms::visible::Intersection;
 use crate::language::{Language, Message};
 use crate::picture::{Picture, Rect};
@@ -27,6 +27,8 @@ const SIDE: Message = Message("rays-side");
 const ABOVE: Message = Message("rays-above");
 const RAYS: Message = Message("rays-rays");
 const NO_PIXEL: Message = Message("rays-no-pixel");
+
+pub const PANEL: Properties = Properties::titled(Message("app-rays"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if input.run.walk().is_empty() {

@@ -6,9 +6,9 @@ mod corners;
 mod line;
 mod polygon;
 
-use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
 use super::values::step_as_sentence;
+use super::{PanelInput, Properties};
 use crate::language::Message;
 use crate::picture::{Picture, Rect};
 use crate::replay::Run;
@@ -18,6 +18,8 @@ use glam::Vec2;
 const NO_POLYGON: Message = Message("scan-line-no-polygon");
 const NO_WEIGHTS: Message = Message("scan-line-no-weights");
 const NO_LINE: Message = Message("scan-line-no-line");
+
+pub const PANEL: Properties = Properties::titled(Message("app-scan-line"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     match input.run {

@@ -6,10 +6,10 @@
 
 mod rows;
 
-use super::PanelInput;
 use super::message::{NO_STEPS, labelled, message};
 use super::names;
 use super::values::sentence;
+use super::{PanelInput, Properties};
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::record::Value;
@@ -19,6 +19,8 @@ use glam::Vec2;
 use rows::{Bar, MARGIN, Row, Span, TRACK, rows, track};
 
 const TEXT: f32 = 12.0;
+
+pub const PANEL: Properties = Properties::titled(Message("app-time-line"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let walk = input.run.walk();

@@ -12,9 +12,9 @@ mod point;
 
 pub use plane::{Held, PlaneGrip};
 
-use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::values::step_as_sentence;
+use super::{PanelInput, Properties};
 use crate::algorithms::visible::Intersection;
 use crate::language::Message;
 use crate::picture::{Picture, Rect};
@@ -27,6 +27,8 @@ use met::SurfaceInSight;
 const NOT_YET: Message = Message("vectors-not-yet");
 const NO_POINT: Message = Message("vectors-no-point");
 const NO_SURFACE: Message = Message("vectors-no-surface");
+
+pub const PANEL: Properties = Properties::titled(Message("app-vectors"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if input.run.walk().is_empty() {

@@ -7,9 +7,9 @@
 mod arrows;
 mod terms;
 
-use super::PanelInput;
 use super::message::{NO_POLYGONS, message};
 use super::values::step_as_sentence;
+use super::{PanelInput, Properties};
 use crate::language::Message;
 use crate::picture::{Picture, Rect};
 use crate::replay::Run;
@@ -18,6 +18,8 @@ use glam::Vec2;
 
 const NOTHING: Message = Message("vertex-nothing");
 const WIREFRAME: Message = Message("vertex-wireframe");
+
+pub const PANEL: Properties = Properties::titled(Message("app-vertex"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = match input.run {

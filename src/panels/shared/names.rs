@@ -10,7 +10,7 @@ use crate::vocabulary::expression::Reference;
 use crate::vocabulary::{Quantity, find};
 
 /// A word that an event records, as people read it.
-pub(super) fn word(word: &'static str, language: Language) -> String {
+pub fn word(word: &'static str, language: Language) -> String {
     called("value", word, language).unwrap_or_else(|| word.to_string())
 }
 
@@ -20,17 +20,17 @@ pub fn kind(kind: &str, language: Language) -> String {
 }
 
 /// The name of a recorded value in a sentence: as lessons and searches write it, unless it is a word.
-pub(super) fn field(name: &'static str, language: Language) -> String {
+pub fn field(name: &'static str, language: Language) -> String {
     called("quantity", name, language).unwrap_or_else(|| name.to_string())
 }
 
 /// A recorded quantity: its symbol, where it has one that is no word.
-pub(super) fn quantity(quantity: &Quantity, language: Language) -> String {
+pub fn quantity(quantity: &Quantity, language: Language) -> String {
     called("quantity", quantity.name, language).unwrap_or_else(|| quantity.symbol.to_string())
 }
 
 /// What a formula writes for a value: the quantity's own symbol, in words where it is one, or the symbol chosen there.
-pub(super) fn symbol(reference: &Reference, language: Language) -> String {
+pub fn symbol(reference: &Reference, language: Language) -> String {
     let symbol = reference.symbol();
     match find(reference.name).filter(|quantity| quantity.symbol == symbol) {
         Some(own) => quantity(&own, language),
@@ -39,13 +39,13 @@ pub(super) fn symbol(reference: &Reference, language: Language) -> String {
 }
 
 /// The object of that number.
-pub(super) fn object(prepared: &PreparedScene, number: u32) -> &str {
+pub fn object(prepared: &PreparedScene, number: u32) -> &str {
     let object = prepared.scene.objects.get(number as usize);
     object.map_or("", |object| object.name.as_str())
 }
 
 /// A patch of the room: its object, and its cell where there is more than one.
-pub(super) fn patch(prepared: &PreparedScene, room: &Enclosure, number: usize) -> String {
+pub fn patch(prepared: &PreparedScene, room: &Enclosure, number: usize) -> String {
     let patch = &room.patches[number];
     let name = object(prepared, patch.object);
     let [nu, nv] = room.patches.surfaces[patch.object as usize].grid;
@@ -57,17 +57,17 @@ pub(super) fn patch(prepared: &PreparedScene, room: &Enclosure, number: usize) -
 }
 
 /// The light of that number: lights have no names.
-pub(super) fn light(number: u32, language: Language) -> String {
+pub fn light(number: u32, language: Language) -> String {
     Message("names-light").format(language, &[("number", &number.to_string())])
 }
 
 /// A scope by its kind and number: `Iteration 3`.
-pub(super) fn numbered(kind: &str, number: &str, language: Language) -> String {
+pub fn numbered(kind: &str, number: &str, language: Language) -> String {
     Message("names-numbered").format(language, &[("kind", kind), ("number", number)])
 }
 
 /// What the number recorded under a field's name stands for, where it stands for a thing of the scene.
-pub(super) fn of_field<'a>(
+pub fn of_field<'a>(
     prepared: &'a PreparedScene,
     field: &str,
     value: Value,
@@ -88,7 +88,7 @@ pub(super) fn of_field<'a>(
 }
 
 /// A kind of ray in words, and the letters that stand for it in drawings.
-pub(super) fn ray_kind(name: &'static str, language: Language) -> (String, &'static str) {
+pub fn ray_kind(name: &'static str, language: Language) -> (String, &'static str) {
     let letters = match name {
         "reflected" => "R",
         "transmitted" => "T",
@@ -100,7 +100,7 @@ pub(super) fn ray_kind(name: &'static str, language: Language) -> (String, &'sta
 
 /// What the ray is called that `scope` opens, from the longest form to the shortest: its kind and what it meets, its kind,
 /// its letters.
-pub(super) fn ray(
+pub fn ray(
     walk: &dyn Walk,
     scope: usize,
     prepared: &PreparedScene,

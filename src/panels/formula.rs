@@ -6,10 +6,10 @@ mod known;
 mod pieces;
 mod set;
 
-use super::PanelInput;
 use super::message::{NO_STEPS, message};
 use super::names;
 use super::values::shown;
+use super::{PanelInput, Properties};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Style, wrap};
@@ -24,6 +24,8 @@ use set::{Atom, Voice, flow, set_pieces};
 
 const MARGIN: f32 = 10.0;
 const CHANNELS: [&str; 3] = ["red", "green", "blue"];
+
+pub const PANEL: Properties = Properties::titled(Message("app-formula"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let walk = input.run.walk();

@@ -4,7 +4,6 @@ mod open_room;
 
 pub use open_room::{FLOOR, LAMP, WALLS, form_factors, hinge, open_room, solvers};
 
-use super::PanelInput;
 use super::fixture::Fixture;
 use super::strings::Language;
 use crate::algorithms::focus::Focus;
@@ -13,6 +12,7 @@ use crate::algorithms::primary::Settings;
 use crate::algorithms::texture::Mapping;
 use crate::color::Rgb;
 use crate::methods::Setup;
+use crate::panels::PanelInput;
 use crate::picture::{Picture, Rect, Shape as Drawn};
 use crate::record::RecordingLimit;
 use crate::render::Method;

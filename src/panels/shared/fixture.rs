@@ -1,7 +1,6 @@
 //! Small runs that the tests of panels look at.
 
 use super::strings::Language;
-use super::{PanelInput, TreeView};
 use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
@@ -10,6 +9,7 @@ use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
 use crate::color::Rgb;
 use crate::methods::Setup;
+use crate::panels::{PanelInput, TreeView};
 use crate::record::RecordingLimit;
 use crate::render::{Finished, Method, render};
 use crate::replay::Run;
@@ -21,7 +21,7 @@ use std::num::{NonZeroU32, NonZeroUsize};
 use std::sync::Arc;
 
 /// A recorded run with the finished picture.
-pub(crate) struct Fixture {
+pub struct Fixture {
     pub run: Run,
     pub finished: Finished,
     pub focus: Focus,
@@ -154,16 +154,16 @@ impl Fixture {
 
 /// Pixels of [`Fixture::rays`]. Through the glass ball to the cube, where total internal reflection follows, and to the floor,
 /// which the cube shades; 14 rays at depth 5.
-pub(crate) const BALL: (u32, u32) = (380, 270);
+pub const BALL: (u32, u32) = (380, 270);
 /// A spot of the glass ball that mirrors the light ball.
-pub(crate) const SPARK: (u32, u32) = (250, 231);
+pub const SPARK: (u32, u32) = (250, 231);
 /// The floor, which mirrors the red ball.
-pub(crate) const FLOOR: (u32, u32) = (480, 400);
+pub const FLOOR: (u32, u32) = (480, 400);
 /// The background.
-pub(crate) const SKY: (u32, u32) = (320, 20);
+pub const SKY: (u32, u32) = (320, 20);
 
 /// The scene of [`Fixture::rays`].
-pub(crate) fn rays_scene() -> Scene {
+pub fn rays_scene() -> Scene {
     let cube = include_bytes!("sample/cube.obj");
     let scene = include_bytes!("sample/rays.json");
     let read = scene::read(scene, &Limits::default(), &mut |_| Ok(cube.to_vec()));

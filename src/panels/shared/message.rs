@@ -20,7 +20,7 @@ pub const NO_PATCHES: Message = Message("panels-no-patches");
 pub const NOT_COMPARED: Message = Message("panels-not-compared");
 
 /// What is called so, and what it is: `error: 0.5 %`.
-pub(super) fn labelled(name: &str, what: &str, language: Language) -> String {
+pub fn labelled(name: &str, what: &str, language: Language) -> String {
     Message("common-named").format(language, &[("name", name), ("what", what)])
 }
 

@@ -3,7 +3,7 @@
 use crate::language::Message;
 use crate::picture::Ink;
 
-pub(super) struct Channel {
+pub struct Channel {
     /// As events have it.
     pub name: &'static str,
     pub letter: &'static str,
@@ -22,13 +22,13 @@ impl Channel {
     }
 }
 
-pub(super) static CHANNELS: [Channel; 3] = [
+pub static CHANNELS: [Channel; 3] = [
     Channel::new("red", "R", "radiosity-red", 3),
     Channel::new("green", "G", "radiosity-green", 2),
     Channel::new("blue", "B", "radiosity-blue", 0),
 ];
 
 /// The channel that events call so.
-pub(super) fn channel(name: &str) -> Option<&'static Channel> {
+pub fn channel(name: &str) -> Option<&'static Channel> {
     CHANNELS.iter().find(|channel| channel.name == name)
 }

@@ -1,13 +1,14 @@
 //! How panels write and colour the values that events tell.
 
-use super::{PanelInput, names};
+use super::names;
 use crate::color::Rgb;
 use crate::language::{Language, Message};
+use crate::panels::PanelInput;
 use crate::picture::Ink;
 use crate::record::Value;
 
 /// A value with at most `digits` decimals: one number for a grey colour, three for another.
-pub(super) fn short(value: Value, digits: usize, language: Language) -> String {
+pub fn short(value: Value, digits: usize, language: Language) -> String {
     let decimal = |v: f64| language.short(v, digits);
     match value {
         Value::Number(number) => decimal(number),
@@ -21,7 +22,7 @@ pub(super) fn short(value: Value, digits: usize, language: Language) -> String {
 }
 
 /// A difference of nearly equal values, to two digits: `2.2·10⁻¹⁶`, `0`; of vectors, its length.
-pub(super) fn difference(value: Value, language: Language) -> String {
+pub fn difference(value: Value, language: Language) -> String {
     let small = |v: f64| language.significant(v, 2);
     match value {
         Value::Number(number) => small(number),
@@ -33,7 +34,7 @@ pub(super) fn difference(value: Value, language: Language) -> String {
 }
 
 /// The colour that a value is, where it is one.
-pub(super) fn swatch(value: Option<Value>) -> Ink {
+pub fn swatch(value: Option<Value>) -> Ink {
     match value {
         Some(Value::Rgb(color)) => Ink::Rgb(color),
         _ => Ink::Surface,
@@ -41,7 +42,7 @@ pub(super) fn swatch(value: Option<Value>) -> Ink {
 }
 
 /// Black or white, whichever is read more easily on a value's colour.
-pub(super) fn on_swatch(value: Option<Value>) -> Ink {
+pub fn on_swatch(value: Option<Value>) -> Ink {
     match value {
         // The luminance whose contrast against black and against white is the same (WCAG 2.1).
         Some(Value::Rgb(color)) if color.luminance() < 0.179 => Ink::Rgb(Rgb::WHITE),
@@ -51,7 +52,7 @@ pub(super) fn on_swatch(value: Option<Value>) -> Ink {
 }
 
 /// How the sentence begins that says a step in words: its number and kind.
-pub(super) fn step_in_words(input: &PanelInput) -> String {
+pub fn step_in_words(input: &PanelInput) -> String {
     let walk = input.run.walk();
     if walk.is_empty() {
         return Message("panels-no-step").text(input.language).to_string();
@@ -67,7 +68,7 @@ fn yes_or_no(truth: bool) -> Message {
 }
 
 /// A value in one line: numbers to six digits, a grey as one number, vectors and colours with `decimals` each.
-pub(super) fn shown(value: Value, decimals: usize, language: Language) -> String {
+pub fn shown(value: Value, decimals: usize, language: Language) -> String {
     match value {
         Value::Number(v) => language.number(v),
         Value::Integer(v) => language.number(v as f64),
@@ -98,7 +99,7 @@ fn component(v: f64, decimals: usize, language: Language) -> String {
 }
 
 /// The whole step as a sentence: its number, its kind, and its values.
-pub(super) fn step_as_sentence(input: &PanelInput) -> String {
+pub fn step_as_sentence(input: &PanelInput) -> String {
     let walk = input.run.walk();
     if walk.is_empty() {
         return step_in_words(input);
@@ -115,7 +116,7 @@ pub(super) fn step_as_sentence(input: &PanelInput) -> String {
 }
 
 /// What a step is called, with its values, as a sentence.
-pub(super) fn sentence(step: &str, values: &[String], language: Language) -> String {
+pub fn sentence(step: &str, values: &[String], language: Language) -> String {
     if values.is_empty() {
         return format!("{step}.");
     }

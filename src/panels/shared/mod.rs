@@ -1,0 +1,11 @@
+//! What several panels have in common.
+
+pub mod channels;
+#[cfg(test)]
+pub mod fixture;
+#[cfg(test)]
+pub mod fixtures;
+pub mod message;
+pub mod names;
+pub mod strings;
+pub mod values;
