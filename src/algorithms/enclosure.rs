@@ -1,7 +1,7 @@
 //! A scene as radiosity sees it: patches, what stands between them, their form factors, and in the end their light.
 
 use super::enclosure_needs::{known_channels, shortcuts, skipped_of_channels, skipped_of_pairs};
-use super::form_factor::{Blockers, FormFactors, Method};
+use super::form_factor::{Blockers, Estimated, FormFactors, Method};
 use super::radiosity::race::Race;
 use super::radiosity::{
     self, Channel, ChannelUnsolved, Event, Matrix, RecordFilter, Rows, Solution, Solver,
@@ -52,7 +52,7 @@ pub struct Enclosure {
     /// By patch: ρ and E.
     pub reflectance: Vec<Rgb>,
     pub emission: Vec<Rgb>,
-    matrix: OnceLock<Vec<f64>>,
+    matrix: OnceLock<Estimated>,
     light: OnceLock<Result<Light, ChannelUnsolved>>,
     skipped: OnceLock<Vec<LeftOut>>,
     /// The patches as rays meet them.
@@ -122,13 +122,19 @@ impl Enclosure {
     }
 
     /// F, row-major, n×n for n patches; `make` makes it where it is not there yet.
-    pub fn matrix_or(&self, make: impl FnOnce() -> Vec<f64>) -> &[f64] {
-        self.matrix.get_or_init(make)
+    pub fn matrix_or(&self, make: impl FnOnce() -> Estimated) -> &[f64] {
+        &self.matrix.get_or_init(make).matrix
     }
 
     /// F, where it was made.
     pub fn matrix(&self) -> Option<&[f64]> {
-        self.matrix.get().map(Vec::as_slice)
+        self.estimated()
+            .map(|estimated| estimated.matrix.as_slice())
+    }
+
+    /// F and an estimate of its error by row, where it was made.
+    pub fn estimated(&self) -> Option<&Estimated> {
+        self.matrix.get()
     }
 
     /// How many bytes a matrix of all form factors takes.

@@ -1,13 +1,14 @@
 //! A panel on the screen.
 
 use super::picture_view::{PictureView, Place};
+use super::prose::prose;
 use super::session::{Command, Session};
 use super::strings;
 use super::style;
 use crate::algorithms::focus::Focus;
 use crate::language::Language;
-use crate::panels::{Panel, TreeView, draw};
-use crate::picture::Tag;
+use crate::panels::{self, Panel, TreeView, draw};
+use crate::picture::{Ink, Tag};
 use crate::record::Value;
 use egui::{Rect, Response, Sense, Ui};
 
@@ -67,8 +68,20 @@ impl PanelView {
         };
         let response = ui.interact(place.rect, ui.scope_id().with(panel.name()), sense);
         let under = self.paint(place, session.localize(panel.title()), &response, ui);
+        let response = match under.and_then(|tag| meaning(session, tag)) {
+            Some(meaning) => {
+                response.on_hover_text_at_pointer(prose(session, &meaning, 13.0, Ink::Text))
+            }
+            None => response,
+        };
         (response, under)
     }
+}
+
+/// What the value under the pointer means.
+fn meaning(session: &Session, tag: Tag) -> Option<String> {
+    let Tag::Field(name) = tag else { return None };
+    panels::meaning(session.walk(), session.step(), name, session.look.language)
 }
 
 /// Tags that name the same thing: a step, and the scope that it opens.

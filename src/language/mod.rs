@@ -45,7 +45,12 @@ pub fn called(space: &str, name: &str, language: Language) -> Option<String> {
         }
         follows_small = c.is_ascii_lowercase() || c.is_ascii_digit();
     }
-    catalogue::of(language).format(&key, &[])
+    named(&key, language)
+}
+
+/// The message without arguments under a key that is put together at run time; none where the catalogue has none.
+pub fn named(key: &str, language: Language) -> Option<String> {
+    catalogue::of(language).format(key, &[])
 }
 
 /// A message of the catalogues, by its key.

@@ -54,7 +54,7 @@ impl Visitor for Count<'_> {
     fn radiosity(self) -> Counted {
         let mut events = Counter::default();
         if let Ok(enclosure) = self.setup.enclosure() {
-            let matrix = enclosure.matrix_or(|| enclosure.form_factors().matrix());
+            let matrix = enclosure.matrix_or(|| enclosure.form_factors().estimated());
             // The events are counted whether there is a solution or not.
             let _ = radiosity::solve(enclosure, matrix, Focus::Frame, &mut events);
         }

@@ -2,6 +2,7 @@
 
 use super::thread_pool::ThreadPool;
 use crate::algorithms::enclosure::{Enclosure, Light};
+use crate::algorithms::form_factor::Estimated;
 use crate::algorithms::radiosity::race::Race;
 use crate::algorithms::radiosity::{ChannelUnsolved, Unsolved};
 use crate::methods::Setup;
@@ -53,13 +54,16 @@ fn matrix_by<'a, E: Send>(
     let mut matrix = vec![0.0; n * n];
     let blocks = matrix.chunks_mut((rows * n).max(1)).enumerate().collect();
     let done = AtomicUsize::new(0);
-    thread_pool.map(blocks, |(index, block): (usize, &mut [f64])| {
+    let errors = thread_pool.map(blocks, |(index, block): (usize, &mut [f64])| {
+        let mut errors = Vec::new();
         for (row, entries) in (index * rows..).zip(block.chunks_mut(n)) {
-            form_factors.block(row..row + 1, entries);
+            errors.extend(form_factors.block(row..row + 1, entries));
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, n)?;
         }
-        Ok(())
+        Ok(errors)
     })?;
     form_factors.complete(&mut matrix);
-    Ok(enclosure.matrix_or(|| matrix))
+    // In the order of the rows, whatever the number of threads.
+    let row_errors = form_factors.row_errors(&matrix, &errors.concat());
+    Ok(enclosure.matrix_or(|| Estimated { matrix, row_errors }))
 }

@@ -2,7 +2,7 @@
 
 use super::entry::Entry;
 use super::quantity::Quantity;
-use crate::language::Message;
+use crate::language::{Language, Message, named};
 
 #[derive(Debug)]
 pub struct Kind {
@@ -25,5 +25,12 @@ impl Kind {
         self.quantities
             .iter()
             .find(|quantity| quantity.name == name)
+    }
+
+    /// What the value of that name says of an event of this kind: the message `meaning-NAME-of-KIND`, or `meaning-NAME` where
+    /// the name says the same of every kind.
+    pub fn meaning(&self, name: &str, language: Language) -> Option<String> {
+        named(&format!("meaning-{name}-of-{}", self.name), language)
+            .or_else(|| named(&format!("meaning-{name}"), language))
     }
 }

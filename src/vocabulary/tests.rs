@@ -3,15 +3,18 @@ use crate::language::{Language, called};
 use std::collections::HashSet;
 
 #[test]
-fn every_value_has_a_symbol_and_every_kind_a_sentence_in_both_languages() {
+fn every_value_has_a_symbol_and_a_meaning_and_every_kind_a_sentence_in_every_language() {
     for kind in FAMILIES.into_iter().flatten() {
         for quantity in kind.quantities {
-            assert!(
-                !quantity.symbol.is_empty(),
-                "{}: {}",
-                kind.name,
-                quantity.name
-            );
+            let what = format!("{} of {}", quantity.name, kind.name);
+            assert!(!quantity.symbol.is_empty(), "{what} has no symbol");
+            for language in Language::ALL {
+                let meaning = kind.meaning(quantity.name, language);
+                assert!(
+                    meaning.is_some_and(|meaning| !meaning.is_empty()),
+                    "{what} has no meaning in {language:?}"
+                );
+            }
         }
         assert!(!kind.entries.is_empty(), "{} says nothing", kind.name);
         let sentences = kind.entries.iter().map(|entry| entry.sentence);

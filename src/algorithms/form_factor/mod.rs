@@ -16,6 +16,7 @@ pub mod area_to_area;
 pub mod auto;
 pub mod contour;
 pub mod element_to_polygon;
+mod errors;
 mod event;
 pub mod far_field;
 pub mod gauss;
@@ -29,6 +30,7 @@ mod shortcuts;
 pub mod sobol;
 pub mod visibility;
 
+pub use errors::{Estimated, PairError};
 pub use event::{Event, PSEUDOCODE};
 pub use report::Report;
 pub use shortcuts::Shortcuts;
@@ -161,11 +163,11 @@ impl<'a> FormFactors<'a> {
             }
             _ => {
                 let exchange = self.unblocked(i, j, recorder);
-                let share = match self.blockers {
+                let [share, _] = match self.blockers {
                     Some(blockers) if exchange > 0.0 => {
                         self.passing(blockers, [i, j], exchange, recorder)
                     }
-                    _ => 1.0,
+                    _ => [1.0, 0.0],
                 };
                 exchange * share / area
             }
@@ -189,7 +191,7 @@ impl<'a> FormFactors<'a> {
                 }
             }
             _ => {
-                self.exchanges(i, 0, row);
+                self.exchanges(i, 0, row, &mut Vec::new());
                 let area = self.patches[i].area;
                 row.iter_mut().for_each(|f| *f /= area);
             }
@@ -197,17 +199,20 @@ impl<'a> FormFactors<'a> {
     }
 
     /// Rows of the matrix, row-major in `block`. Of reciprocal methods only F_ij with j ≥ i: [`Self::complete`] makes the rest of it.
-    pub fn block(&self, rows: Range<usize>, block: &mut [f64]) {
+    /// Returns the pairs whose visibility is not exact, for [`Self::row_errors`].
+    pub fn block(&self, rows: Range<usize>, block: &mut [f64]) -> Vec<PairError> {
         let n = self.patches.len();
+        let mut errors = Vec::new();
         for (i, row) in rows.zip(block.chunks_mut(n.max(1))) {
             if self.method.is_reciprocal() {
-                self.exchanges(i, i, &mut row[i..]);
+                self.exchanges(i, i, &mut row[i..], &mut errors);
                 let area = self.patches[i].area;
                 row[i..].iter_mut().for_each(|f| *f /= area);
             } else {
                 self.row(i, row);
             }
         }
+        errors
     }
 
     /// F_ji = F_ij A_i / A_j below the diagonal of a whole matrix whose blocks are there.
@@ -232,15 +237,21 @@ impl<'a> FormFactors<'a> {
 
     /// The whole matrix, row-major.
     pub fn matrix(&self) -> Vec<f64> {
-        let n = self.patches.len();
-        let mut matrix = vec![0.0; n * n];
-        self.block(0..n, &mut matrix);
-        self.complete(&mut matrix);
-        matrix
+        self.estimated().matrix
     }
 
-    /// A_i F_ij for j from `first` on.
-    fn exchanges(&self, i: usize, first: usize, row: &mut [f64]) {
+    /// The whole matrix, with an estimate of its error.
+    pub fn estimated(&self) -> Estimated {
+        let n = self.patches.len();
+        let mut matrix = vec![0.0; n * n];
+        let errors = self.block(0..n, &mut matrix);
+        self.complete(&mut matrix);
+        let row_errors = self.row_errors(&matrix, &errors);
+        Estimated { matrix, row_errors }
+    }
+
+    /// A_i F_ij for j from `first` on. `errors` takes the pairs whose visibility is not exact.
+    fn exchanges(&self, i: usize, first: usize, row: &mut [f64], errors: &mut Vec<PairError>) {
         let end = first + row.len();
         match self.method {
             Method::Auto { tolerance } => self.far.row(i, first..end, tolerance, row),
@@ -254,21 +265,29 @@ impl<'a> FormFactors<'a> {
             if let Some(blockers) = self.blockers
                 && *exchange > 0.0
             {
-                *exchange *= self.passing(blockers, [i, j], *exchange, &mut Unrecorded);
+                let [share, error] = self.passing(blockers, [i, j], *exchange, &mut Unrecorded);
+                if error > 0.0 {
+                    errors.push(PairError {
+                        i: i as u32,
+                        j: j as u32,
+                        exchange: error * *exchange,
+                    });
+                }
+                *exchange *= share;
             }
         }
     }
 
-    /// The share of an exchange that nothing blocks.
+    /// The share of an exchange that nothing blocks, and an estimate of the share's error.
     fn passing<R: Recorder<Event>>(
         &self,
         blockers: &Blockers,
         [i, j]: [usize; 2],
         exchange: f64,
         recorder: &mut R,
-    ) -> f64 {
+    ) -> [f64; 2] {
         if self.shortcuts.sight_tests && !blockers.can_stand_between(i, j) {
-            return 1.0;
+            return [1.0, 0.0];
         }
         // The larger of F_ij and F_ji.
         let f = exchange / self.patches[i].area.min(self.patches[j].area);

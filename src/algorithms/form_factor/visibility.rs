@@ -237,14 +237,14 @@ impl Blockers {
             )
     }
 
-    /// The share of what i and j would exchange that nothing blocks, found by rays. `f` is the larger of their form factors if nothing did.
+    /// The share of what i and j would exchange that nothing blocks, found by rays, and its standard error. `f` is the larger of their form factors if nothing did.
     pub fn share<R: Recorder<Event>>(
         &self,
         patches: &Patches,
         [i, j]: [usize; 2],
         f: f64,
         recorder: &mut R,
-    ) -> f64 {
+    ) -> [f64; 2] {
         let rays = ((f * RAYS_A_ROW) as u32)
             .clamp(LEAST_RAYS, MOST_RAYS)
             .next_power_of_two();
@@ -274,7 +274,7 @@ impl Blockers {
         // Where not one pair of points faces each other, nothing is known to be hidden.
         let share = if whole > 0.0 { passing / whole } else { 1.0 };
         recorder.step(|| Event::Visible { rays: cast, share });
-        share
+        [share, (share * (1.0 - share) / f64::from(cast)).sqrt()]
     }
 }
 

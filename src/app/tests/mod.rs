@@ -1,6 +1,7 @@
 //! The whole window, with no screen: keys pressed, buttons clicked, and what is then shown.
 
 mod keys;
+mod meanings;
 mod painter;
 mod parameters;
 mod questions;
@@ -16,10 +17,11 @@ use super::{prose, strings, style};
 use crate::algorithms::focus::Focus;
 use crate::lesson::{Answer, Lesson, builtin};
 use crate::panels::strings::Language;
+use crate::panels::{Panel, draw};
 use crate::picture::{Ink, Tag, Theme, to_png};
 use egui::{Key, Modifiers};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use painter::Textures;
 
 type App = (Session, Window);
@@ -100,6 +102,25 @@ impl Screen {
     fn click(&mut self, label: &str) {
         self.harness.get_by_label(label).click();
         self.harness.run();
+    }
+
+    /// The place of a panel on the screen.
+    fn panel(&self, panel: Panel) -> egui::Rect {
+        let images = self
+            .harness
+            .get_all_by_label(panel.title().text(self.session().look.language));
+        let mut panel = images.filter(|node| node.accesskit_node().role() == egui::Role::Image);
+        panel.next_back().expect("the panel").rect()
+    }
+
+    /// Where a panel shows `tag`.
+    fn place_of(&self, panel: Panel, tag: Tag) -> egui::Rect {
+        let rect = self.panel(panel);
+        let size = glam::Vec2::new(rect.width(), rect.height());
+        let picture = draw(panel, &self.session().panel_input(), size);
+        let place = picture.tagged_bounds(tag).expect("a place");
+        let min = rect.min + egui::vec2(place.x, place.y);
+        egui::Rect::from_min_size(min, egui::vec2(place.width, place.height))
     }
 
     fn painted(&self) -> tiny_skia::Pixmap {

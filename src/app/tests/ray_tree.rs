@@ -3,9 +3,8 @@
 use super::{Screen, screen, strings};
 use crate::app::session::Command;
 use crate::language::Language;
-use crate::panels::{Panel, TreeView, draw};
+use crate::panels::{Panel, TreeView};
 use crate::picture::Tag;
-use egui_kittest::kittest::{NodeT, Queryable};
 
 /// The lesson of the ray tree at its end, without questions in the way.
 fn tree_screen() -> Screen {
@@ -17,22 +16,9 @@ fn tree_screen() -> Screen {
     )
 }
 
-/// The place of the panel on the screen.
-fn panel(screen: &Screen) -> egui::Rect {
-    let images = screen
-        .harness
-        .get_all_by_label(Panel::RayTree.title().text(Language::English));
-    let mut panel = images.filter(|node| node.accesskit_node().role() == egui::Role::Image);
-    panel.next_back().expect("the panel").rect()
-}
-
 /// A click on what shows `tag` in the panel.
 fn click(screen: &mut Screen, tag: Tag) {
-    let rect = panel(screen);
-    let size = glam::Vec2::new(rect.width(), rect.height());
-    let picture = draw(Panel::RayTree, &screen.session().panel_input(), size);
-    let bounds = picture.tagged_bounds(tag).expect("a place");
-    let at = rect.min + egui::vec2(bounds.center().x, bounds.center().y);
+    let at = screen.place_of(Panel::RayTree, tag).center();
     screen.harness.hover_at(at);
     screen.harness.drag_at(at);
     screen.harness.drop_at(at);
@@ -62,7 +48,7 @@ fn buttons_zoom_and_fit() {
 #[test]
 fn a_pinch_zooms_about_the_pointer_and_a_drag_drags() {
     let mut screen = tree_screen();
-    let rect = panel(&screen);
+    let rect = screen.panel(Panel::RayTree);
     screen
         .harness
         .hover_at(rect.center() + egui::vec2(40.0, -60.0));

@@ -29,6 +29,15 @@ pub fn quantity(quantity: &Quantity, language: Language) -> String {
     called("quantity", quantity.name, language).unwrap_or_else(|| quantity.symbol.to_string())
 }
 
+/// What the value of that name says at a step, after its symbol; none where no step before recorded it.
+pub fn meaning(walk: &dyn Walk, step: usize, name: &str, language: Language) -> Option<String> {
+    let recorded = walk.recorded(step);
+    let recorded = recorded.iter().rfind(|value| value.field.name == name)?;
+    let kind = walk.declared(recorded.step);
+    let symbol = quantity(kind.quantity(name)?, language);
+    Some(format!("{symbol}: {}", kind.meaning(name, language)?))
+}
+
 /// What a formula writes for a value: the quantity's own symbol, in words where it is one, or the symbol chosen there.
 pub fn symbol(reference: &Reference, language: Language) -> String {
     let symbol = reference.symbol();
