@@ -58,6 +58,8 @@ pub mod enclosure_needs;
 pub mod enclosure_notes;
 pub mod exact;
 pub mod fast_phong;
+#[cfg(test)]
+pub(crate) mod fixtures;
 pub mod flat;
 pub mod focus;
 pub mod form_factor;

@@ -14,6 +14,8 @@
 
 pub mod area_to_area;
 pub mod auto;
+pub mod closed;
+pub mod closure;
 pub mod contour;
 pub mod element_to_polygon;
 mod errors;
