@@ -1,6 +1,7 @@
 //! A scene as radiosity sees it: patches, what stands between them, their form factors, and in the end their light.
 
 use super::enclosure_needs::{known_channels, shortcuts, skipped_of_channels, skipped_of_pairs};
+use super::exchange::Exchange;
 use super::form_factor::{Blockers, Estimated, FormFactors, Method};
 use super::radiosity::race::Race;
 use super::radiosity::{
@@ -20,6 +21,8 @@ pub struct Settings {
     pub form_factors: Method,
     /// Whether what stands between two patches counts. What lies behind one of them never exchanges with it.
     pub visibility: bool,
+    /// Whether the form factors of a closed scene are changed so that each row sums to 1.
+    pub closure: bool,
     pub solver: Solver,
     pub stop: Stop,
     /// Whether pictures interpolate radiosity between the corners of patches.
@@ -33,6 +36,7 @@ impl Default for Settings {
         Settings {
             form_factors: Method::Auto { tolerance: 1e-6 },
             visibility: true,
+            closure: true,
             solver: Solver::Auto,
             stop: Stop::default(),
             smooth: false,
@@ -52,7 +56,7 @@ pub struct Enclosure {
     /// By patch: ρ and E.
     pub reflectance: Vec<Rgb>,
     pub emission: Vec<Rgb>,
-    matrix: OnceLock<Estimated>,
+    exchange: OnceLock<Exchange>,
     light: OnceLock<Result<Light, ChannelUnsolved>>,
     skipped: OnceLock<Vec<LeftOut>>,
     /// The patches as rays meet them.
@@ -90,7 +94,7 @@ impl Enclosure {
             reflectance,
             emission,
             primitives,
-            matrix: OnceLock::new(),
+            exchange: OnceLock::new(),
             light: OnceLock::new(),
             skipped: OnceLock::new(),
         })
@@ -121,20 +125,28 @@ impl Enclosure {
             .with_shortcuts(shortcuts(self.forced))
     }
 
-    /// F, row-major, n×n for n patches; `make` makes it where it is not there yet.
+    /// F, row-major, n×n for n patches, corrected where the scene is closed and the settings say so. `make` computes it, where it is not
+    /// there yet.
     pub fn matrix_or(&self, make: impl FnOnce() -> Estimated) -> &[f64] {
-        &self.matrix.get_or_init(make).matrix
+        let exchange = self.exchange.get_or_init(|| {
+            Exchange::of(
+                &self.patches,
+                self.visibility(),
+                self.settings.closure,
+                make(),
+            )
+        });
+        &exchange.matrix
     }
 
     /// F, where it was made.
     pub fn matrix(&self) -> Option<&[f64]> {
-        self.estimated()
-            .map(|estimated| estimated.matrix.as_slice())
+        self.exchange().map(|exchange| &*exchange.matrix)
     }
 
-    /// F and an estimate of its error by row, where it was made.
-    pub fn estimated(&self) -> Option<&Estimated> {
-        self.matrix.get()
+    /// F and what is known of it, where it was made.
+    pub fn exchange(&self) -> Option<&Exchange> {
+        self.exchange.get()
     }
 
     /// How many bytes a matrix of all form factors takes.

@@ -114,6 +114,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     files::check_output(&arguments.out)?;
     let unless = Settings {
         max_patches: arguments.limits.max_patches,
+        closure: false,
         ..Settings::default()
     };
     let settings = settings(Some(&arguments.method), &arguments.visibility, unless)?;

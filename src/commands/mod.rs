@@ -2,6 +2,7 @@
 //!
 //! Exit status: 0 done; 1 the work failed; 2 a file or an argument is wrong; 130 interrupted.
 
+mod accuracy;
 mod arguments;
 mod check;
 mod failure;

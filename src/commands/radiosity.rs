@@ -1,5 +1,6 @@
 //! `lightwalk radiosity`: the light of a scene, patch by patch.
 
+use super::accuracy;
 use super::arguments::LimitArguments;
 use super::failure::{Failure, note};
 use super::files;
@@ -9,7 +10,7 @@ use super::progress::named;
 use crate::algorithms::enclosure::{Enclosure, Light, Settings};
 use crate::algorithms::enclosure_notes;
 use crate::algorithms::form_factor::Method;
-use crate::algorithms::radiosity::{ChannelUnsolved, RecordFilter, Solver};
+use crate::algorithms::radiosity::{ChannelUnsolved, RecordFilter, Solver, Unsolved};
 use crate::record::Unrecorded;
 use crate::scene::Scene;
 use clap::builder::PossibleValuesParser;
@@ -42,6 +43,9 @@ pub struct SolutionArguments {
     form_factors: Option<String>,
     #[command(flatten)]
     visibility: VisibilityArgument,
+    /// Whether the form factors of a closed scene are changed, as little as it takes, so that those from a patch sum to 1 [default: auto]
+    #[arg(long, value_name = "auto,off", value_parser = PossibleValuesParser::new(["auto", "off"]))]
+    closure: Option<String>,
     /// The relative residual that is small enough [default: 1e-6]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     tolerance: Option<f64>,
@@ -55,6 +59,7 @@ impl SolutionArguments {
         self.solver.is_some()
             || self.form_factors.is_some()
             || self.visibility.is_given()
+            || self.closure.is_some()
             || self.tolerance.is_some()
             || self.max_iterations.is_some()
     }
@@ -66,6 +71,9 @@ impl SolutionArguments {
         if let Some(name) = &self.solver {
             settings.solver = Solver::from_name(name)
                 .ok_or_else(|| Failure::Wrong(format!("{name}: there is no such solver")))?;
+        }
+        if let Some(closure) = &self.closure {
+            settings.closure = closure == "auto";
         }
         settings.stop.tolerance = self.tolerance.unwrap_or(settings.stop.tolerance);
         settings.stop.max_iterations = self.max_iterations.unwrap_or(settings.stop.max_iterations);
@@ -93,13 +101,13 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let (exchanged, light) = match arguments.memory.refusal(&enclosure) {
         None => {
             matrix(&enclosure);
-            (start.elapsed(), light(&enclosure)?)
+            (start.elapsed(), light(&scene, &enclosure)?)
         }
         Some(refusal) if enclosure.settings.solver.shoots() => {
             note(format_args!(
                 "lightwalk: {refusal}: they are found row by row, shot by shot"
             ));
-            shot = shoot(&enclosure)?;
+            shot = shoot(&scene, &enclosure)?;
             (divided, &shot)
         }
         Some(refusal) => {
@@ -108,8 +116,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         }
     };
     let solved = start.elapsed();
+    let accuracy = accuracy::of(&enclosure);
+    if let Some(accuracy) = &accuracy {
+        accuracy::report_excess(&scene, &enclosure, accuracy);
+    }
     let solutions = &light.solutions;
-    let result = json!({
+    let mut result = json!({
         "solver": enclosure.settings.solver.name(),
         "iterations": solutions.iter().map(|solution| solution.iterations).max(),
         "residual": solutions.each_ref().map(|solution| solution.residual),
@@ -122,6 +134,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         "surfaces": surfaces(&scene, &enclosure, light),
         "notes": notes,
     });
+    if let (Json::Object(result), Json::Object(accuracy)) = (
+        &mut result,
+        accuracy::json(&enclosure, accuracy.as_ref(), light),
+    ) {
+        result.extend(accuracy);
+    }
     files::write_whole(&arguments.out, |out| {
         serde_json::to_writer(&mut *out, &result)?;
         writeln!(out)
@@ -129,20 +147,28 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 }
 
 /// The light of a room, or a failure of the work: what did not converge is no result.
-pub fn light(enclosure: &Enclosure) -> Result<&Light, Failure> {
+pub fn light<'a>(scene: &Scene, enclosure: &'a Enclosure) -> Result<&'a Light, Failure> {
     let matrix = matrix(enclosure);
-    named("solving", || enclosure.light(matrix)).map_err(|why| unsolved(enclosure, why))
+    named("solving", || enclosure.light(matrix)).map_err(|why| unsolved(scene, enclosure, why))
 }
 
-fn shoot(enclosure: &Enclosure) -> Result<Light, Failure> {
+fn shoot(scene: &Scene, enclosure: &Enclosure) -> Result<Light, Failure> {
     named("shooting", || {
         enclosure.shoot(&RecordFilter::default(), &mut Unrecorded)
     })
-    .map_err(|why| unsolved(enclosure, &why))
+    .map_err(|why| unsolved(scene, enclosure, &why))
 }
 
-fn unsolved(enclosure: &Enclosure, why: &ChannelUnsolved) -> Failure {
-    Failure::Failed(format!("{}: {why}", enclosure.settings.solver.name()))
+fn unsolved(scene: &Scene, enclosure: &Enclosure, why: &ChannelUnsolved) -> Failure {
+    let gained = match why.why {
+        Unsolved::GainsLight => accuracy::why_light_is_gained(scene, enclosure),
+        _ => None,
+    };
+    let gained = gained.map_or(String::new(), |gained| format!(": {gained}"));
+    Failure::Failed(format!(
+        "{}: {why}{gained}",
+        enclosure.settings.solver.name()
+    ))
 }
 
 fn surfaces(scene: &Scene, enclosure: &Enclosure, light: &Light) -> Vec<Json> {

@@ -158,7 +158,7 @@ fn solve(setup: &Setup, arguments: &Arguments) -> Result<(), Failure> {
     if let Some(refusal) = arguments.memory.refusal(enclosure) {
         return Err(wrong(&refusal));
     }
-    light(enclosure).map(drop)
+    light(&setup.prepared.scene, enclosure).map(drop)
 }
 
 /// A method by the name that clap has already checked.

@@ -6,6 +6,7 @@ use crate::algorithms::form_factor::Estimated;
 use crate::algorithms::radiosity::race::Race;
 use crate::algorithms::radiosity::{ChannelUnsolved, Unsolved};
 use crate::methods::Setup;
+use std::convert::Infallible;
 use std::num::NonZeroUsize;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use web_time::Instant;
@@ -22,6 +23,23 @@ pub fn matrix<'a, E: Send>(
     progress: &(impl Fn(usize, usize) -> Result<(), E> + Sync),
 ) -> Result<&'a [f64], E> {
     matrix_by(enclosure, &ThreadPool::new(threads), progress)
+}
+
+/// Σ_j |δF_ij| by row, against the form factors of the automatic choice: none where the method has an estimate of its own, or the matrix is
+/// not there yet.
+pub fn reference_errors(enclosure: &Enclosure, threads: NonZeroUsize) -> Option<Vec<f64>> {
+    let reference = enclosure.form_factors().reference()?;
+    let matrix = enclosure.matrix()?;
+    let n = enclosure.patches.len();
+    let rows = (0..n).collect();
+    let difference = |i: usize| {
+        let mut row = vec![0.0; n];
+        reference.row(i, &mut row);
+        let entries = row.iter().zip(&matrix[i * n..(i + 1) * n]);
+        Ok::<f64, Infallible>(entries.map(|(right, f)| (right - f).abs()).sum())
+    };
+    let Ok(errors) = ThreadPool::new(threads).map(rows, difference);
+    Some(errors)
 }
 
 /// How all solvers do on the scene's enclosure, one after the other on one thread; none where it has no matrix yet.

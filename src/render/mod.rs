@@ -26,7 +26,7 @@ use tally::Totals;
 
 pub use crate::methods::Method;
 pub use finished::Finished;
-pub use light::{matrix, race};
+pub use light::{matrix, race, reference_errors};
 pub use painter::Painter;
 pub use smooth::{DrawPatches, smooth_patches};
 pub use tally::RayCounts;

@@ -6,4 +6,5 @@ mod formulas;
 mod laws;
 mod needs;
 mod rays;
+mod rooms;
 mod shading;

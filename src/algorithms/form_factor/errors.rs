@@ -52,7 +52,20 @@ impl FormFactors<'_> {
         errors
     }
 
-    /// What the method alone leaves open in a row, visibility apart. The methods with a fixed number of points have no estimate.
+    /// The form factors with which those of a method without an estimate of its error are compared.
+    pub fn reference(&self) -> Option<Self> {
+        let has_none = matches!(
+            self.method,
+            Method::AreaToArea { .. } | Method::ElementToPolygon { .. } | Method::Hemicube(_)
+        );
+        let [method, ..] = Method::ALL;
+        has_none.then(|| FormFactors {
+            method,
+            ..self.clone()
+        })
+    }
+
+    /// What the method alone leaves open in a row, visibility apart. Those with a [`Self::reference`] have no estimate.
     fn row_error(&self, i: usize, row: &[f64]) -> f64 {
         match self.method {
             Method::Auto { tolerance } => tolerance * row.iter().sum::<f64>(),

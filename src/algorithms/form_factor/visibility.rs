@@ -130,6 +130,11 @@ impl Blockers {
         &self.corners[self.starts[patch]..self.starts[patch + 1]]
     }
 
+    /// Whether every object stands in the way.
+    pub fn all_block(&self) -> bool {
+        self.casts_shadow.iter().all(|&casts| casts)
+    }
+
     /// Whether an object stands in the way at all.
     pub fn includes(&self, object: u32) -> bool {
         self.casts_shadow[object as usize]

@@ -10,7 +10,8 @@
 //! | [`direct`] | LU | Golub & Van Loan §3.4 |
 //! | [`race`] | all of them on one system, by iteration and by time | |
 //!
-//! A small residual is not a small error: beside it stands the bound ‖B − B*‖_∞ ≤ ‖r‖_∞ / (1 − max_i ρ_i Σ_j F_ij).
+//! A small residual is not a small error: beside it stands the bound ‖B − B*‖_∞ ≤ ‖r‖_∞ / (1 − max_i ρ_i Σ_j F_ij), and
+//! [`total_error`] where the form factors have errors too.
 
 #[macro_use]
 mod solver;
@@ -36,6 +37,7 @@ mod singularity_check;
 mod system;
 #[cfg(test)]
 mod tests;
+mod total_error;
 
 pub use channels::{Channel, ChannelUnsolved, Known, solve_channels};
 pub use chebyshev::chebyshev_on;
@@ -45,6 +47,7 @@ pub use record_filter::RecordFilter;
 pub use shooting::shoot;
 pub use solver::solve;
 pub use system::{Matrix, Patches, Rows, System};
+pub use total_error::{RowErrors, total_error};
 
 use crate::record::Recorder;
 

@@ -64,9 +64,7 @@ pub enum Unsolved {
          so that light is never lost"
     )]
     NoSolution { patch: usize },
-    #[error(
-        "no solution has a meaning: more light is reflected than arrives, since form factors from a patch sum to more than 1"
-    )]
+    #[error("no solution has a meaning: more light is reflected than arrives")]
     GainsLight,
     #[error(
         "the largest ρ_i Σ_j F_ij is {gain}, so that no interval below 1 is known to hold the spectrum"
