@@ -215,3 +215,29 @@ fn what_cannot_be_solved_is_said_and_leaves_no_file() {
         assert!(message.contains(part), "{message}");
     }
 }
+
+#[test]
+fn a_result_says_how_exact_it_is() {
+    let folder = furnace();
+    for (closure, correction) in [("auto", 1e-16..1e-6), ("off", 0.0..1e-300)] {
+        let found = written(
+            &folder,
+            &format!("radiosity furnace.json --closure {closure}"),
+        );
+        let number = |value: &Value| value.as_f64().unwrap();
+        let (least, largest) = (&found["rows"]["least"], &found["rows"]["largest"]);
+        assert!((number(least) - 1.0).abs() < 1e-6 && (number(largest) - 1.0).abs() < 1e-6);
+        assert!(number(&found["reciprocity_error"]) < 1e-14);
+        assert_eq!(found["closed"], true);
+        let defect = number(&found["closure_defect"]);
+        assert!(defect < 1e-6);
+        assert!(number(&found["form_factor_error"]) >= defect);
+        let corrected = number(&found["closure_correction"]);
+        assert!(correction.contains(&corrected), "{closure}: {corrected}");
+        let bounds = numbers(&found["error_bound"]);
+        let totals = numbers(&found["total_error"]);
+        for (total, bound) in totals.iter().zip(bounds) {
+            assert!(*total >= bound && *total < 1e-5, "{closure}: {total}");
+        }
+    }
+}
