@@ -188,7 +188,7 @@ fn print_ablations(
         "{:<20} {:>11} {:>22} {:>12} {:>12}  result",
         "done all the same", "ms", "saved by leaving out", "steps saved", "KiB saved"
     )?;
-    for Ablation { part, measured, .. } in parts {
+    for Ablation { part, measured } in parts {
         let name = part.map_or("all of these", Part::name);
         let Measured {
             time: with,

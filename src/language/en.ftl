@@ -357,9 +357,6 @@ radiosity-reflectance = reflectance ρ
 radiosity-patches = Patches of the room: { $patches }, seen from their front, through the backs of those that turn away: { $seen }.
 radiosity-current = Current patch: { $exchange }
 radiosity-no-room = This scene cannot be divided into patches: a surface has no end, no area, or there are too many.
-radiosity-red = red
-radiosity-green = green
-radiosity-blue = blue
 
 ## ray-tree
 

@@ -357,9 +357,6 @@ radiosity-reflectance = reflektansi ρ
 radiosity-patches = Patch ruangan: { $patches }, terlihat dari depan, menembus punggung patch yang membelakangi: { $seen }.
 radiosity-current = Patch saat ini: { $exchange }
 radiosity-no-room = Adegan ini tidak dapat dibagi menjadi patch: ada permukaan tanpa batas, tanpa luas, atau jumlahnya terlalu banyak.
-radiosity-red = merah
-radiosity-green = hijau
-radiosity-blue = biru
 
 ## ray-tree
 

@@ -10,6 +10,7 @@ use super::message::{NO_STEPS, message};
 use super::names;
 use super::values::shown;
 use super::{PanelInput, Properties};
+use crate::algorithms::enclosure::CHANNELS;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Style, wrap};
@@ -23,7 +24,6 @@ use pieces::pieces;
 use set::{Atom, Voice, flow, set_pieces};
 
 const MARGIN: f32 = 10.0;
-const CHANNELS: [&str; 3] = ["red", "green", "blue"];
 
 pub const PANEL: Properties = Properties::titled(Message("app-formula"));
 

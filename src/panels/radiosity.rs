@@ -7,11 +7,10 @@ mod order;
 mod room_view;
 mod smooth;
 
-use super::channels::{CHANNELS, channel};
 use super::message::{NO_PATCHES, labelled, message};
 use super::values::step_as_sentence;
-use super::{PanelInput, Properties};
-use crate::algorithms::enclosure::Enclosure;
+use super::{PanelInput, Properties, names};
+use crate::algorithms::enclosure::{CHANNELS, Enclosure};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
 use crate::figure::{color_strip, elided, viridis};
@@ -146,10 +145,7 @@ fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
         colorings.push(Coloring {
             title: UNSHOT.format(
                 input.language,
-                &[(
-                    "channel",
-                    channel(unshot.channel).map_or(unshot.channel, |known| localize(known.word)),
-                )],
+                &[("channel", &names::word(unshot.channel, input.language))],
             ),
             patches: shares(&unshot).into_iter().map(viridis).collect(),
             may_be_smooth: false,
@@ -178,11 +174,11 @@ fn title(state: &State, room: &Enclosure, language: Language) -> String {
     };
     let recorded = |c: usize| {
         let mut recorded = state.channels.iter();
-        recorded.any(|channel| channel.channel == Some(CHANNELS[c].name))
+        recorded.any(|channel| channel.channel == Some(CHANNELS[c]))
     };
     let lit = (0..CHANNELS.len()).filter(|&c| recorded(c) || recorded(room.first_equal_channel(c)));
-    let names: Vec<&str> = lit.map(|c| localize(CHANNELS[c].word)).collect();
-    labelled(localize(what), &names.join(", "), language)
+    let words: Vec<String> = lit.map(|c| names::word(CHANNELS[c], language)).collect();
+    labelled(localize(what), &words.join(", "), language)
 }
 
 /// Two pictures beside or below each other; the first alone where there is no room for both.

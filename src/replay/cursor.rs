@@ -1,5 +1,6 @@
 //! Standing at one step of a run, and walking from there.
 
+use super::moves::Move;
 use super::{Fold, RecordedField, Timeline};
 use crate::record::{Event, Fields, Line, Outline};
 use crate::vocabulary::{Declared, Kind};
@@ -108,19 +109,10 @@ pub trait Walk {
     }
 
     /// Where a move ([`over`](super::moves::over), …) leads from here; `None` where it cannot act.
-    fn target(&self, go: fn(&Outline, usize) -> Option<usize>) -> Option<usize> {
+    fn target(&self, go: Move) -> Option<usize> {
         (!self.is_empty())
             .then(|| go(self.outline(), self.position()))
             .flatten()
-    }
-
-    /// Makes a move, and says whether it could.
-    fn go(&mut self, go: fn(&Outline, usize) -> Option<usize>) -> bool {
-        let target = self.target(go);
-        if let Some(step) = target {
-            self.seek(step);
-        }
-        target.is_some()
     }
 }
 
@@ -239,11 +231,15 @@ mod tests {
             Heard::default(),
         ));
         let walk: &mut dyn Walk = &mut replay;
-        assert!(!walk.go(moves::back));
-        assert!(walk.go(moves::into) && walk.go(moves::into) && walk.position() == 2);
-        assert!(walk.go(moves::over) && walk.position() == 5);
-        assert_eq!(walk.target(moves::out), Some(6));
-        assert!(walk.go(moves::out) && !walk.go(moves::into));
+        for (step, go, target) in [
+            (0, moves::into as Move, Some(1)),
+            (2, moves::over, Some(5)),
+            (5, moves::out, Some(6)),
+            (6, moves::into, None),
+        ] {
+            walk.seek(step);
+            assert_eq!(walk.target(go), target, "from {step}");
+        }
     }
 
     #[test]
@@ -255,8 +251,8 @@ mod tests {
         let walk: &mut dyn Walk = &mut replay;
         walk.seek(7);
         assert!(walk.is_empty() && walk.position() == 0);
-        for go in [moves::into, moves::over, moves::out, moves::back] {
-            assert!(!walk.go(go));
+        for go in [moves::into, moves::over, moves::out] {
+            assert_eq!(walk.target(go), None);
         }
         assert!(replay.event().is_none());
     }

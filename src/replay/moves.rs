@@ -2,6 +2,8 @@
 
 use crate::record::Outline;
 
+pub type Move = fn(&Outline, usize) -> Option<usize>;
+
 /// The next step, inside the scope that `step` opens if it opens one.
 pub fn into(outline: &Outline, step: usize) -> Option<usize> {
     forward(outline, step, step + 1)
@@ -15,11 +17,6 @@ pub fn over(outline: &Outline, step: usize) -> Option<usize> {
 /// The next step after the scope that `step` lies in; the last step of all where nothing follows that scope.
 pub fn out(outline: &Outline, step: usize) -> Option<usize> {
     forward(outline, step, outline.last(outline.parent(step)?) + 1)
-}
-
-/// The step before.
-pub fn back(outline: &Outline, step: usize) -> Option<usize> {
-    step.checked_sub(1).filter(|_| step < outline.len())
 }
 
 /// The next scope that opens after the current one has closed: a sibling, or else a scope further out.
@@ -127,7 +124,6 @@ mod tests {
                 prop_assert_eq!(into(&outline, step), clamp(step, step + 1));
                 prop_assert_eq!(over(&outline, step), clamp(step, last(&marks, step) + 1));
                 prop_assert_eq!(out(&outline, step), parent.and_then(|p| clamp(step, last(&marks, p) + 1)));
-                prop_assert_eq!(back(&outline, step), step.checked_sub(1));
 
                 let scope = if marks[step] == Mark::Enter { Some(step) } else { parent };
                 let level = scope.map_or(0, |scope| depth(&marks, scope));
@@ -148,7 +144,7 @@ mod tests {
     #[test]
     fn a_lone_step_leads_nowhere() {
         let outline = Outline::of(&Trace::parse(".").recording());
-        for go in [into, over, out, back, next_scope, previous_scope] {
+        for go in [into, over, out, next_scope, previous_scope] {
             assert_eq!(go(&outline, 0), None);
         }
     }

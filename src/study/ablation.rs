@@ -8,7 +8,7 @@ use crate::algorithms::radiosity::RecordFilter;
 use crate::methods::Setup;
 use crate::record::Unrecorded;
 use crate::render::{Method, render};
-use crate::scene::{LeftOut, Part, Parts};
+use crate::scene::{Part, Parts};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 
@@ -29,8 +29,6 @@ pub struct Ablations {
 pub struct Ablation {
     /// None: everything.
     pub part: Option<Part>,
-    /// What it concerns.
-    pub skipped: Vec<LeftOut>,
     /// Errors: why it was not run to its end.
     pub measured: Result<Measured, String>,
 }
@@ -84,8 +82,8 @@ pub fn ablations(
     // What no run need make again.
     let setup = setup.with_forced(Parts::NONE);
     setup.prepared.primitives();
-    let all = setup.skipped(method);
-    let is_left_out = |&part: &Part| all.iter().any(|skipped| skipped.part == part);
+    let skipped = setup.skipped(method);
+    let is_left_out = |&part: &Part| skipped.iter().any(|skipped| skipped.part == part);
     let parts = Part::ALL.into_iter().filter(is_left_out);
     let mut runs: Vec<Option<Part>> = parts.map(Some).collect();
     if runs.len() > 1 {
@@ -117,11 +115,6 @@ pub fn ablations(
     let parts = runs.into_iter().zip(&stages[1..]).zip(timed);
     let ablation = |((part, setup), timed): ((Option<Part>, &Arc<Setup>), _)| Ablation {
         part,
-        skipped: all
-            .iter()
-            .filter(|skipped| Some(skipped.part) == part)
-            .cloned()
-            .collect(),
         measured: Result::map(timed, |timed| measured(setup, timed)),
     };
     Ok(Ablations {

@@ -262,7 +262,13 @@ fn seek() {
     );
 
     for _ in 0..1000 {
-        let pixel = replay.state().0.get(below(640, random), below(480, random));
+        let place = below(640 * 480, random);
+        let pixel = replay
+            .state()
+            .0
+            .iter()
+            .nth(place)
+            .expect("it lies in the picture");
         if pixel.writer == u32::MAX {
             continue;
         }

@@ -5,11 +5,8 @@ use crate::app::strings;
 use crate::language::{Language, Message};
 use crate::lesson::builtin;
 use crate::picture::{Tag, Theme};
-use crate::record::Outline;
-use crate::replay::{Query, moves, query};
-
-/// Where a step leads to; see [`moves`].
-type Move = fn(&Outline, usize) -> Option<usize>;
+use crate::replay::moves::{self, Move};
+use crate::replay::{Query, query};
 
 impl Session {
     /// Carries out a command. Errors: why it cannot act here; nothing has changed then.

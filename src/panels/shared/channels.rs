@@ -1,34 +1,32 @@
-//! Red, green and blue: what panels call them, and how they draw their curves.
+//! How panels draw red, green and blue.
 
-use crate::language::Message;
+use crate::algorithms::enclosure::CHANNELS;
 use crate::picture::Ink;
 
 pub struct Channel {
-    /// As events have it.
-    pub name: &'static str,
     pub letter: &'static str,
-    pub word: Message,
+    /// Of its curves.
     pub ink: Ink,
 }
 
+/// In the order of [`CHANNELS`].
+pub static DRAWN: [Channel; 3] = [
+    Channel::new("R", 3),
+    Channel::new("G", 2),
+    Channel::new("B", 0),
+];
+
 impl Channel {
-    const fn new(name: &'static str, letter: &'static str, word: &'static str, series: u8) -> Self {
+    const fn new(letter: &'static str, series: u8) -> Self {
         Channel {
-            name,
             letter,
-            word: Message(word),
             ink: Ink::Series(series),
         }
     }
 }
 
-pub static CHANNELS: [Channel; 3] = [
-    Channel::new("red", "R", "radiosity-red", 3),
-    Channel::new("green", "G", "radiosity-green", 2),
-    Channel::new("blue", "B", "radiosity-blue", 0),
-];
-
 /// The channel that events call so.
 pub fn channel(name: &str) -> Option<&'static Channel> {
-    CHANNELS.iter().find(|channel| channel.name == name)
+    let number = CHANNELS.iter().position(|known| *known == name)?;
+    Some(&DRAWN[number])
 }

@@ -1,6 +1,6 @@
 //! The values of the current point, and its intensity as a sum of terms.
 
-use super::super::channels::CHANNELS;
+use super::super::channels;
 use super::super::values::short;
 use crate::color::Rgb;
 use crate::figure::{Cell, mono_or_narrow};
@@ -192,7 +192,11 @@ fn draw_bar(picture: &mut Picture, bar: Rect, parts: &[(Rgb, Term)], channel: us
         bar
     } else {
         let name = Rect::new(bar.x, bar.y, 12.0, bar.height);
-        picture.text_in(name, CHANNELS[channel].letter, letter.ink(Ink::Muted));
+        picture.text_in(
+            name,
+            channels::DRAWN[channel].letter,
+            letter.ink(Ink::Muted),
+        );
         Rect::new(name.right(), bar.y, bar.width - name.width, bar.height)
     };
     picture.rect(bar, Ink::Faint);
