@@ -118,7 +118,7 @@ pub const BROKEN: &[(&str, &str, &[&str])] = &[
     ("meshes/pot.obj", "../pot.obj", &["objects[3].mesh.file: found \"../pot.obj\", which leaves the folder"]),
     ("meshes/pot.obj", "/etc/passwd", &["objects[3].mesh.file", "an absolute path"]),
     ("meshes/pot.obj", "", &["objects[3].mesh.file", "empty"]),
-    ("meshes/pot.obj", "meshes/pot.glb", &["objects[3].mesh.file", "glTF is not supported"]),
+    ("meshes/pot.obj", "meshes/pot.stl", &["objects[3].mesh.file", "mesh files are Wavefront OBJ (.obj) and glTF (.glb, .gltf)"]),
     ("\"scale\": 1.0 } },", "\"scale\": 0 } },", &["objects[3].transform.scale: found 0.0"]),
     ("\"scale\": 1.0 } },", "\"scale\": -1 } },", &["objects[3].transform.scale: found -1.0"]),
     ("\"sphere\":", "\"transform\": {}, \"sphere\":", &["objects[0].transform", "only meshes do"]),

@@ -1,5 +1,6 @@
 //! Mesh files: what they hold, whichever format they are written in.
 
+mod gltf_file;
 mod kind;
 mod lines;
 mod obj;
@@ -9,7 +10,7 @@ mod statements;
 pub use path::mesh_path_is_inside;
 
 pub(super) use kind::misplaced;
-pub(super) use path::mesh_format_is_known;
+pub(super) use path::{Format, mesh_format};
 
 use super::Mesh;
 use glam::{DAffine3, DVec2, DVec3};
@@ -64,10 +65,17 @@ impl Default for MeshData {
 impl MeshData {
     /// Reads a mesh file.
     ///
-    /// Errors: what the file is instead of a mesh, the first line that is wrong, no faces at all, or more than `max_triangles`,
-    /// as a sentence.
-    pub fn read(bytes: &[u8], max_triangles: u64) -> Result<MeshData, String> {
-        obj::read(bytes, max_triangles)
+    /// Errors: what the file is instead of a mesh, the first line or part that is wrong, no faces at all, or more than
+    /// `max_triangles`, as a sentence.
+    pub(super) fn read(
+        bytes: &[u8],
+        format: Format,
+        max_triangles: u64,
+    ) -> Result<MeshData, String> {
+        match format {
+            Format::Obj => obj::read(bytes, max_triangles),
+            Format::Gltf => gltf_file::read(bytes, max_triangles),
+        }
     }
 
     pub fn face_count(&self) -> usize {

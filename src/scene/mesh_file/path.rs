@@ -41,15 +41,23 @@ pub fn mesh_path_is_inside(path: &str) -> Result<(), String> {
     }
 }
 
-/// Whether the file is of a kind that can be read, by the ending of its name.
-pub(in crate::scene) fn mesh_format_is_known(path: &str) -> Result<(), String> {
+/// How a mesh file is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::scene) enum Format {
+    Obj,
+    /// Binary, or JSON.
+    Gltf,
+}
+
+/// The format of a mesh file, by the ending of its name.
+pub(in crate::scene) fn mesh_format(path: &str) -> Result<Format, String> {
     let ending = path.rsplit_once('.').map_or("", |(_, ending)| ending);
-    if ending.eq_ignore_ascii_case("obj") {
-        Ok(())
-    } else {
-        Err(format!(
-            "found {path:?}; mesh files are Wavefront OBJ and end in .obj (glTF is not supported in this build)"
-        ))
+    match ending.to_ascii_lowercase().as_str() {
+        "obj" => Ok(Format::Obj),
+        "gltf" | "glb" => Ok(Format::Gltf),
+        _ => Err(format!(
+            "found {path:?}; mesh files are Wavefront OBJ (.obj) and glTF (.glb, .gltf)"
+        )),
     }
 }
 
@@ -86,9 +94,11 @@ mod tests {
     }
 
     #[test]
-    fn only_obj_is_read() {
-        assert_eq!(mesh_format_is_known("a/Pot.OBJ"), Ok(()));
-        assert!(mesh_format_is_known("a.glb").unwrap_err().contains("glTF"));
-        assert!(mesh_format_is_known("obj").is_err());
+    fn the_ending_says_the_format() {
+        assert_eq!(mesh_format("a/Pot.OBJ"), Ok(Format::Obj));
+        assert_eq!(mesh_format("a.glb"), Ok(Format::Gltf));
+        assert_eq!(mesh_format("a.b/c.gltf"), Ok(Format::Gltf));
+        assert!(mesh_format("a.stl").unwrap_err().contains(".glb"));
+        assert!(mesh_format("obj").is_err());
     }
 }

@@ -23,7 +23,7 @@ f 2 1 -2 -1
 const CORNERS: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 fn read(text: &str) -> Result<MeshData, String> {
-    MeshData::read(text.as_bytes(), 1000)
+    obj::read(text.as_bytes(), 1000)
 }
 
 fn remarks(text: &str) -> Vec<String> {
@@ -64,12 +64,12 @@ fn corners_without_texture_coordinates_take_the_origin() {
 #[test]
 fn the_teapot_has_992_triangles_over_welded_vertices() {
     let teapot = include_bytes!("../../../lessons/meshes/teapot.obj");
-    let data = MeshData::read(teapot, 992).unwrap();
+    let data = obj::read(teapot, 992).unwrap();
     assert_eq!(data.triangles(), 992);
     let mesh = data.mesh(&DAffine3::IDENTITY, false);
     assert_eq!(mesh.face_count(), 992);
     assert!(mesh.vertex_count() < 792);
-    let message = MeshData::read(teapot, 991).unwrap_err();
+    let message = obj::read(teapot, 991).unwrap_err();
     assert_eq!(
         message,
         "found 992 triangles; at most 991 are allowed (--max-triangles)"
@@ -88,7 +88,7 @@ fn coordinates_keep_all_their_digits() {
 #[test]
 fn the_same_triangle_is_read_however_it_is_written() {
     let same = |text: &[u8]| {
-        let data = MeshData::read(text, 1000).unwrap();
+        let data = obj::read(text, 1000).unwrap();
         let mesh = data.mesh(&DAffine3::IDENTITY, false);
         let corners: Vec<[f64; 3]> = mesh
             .face(0)
@@ -201,7 +201,7 @@ fn other_files_are_called_by_their_names() {
         (b"\x89PNG\r\n", "found a PNG image"),
         (b"\xff\xd8\xff\xe0", "found a JPEG image"),
     ] {
-        let message = MeshData::read(start, 1000).unwrap_err();
+        let message = obj::read(start, 1000).unwrap_err();
         assert!(message.starts_with(kind), "{message}");
     }
     for (text, end) in [
@@ -262,7 +262,7 @@ fn a_wrong_line_is_named() {
 proptest! {
     #[test]
     fn no_bytes_make_it_panic(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
-        let _ = MeshData::read(&bytes, 1000);
+        let _ = obj::read(&bytes, 1000);
     }
 
     #[test]

@@ -7,7 +7,7 @@ use crate::scene::document::{Keyed, Place};
 use crate::scene::file::{
     BezierFile, CylinderFile, MeshFile, PlaneFile, PolygonFile, SphereFile, TransformFile,
 };
-use crate::scene::mesh_file::{MeshData, mesh_format_is_known, mesh_path_is_inside};
+use crate::scene::mesh_file::{MeshData, mesh_format, mesh_path_is_inside};
 use crate::scene::tessellation::CYLINDER_SIDES;
 use crate::scene::values::{Count, Triple};
 use crate::scene::{Mesh, Shape, VertexNormals};
@@ -269,12 +269,12 @@ impl Objects<'_, '_> {
         }
         let max_triangles = self.max_triangles();
         let data = mesh_path_is_inside(path)
-            .and_then(|()| mesh_format_is_known(path))
-            .and_then(|()| {
-                (self.read_file)(path).map_err(|why| format!("cannot read {path:?}: {why}"))
-            })
-            .and_then(|bytes| {
-                MeshData::read(&bytes, max_triangles).map_err(|why| format!("in {path:?}: {why}"))
+            .and_then(|()| mesh_format(path))
+            .and_then(|format| {
+                let bytes = (self.read_file)(path);
+                let bytes = bytes.map_err(|why| format!("cannot read {path:?}: {why}"))?;
+                MeshData::read(&bytes, format, max_triangles)
+                    .map_err(|why| format!("in {path:?}: {why}"))
             });
         let data = Rc::new(data);
         self.meshes.insert(path.to_owned(), data.clone());
