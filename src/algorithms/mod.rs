@@ -18,7 +18,7 @@
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays | Whitted 1980 |
 //! | [`form_factor`] | the share of light that one patch sends to another, one file per method | Cohen & Greenberg 1985, Baum et al. 1989 |
 //! | [`radiosity`] | solvers of the radiosity system: gathering, shooting, Chebyshev, conjugate gradients, LU | Goral et al. 1984, Cohen et al. 1988 |
-//! | [`enclosure`], [`enclosure_needs`], [`enclosure_notes`], [`exchange`], [`accuracy`], [`patch_view`] | a scene's patches with their form factors and light, and the picture of it | Cohen & Greenberg 1985 |
+//! | [`enclosure`], [`enclosure_needs`], [`enclosure_notes`], [`lamp_notes`], [`exchange`], [`accuracy`], [`patch_view`] | a scene's patches with their form factors and light, and the picture of it | Cohen & Greenberg 1985 |
 //!
 //! [`prepared_scene`] prepares a scene for its camera for all of them; [`focus`] selects the part of a frame that is drawn.
 
@@ -70,6 +70,7 @@ pub mod gouraud;
 pub mod illumination;
 pub mod incidence;
 pub mod intensity;
+pub mod lamp_notes;
 pub mod patch_view;
 pub mod phong;
 pub mod prepared_scene;

@@ -77,7 +77,7 @@ fn check(path: &Path, limits: &Limits) -> Result<Found, Failure> {
             Ok(Found {
                 counts: json!({ "kind": "scene", "objects": objects, "lights": lights }),
                 summary: format!("scene, {objects} objects, {lights} lights"),
-                notes: methods::notes_of(&scene),
+                notes: methods::notes_of(&scene, limits.max_patches),
             })
         }
         Document::Lesson(lesson) => {

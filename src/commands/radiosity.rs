@@ -8,9 +8,9 @@ use super::form_factors::{MemoryArgument, VisibilityArgument, enclosure, matrix,
 use super::notes;
 use super::progress::named;
 use crate::algorithms::enclosure::{Enclosure, Light, Settings};
-use crate::algorithms::enclosure_notes;
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::radiosity::{ChannelUnsolved, RecordFilter, Solver, Unsolved};
+use crate::algorithms::{enclosure_notes, lamp_notes};
 use crate::record::Unrecorded;
 use crate::scene::Scene;
 use clap::builder::PossibleValuesParser;
@@ -96,6 +96,8 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let divided = start.elapsed();
     let mut notes = scene.notes.clone();
     notes.extend(enclosure_notes::notes(&scene));
+    let (patches, primitives) = (&enclosure.patches, &enclosure.primitives);
+    notes.extend(lamp_notes::notes(&scene, patches, primitives));
     notes::print(&arguments.scene.display(), &notes);
     let shot: Light;
     let (exchanged, light) = match arguments.memory.refusal(&enclosure) {

@@ -11,6 +11,7 @@ mod mesh;
 mod mesh_file;
 mod needs;
 mod note;
+mod outside;
 pub mod patch_primitives;
 pub mod patches;
 pub mod primitives;

@@ -11,6 +11,7 @@ const WITHOUT_EFFECT: &str = r#"{ "schema": 1,
   "materials": { "checked": { "diffuse": [0.5, 0.5, 0.5], "texture": { "checker": { "colors": [[1, 1, 1], [0, 0, 0]] } } } },
   "objects": [
     { "name": "bare", "material": "checked", "mesh": { "file": "meshes/bare.obj" } },
+    { "name": "behind", "material": "checked", "sphere": { "center": [0, 0, 9], "radius": 1 } },
     { "name": "wall", "material": "checked", "polygon": { "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0]] }, "patches": 2 } ],
   "lights": [ { "point": { "position": [0, 0, 3], "color": [0, 0, 0] } } ] }"#;
 
@@ -39,6 +40,7 @@ fn notes(recorded: &Value) -> Vec<String> {
 const TEXTURE: &str = "objects[0].material: the texture of the material \"checked\"";
 const BLACK: &str = "lights[0].point.color: a black light";
 const POINT: &str = "lights[0]: a point light";
+const BEHIND: &str = "objects[1]: the object \"behind\"";
 const DARK: &str = "objects: no surface has an `emission` other than 0";
 
 #[test]
@@ -59,7 +61,7 @@ fn every_command_notes_what_has_no_effect_for_it() {
     let draw = "render noted.json --size 8x8 --out picture.png --stats --method";
     assert_eq!(
         notes(&json(&run(&format!("{draw} flat")))),
-        [BLACK, TEXTURE]
+        [BLACK, TEXTURE, BEHIND]
     );
     let stats = json(&run(&format!("{draw} radiosity")));
     assert_eq!(notes(&stats), of_radiosity);
