@@ -73,6 +73,7 @@ pub mod intensity;
 pub mod lamp_notes;
 pub mod patch_view;
 pub mod phong;
+mod place;
 pub mod prepared_scene;
 pub mod primary;
 pub mod radiosity;

@@ -88,7 +88,7 @@ impl<'a, S: Search> RayCaster<'a, S> {
         let (scene, primitives) = (&self.prepared.scene, self.prepared.primitives());
         recorder.enter(|| Event::Ray { ray: *ray });
         let balls = self.needs.light_balls;
-        let met = visible(self.search, scene, primitives, balls, ray, recorder);
+        let met = visible(self.search, scene, primitives, balls, ray, recorder).met;
         let color = match met {
             Intersection::Nothing | Intersection::Light { .. } => {
                 without_object(scene, &met, recorder)

@@ -12,15 +12,16 @@ use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{self, Lighting};
 use super::incidence::{Incidence, divisor};
+use super::place::{Place, Start};
 use super::prepared_scene::{self, PreparedScene};
 use super::primary::{self, Settings, for_each_pixel};
 use super::ray_tree::{self, Branch, RayKind};
-use super::surface::{self, SurfaceInteraction, interact, without_object};
-use super::visible::{self, Intersection, Search, visible};
+use super::surface::{self, interact, without_object};
+use super::visible::{self, Intersection, Search, touching, visible};
 use crate::color::Rgb;
 use crate::numeric::{refracted, refraction_radicand};
 use crate::record::{Listing, Recorder};
-use crate::scene::primitives::{Hit, Ray, leaving, short_of};
+use crate::scene::primitives::{Contact, short_of};
 use crate::scene::{Material, Needs};
 use glam::DVec3;
 
@@ -111,7 +112,9 @@ impl<'a, S: Search> RayTracer<'a, S> {
         let samples = self.settings.samples;
         let view = &self.prepared.view;
         primary::pixel(view, samples, (x, y), recorder, |ray, recorder| {
-            let (color, _) = self.trace(RayKind::Primary, ray, 1, &self.around_eye, recorder);
+            let (ray, between) = (*ray, None);
+            let start = Start { ray, between };
+            let (color, _) = self.trace(RayKind::Primary, start, 1, &self.around_eye, recorder);
             color
         })
     }
@@ -120,7 +123,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
     fn trace<R: Recorder<Event>>(
         &self,
         kind: RayKind,
-        ray: &Ray,
+        Start { ray, between }: Start,
         level: u32,
         media: &Media,
         recorder: &mut R,
@@ -129,18 +132,28 @@ impl<'a, S: Search> RayTracer<'a, S> {
         let opened = ray_tree::Event::Ray {
             kind,
             level: level as u16,
-            ray: *ray,
+            ray,
         };
         recorder.enter(|| opened.into());
         let balls = self.needs.light_balls;
-        let met = visible(self.search, scene, primitives, balls, ray, recorder);
+        let seen = match between {
+            Some(between) => touching(scene, between.hit(), recorder),
+            None => visible(self.search, scene, primitives, balls, &ray, recorder),
+        };
+        let met = seen.met;
         let Intersection::Object(hit) = met else {
             let color = without_object(scene, &met, recorder);
             recorder.leave(|| ray_tree::Event::Returned { color }.into());
             return (color, met.t().is_finite().then_some(met.t()));
         };
-        let interaction = interact(scene, primitives, self.needs, ray, &hit, recorder);
-        let mut sum = self.local(&hit, &interaction, recorder);
+        let interaction = interact(scene, primitives, self.needs, &ray, &hit, recorder);
+        let place = Place {
+            hit,
+            interaction,
+            between: between.or(seen.contact.as_ref().map(Contact::start)),
+        };
+        let interaction = &place.interaction;
+        let mut sum = self.local(&place, recorder);
 
         // The reflected ray
         let Material {
@@ -157,14 +170,14 @@ impl<'a, S: Search> RayTracer<'a, S> {
         };
         if self.needs.reflects(interaction.point.material) {
             let reflected = branch(RayKind::Reflected, k_r, mirrored);
-            sum = self.follow(&reflected, &interaction, level, media, sum, recorder);
+            sum = self.follow(&reflected, &place, level, media, sum, recorder);
         } else {
             recorder.step(|| ray_tree::Event::no_coefficient(RayKind::Reflected).into());
         }
 
         // The refracted ray
         if self.needs.transmits(interaction.point.material) {
-            let beyond = self.beyond(&hit, &interaction, media);
+            let beyond = self.beyond(&place, media);
             let eta_i = self.ior(media);
             let eta_r = self.ior(&beyond);
             let eta = eta_i / eta_r;
@@ -188,7 +201,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
                 let t = DVec3::from_array(t).normalize();
                 (branch(RayKind::Transmitted, k_t, t), &beyond)
             };
-            sum = self.follow(&transmitted, &interaction, level, inside, sum, recorder);
+            sum = self.follow(&transmitted, &place, level, inside, sum, recorder);
         } else {
             recorder.step(|| ray_tree::Event::no_coefficient(RayKind::Transmitted).into());
         }
@@ -198,16 +211,14 @@ impl<'a, S: Search> RayTracer<'a, S> {
     }
 
     /// The illumination model with shadows, and emission.
-    fn local<R: Recorder<Event>>(
-        &self,
-        hit: &Hit,
-        interaction: &SurfaceInteraction,
-        recorder: &mut R,
-    ) -> Rgb {
+    fn local<R: Recorder<Event>>(&self, place: &Place, recorder: &mut R) -> Rgb {
+        let Place {
+            hit, interaction, ..
+        } = place;
         let emission = interaction.point.material.emission;
         let local = interaction.local(&self.lighting, recorder, |incidence, recorder| {
             let shadows = self.needs.shadow(incidence.light, hit.object as usize);
-            !(shadows && self.in_shadow(interaction, incidence, recorder))
+            !(shadows && self.in_shadow(place, incidence, recorder))
         });
         recorder.step(|| ray_tree::Event::Local { emission, local }.into());
         local
@@ -216,14 +227,13 @@ impl<'a, S: Search> RayTracer<'a, S> {
     /// Whether an object that casts a shadow lies between the surface and a light.
     fn in_shadow<R: Recorder<Event>>(
         &self,
-        interaction: &SurfaceInteraction,
+        place: &Place,
         incidence: &Incidence,
         recorder: &mut R,
     ) -> bool {
         let (scene, primitives) = (&self.prepared.scene, self.prepared.primitives());
         let (light, direction) = (incidence.light as u32, incidence.to_light);
         let distance = incidence.distance;
-        let ray = leaving(&interaction.surface, direction);
         recorder.enter(|| {
             ray_tree::Event::ShadowRay {
                 light,
@@ -232,10 +242,13 @@ impl<'a, S: Search> RayTracer<'a, S> {
             }
             .into()
         });
-        let between = short_of(&ray, &interaction.surface, distance);
-        let blocker = self
-            .search
-            .blocker(scene, primitives, &ray, between, recorder);
+        let touching = place.leaving(direction, false).blocker(scene, recorder);
+        let blocker = touching.or_else(|| {
+            let ray = place.past_all(direction);
+            let between = short_of(&ray, &place.interaction.surface, distance);
+            let search = self.search;
+            search.blocker(scene, primitives, &ray, between, recorder)
+        });
         recorder.leave(|| {
             ray_tree::Event::Shadow {
                 light,
@@ -251,7 +264,7 @@ impl<'a, S: Search> RayTracer<'a, S> {
     fn follow<R: Recorder<Event>>(
         &self,
         branch: &Branch,
-        interaction: &SurfaceInteraction,
+        place: &Place,
         level: u32,
         media: &Media,
         sum: Rgb,
@@ -267,8 +280,8 @@ impl<'a, S: Search> RayTracer<'a, S> {
             recorder.step(|| ray_tree::Event::too_deep(kind).into());
             return sum;
         }
-        let ray = leaving(&interaction.surface, direction);
-        let (color, distance) = self.trace(kind, &ray, level + 1, media, recorder);
+        let start = place.leaving(direction, kind == RayKind::Transmitted);
+        let (color, distance) = self.trace(kind, start, level + 1, media, recorder);
 
         let mut carried = color;
         if self.needs.path_attenuation
@@ -291,12 +304,17 @@ impl<'a, S: Search> RayTracer<'a, S> {
         sum
     }
 
-    /// The media on the other side of the surface: with the object where the ray enters it, without it where it leaves.
-    fn beyond(&self, hit: &Hit, interaction: &SurfaceInteraction, media: &Media) -> Media {
+    /// The media on the other side of the surface: with the object where the ray enters it, without it where it leaves. A surface that is
+    /// not closed is a thin pane, with the same media on both sides.
+    fn beyond(&self, place: &Place, media: &Media) -> Media {
+        let object = place.hit.object;
         let mut beyond = media.clone();
-        if interaction.entering {
-            beyond.push(hit.object);
-        } else if let Some(innermost) = beyond.iter().rposition(|&object| object == hit.object) {
+        if !self.prepared.primitives().is_transparent_body(object) {
+            return beyond;
+        }
+        if place.interaction.entering {
+            beyond.push(object);
+        } else if let Some(innermost) = beyond.iter().rposition(|&inside| inside == object) {
             beyond.remove(innermost);
         }
         beyond

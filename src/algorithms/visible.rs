@@ -2,11 +2,11 @@
 //! (Appel 1968; object by object as in Whitted 1980, §3).
 //!
 //! [`BruteForce`] tests one object after another, as in the textbook, and records every comparison with NearestT. [`Bvh`] finds the
-//! same hit, bit for bit, without testing every object, and records only the result. At equal t the object of lower index wins. A
-//! point light of positive radius is a ball that rays see; it blocks no shadow ray.
+//! same hit, bit for bit, without testing every object, and records only the result. At equal t, within rounding, the object of lower
+//! index is in front; what touches it there is met next, by the ray that goes on. A point light of positive radius is a ball that rays see; it blocks no shadow ray.
 
 use crate::record::Recorder;
-use crate::scene::primitives::{Hit, Primitives, Ray, meet_ball};
+use crate::scene::primitives::{Contact, Hit, Nearest, Primitives, Ray, meet_ball};
 use crate::scene::{Light, Scene};
 
 /// The first thing that a ray meets.
@@ -19,14 +19,14 @@ pub enum Intersection {
 
 /// A way to find the visible surface. Every way finds the same.
 pub trait Search: Copy {
-    /// The nearest object at t > 0.
+    /// The nearest object at t > 0, and what touches it there.
     fn nearest<E: From<Event>>(
         self,
         scene: &Scene,
         primitives: &Primitives,
         ray: &Ray,
         recorder: &mut impl Recorder<E>,
-    ) -> Option<Hit>;
+    ) -> Option<Nearest>;
 
     /// An object that casts a shadow and is met at 0 < t < `distance`.
     fn blocker<E: From<Event>>(
@@ -61,16 +61,19 @@ impl Search for BruteForce {
         primitives: &Primitives,
         ray: &Ray,
         recorder: &mut impl Recorder<E>,
-    ) -> Option<Hit> {
-        let mut nearest: Option<Hit> = None;
+    ) -> Option<Nearest> {
+        let mut nearest: Option<Nearest> = None;
+        let mut hits = Vec::new();
         for object in 0..scene.objects.len() {
             let hit = primitives.meet(object, ray);
-            let nearest_t = nearest.map_or(f64::INFINITY, |hit| hit.t);
-            let nearer = hit.is_some_and(|hit| hit.t < nearest_t);
+            let nearest_t = nearest
+                .as_ref()
+                .map_or(f64::INFINITY, |nearest| nearest.hit.t);
+            hits.extend(hit);
+            let in_front = hit.and_then(|_| primitives.front(ray, &hits));
+            let nearer = hit.is_some() && in_front.as_ref().map(|front| front.hit) == hit;
             recorder.step(|| Event::tested(object, hit, nearest_t, nearer).into());
-            if nearer {
-                nearest = hit;
-            }
+            nearest = in_front.or(nearest);
         }
         nearest
     }
@@ -111,8 +114,8 @@ impl Search for Bvh {
         primitives: &Primitives,
         ray: &Ray,
         _: &mut impl Recorder<E>,
-    ) -> Option<Hit> {
-        primitives.nearest(ray)
+    ) -> Option<Nearest> {
+        primitives.nearest_with_contact(ray)
     }
 
     fn blocker<E: From<Event>>(
@@ -129,6 +132,14 @@ impl Search for Bvh {
     }
 }
 
+/// What a ray sees.
+#[derive(Clone, Debug)]
+pub struct Visible {
+    pub met: Intersection,
+    /// What is at the same place as the object that it meets.
+    pub contact: Option<Contact>,
+}
+
 /// The nearest among all objects and, with `light_balls`, the balls of the lights.
 pub fn visible<E: From<Event>>(
     search: impl Search,
@@ -137,16 +148,11 @@ pub fn visible<E: From<Event>>(
     light_balls: bool,
     ray: &Ray,
     recorder: &mut impl Recorder<E>,
-) -> Intersection {
-    recorder.enter(|| {
-        Event::Search {
-            objects: scene.objects.len() as u32,
-        }
-        .into()
-    });
-    let mut met = match search.nearest(scene, primitives, ray, recorder) {
-        Some(hit) => Intersection::Object(hit),
-        None => Intersection::Nothing,
+) -> Visible {
+    recorder.enter(|| Event::search(scene).into());
+    let (mut met, mut contact) = match search.nearest(scene, primitives, ray, recorder) {
+        Some(Nearest { hit, contact }) => (Intersection::Object(hit), contact),
+        None => (Intersection::Nothing, None),
     };
     if light_balls {
         for (light, of) in scene.lights.iter().enumerate() {
@@ -174,11 +180,25 @@ pub fn visible<E: From<Event>>(
             });
             if let (Some(t), true) = (t, nearer) {
                 met = Intersection::Light { light, t };
+                contact = None;
             }
         }
     }
     recorder.leave(|| Event::Found { met }.into());
-    met
+    Visible { met, contact }
+}
+
+/// The surface that touches the one from which the ray starts, at distance 0: nothing can be nearer.
+pub fn touching<E: From<Event>>(
+    scene: &Scene,
+    hit: Hit,
+    recorder: &mut impl Recorder<E>,
+) -> Visible {
+    let met = Intersection::Object(hit);
+    recorder.enter(|| Event::search(scene).into());
+    recorder.step(|| Event::tested(hit.object as usize, Some(hit), f64::INFINITY, true).into());
+    recorder.leave(|| Event::Found { met }.into());
+    Visible { met, contact: None }
 }
 
 impl Intersection {
@@ -227,6 +247,12 @@ pub enum Event {
 }
 
 impl Event {
+    fn search(scene: &Scene) -> Self {
+        Event::Search {
+            objects: scene.objects.len() as u32,
+        }
+    }
+
     fn tested(object: usize, hit: Option<Hit>, nearest_t: f64, nearer: bool) -> Self {
         Event::ObjectTested {
             object: object as u32,
@@ -237,7 +263,7 @@ impl Event {
         }
     }
 
-    fn between(object: usize, hit: Option<Hit>, distance: f64, blocks: bool) -> Self {
+    pub fn between(object: usize, hit: Option<Hit>, distance: f64, blocks: bool) -> Self {
         Event::BetweenTested {
             object: object as u32,
             triangle: hit.map_or(0, |hit| hit.triangle),

@@ -38,6 +38,13 @@ impl State {
             let Some(surface) = parent.surface.filter(|_| crossed) else {
                 continue;
             };
+            if !self
+                .prepared
+                .primitives()
+                .is_transparent_body(surface.object)
+            {
+                continue;
+            }
             if surface.facing.is_some_and(|(.., entering)| entering) {
                 media.push(surface.object);
             } else if let Some(at) = media.iter().rposition(|&inner| inner == surface.object) {

@@ -4,28 +4,115 @@ use super::super::Mesh;
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// Whether every edge is shared by exactly two faces, which run along it in opposite senses.
-pub(super) fn is_closed(mesh: &Mesh) -> bool {
-    // How often the faces around `from` run from it to `to`
-    let count = |from: u32, to: u32| -> usize {
-        let faces = mesh.faces_around(from).iter();
-        faces
-            .map(|&face| {
-                let corners = mesh.face(face as usize);
-                (0..corners.len())
-                    .filter(|&i| corners[i] == from && corners[(i + 1) % corners.len()] == to)
-                    .count()
-            })
-            .sum()
+/// Whether a mesh bounds a body, and which way its faces look.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Winding {
+    /// The surface has a border or a fork: this edge, from vertex to vertex, has not one face on either side.
+    Open { edge: [u32; 2] },
+    /// Every face has a neighbour across each of its edges. Whether it must be turned to look outward, by face.
+    Closed { turned: Vec<bool> },
+}
+
+impl Winding {
+    /// Faces are turned that are wound against their neighbours, the fewer in each connected part; then all, where the enclosed volume
+    /// is negative.
+    pub fn of(mesh: &Mesh) -> Self {
+        let mut turned = vec![false; mesh.face_count()];
+        if let Some(edge) = edges(mesh).find(|&(_, edge)| !is_paired(mesh, edge)) {
+            let is_forked = |&(_, [from, to]): &(usize, [u32; 2])| {
+                count(mesh, from, to) + count(mesh, to, from) != 2
+            };
+            if let Some((_, edge)) = edges(mesh).find(is_forked) {
+                return Winding::Open { edge };
+            }
+            if let Err(edge) = agree(mesh, &mut turned) {
+                return Winding::Open { edge };
+            }
+            debug_assert!(turned.contains(&true), "{edge:?}");
+        }
+        if volume(mesh, &turned) < 0.0 {
+            turned.iter_mut().for_each(|turned| *turned = !*turned);
+        }
+        match turned.is_empty() {
+            true => Winding::Open { edge: [0; 2] },
+            false => Winding::Closed { turned },
+        }
+    }
+}
+
+/// The edges of all faces, with the face, in its sense.
+fn edges(mesh: &Mesh) -> impl Iterator<Item = (usize, [u32; 2])> {
+    (0..mesh.face_count()).flat_map(move |face| edges_of(mesh, face).map(move |edge| (face, edge)))
+}
+
+fn edges_of(mesh: &Mesh, face: usize) -> impl Iterator<Item = [u32; 2]> {
+    let corners = mesh.face(face);
+    (0..corners.len()).map(move |i| [corners[i], corners[(i + 1) % corners.len()]])
+}
+
+/// How often faces run from one vertex to another.
+fn count(mesh: &Mesh, from: u32, to: u32) -> usize {
+    let around = mesh.faces_around(from).iter();
+    let edges = around.flat_map(|&face| edges_of(mesh, face as usize));
+    edges.filter(|&edge| edge == [from, to]).count()
+}
+
+/// Whether as many faces run along an edge in one sense as in the other.
+fn is_paired(mesh: &Mesh, [from, to]: [u32; 2]) -> bool {
+    count(mesh, from, to) == count(mesh, to, from)
+}
+
+/// Turns faces so that neighbours run along the edge that they share in opposite senses. An edge where they cannot is the error.
+fn agree(mesh: &Mesh, turned: &mut [bool]) -> Result<(), [u32; 2]> {
+    let mut reached = vec![false; turned.len()];
+    for start in 0..turned.len() {
+        if reached[start] {
+            continue;
+        }
+        reached[start] = true;
+        let mut part = vec![start];
+        let mut next = 0;
+        while let Some(&face) = part.get(next) {
+            next += 1;
+            for [from, to] in edges_of(mesh, face) {
+                for &neighbour in mesh.faces_around(from) {
+                    let neighbour = neighbour as usize;
+                    let runs = |edge| edges_of(mesh, neighbour).any(|of| of == edge);
+                    let (along, against) = (runs([from, to]), runs([to, from]));
+                    if neighbour == face || !(along || against) {
+                        continue;
+                    }
+                    let wanted = turned[face] != along;
+                    if !std::mem::replace(&mut reached[neighbour], true) {
+                        turned[neighbour] = wanted;
+                        part.push(neighbour);
+                    } else if turned[neighbour] != wanted {
+                        return Err([from, to]);
+                    }
+                }
+            }
+        }
+        let count = part.iter().filter(|&&face| turned[face]).count();
+        if 2 * count > part.len() {
+            part.iter().for_each(|&face| turned[face] = !turned[face]);
+        }
+    }
+    Ok(())
+}
+
+/// Six times the volume that the faces enclose, positive where they look outward.
+fn volume(mesh: &Mesh, turned: &[bool]) -> f64 {
+    let origin = match mesh.vertex_count() {
+        0 => DVec3::ZERO,
+        _ => mesh.position(0),
     };
-    mesh.face_count() > 0
-        && (0..mesh.face_count()).all(|face| {
-            let corners = mesh.face(face);
-            (0..corners.len()).all(|i| {
-                let (from, to) = (corners[i], corners[(i + 1) % corners.len()]);
-                count(from, to) == 1 && count(to, from) == 1
-            })
-        })
+    let of_face = |face: usize| {
+        let corner = |i: usize| mesh.position(mesh.face(face)[i]) - origin;
+        let fan = (2..mesh.face(face).len()).map(|i| corner(0).dot(corner(i - 1).cross(corner(i))));
+        let sign = if turned[face] { -1.0 } else { 1.0 };
+        sign * fan.sum::<f64>()
+    };
+    (0..mesh.face_count()).map(of_face).sum()
 }
 
 /// Whether a closed surface winds around a point: the solid angles of its triangles, seen from there, add up to 4π a turn, and
@@ -63,23 +150,80 @@ mod tests {
         }
     }
 
+    fn is_closed(mesh: &Mesh) -> bool {
+        matches!(Winding::of(mesh), Winding::Closed { .. })
+    }
+
+    /// The same vertices, with other faces.
+    fn with_faces(mesh: &Mesh, change: impl FnOnce(&mut Vec<Vec<u32>>)) -> Mesh {
+        let positions: Vec<DVec3> = (0..mesh.vertex_count() as u32)
+            .map(|v| mesh.position(v))
+            .collect();
+        let mut faces: Vec<Vec<u32>> = (0..mesh.face_count())
+            .map(|f| mesh.face(f).to_vec())
+            .collect();
+        change(&mut faces);
+        Mesh::new(&positions, &faces, &[])
+    }
+
     #[test]
-    fn caps_close_a_cylinder_and_one_turned_face_opens_it() {
+    fn caps_close_a_cylinder_and_a_missing_or_double_face_opens_it() {
         let closed = mesh(&scene([cylinder(true)]));
         assert!(is_closed(&closed));
         assert!(!is_closed(&mesh(&scene([cylinder(false)]))));
-        let positions: Vec<DVec3> = (0..closed.vertex_count() as u32)
-            .map(|v| closed.position(v))
-            .collect();
-        let mut faces: Vec<Vec<u32>> = (0..closed.face_count())
-            .map(|f| closed.face(f).to_vec())
-            .collect();
-        faces[3].reverse();
-        assert!(!is_closed(&Mesh::new(&positions, &faces, &[])));
-        faces[3].reverse();
-        faces.push(faces[3].clone());
-        assert!(!is_closed(&Mesh::new(&positions, &faces, &[])));
+        let double = with_faces(&closed, |faces| faces.push(faces[3].clone()));
+        assert!(!is_closed(&double));
+        let open = with_faces(&closed, |faces| drop(faces.remove(3)));
+        let Winding::Open { edge } = Winding::of(&open) else {
+            panic!("a face is missing")
+        };
+        assert!(edges_of(&closed, 3).any(|[from, to]| [to, from] == edge));
         assert!(!is_closed(&Mesh::default()));
+    }
+
+    #[test]
+    fn faces_wound_inward_are_turned() {
+        let outward = mesh(&scene([cylinder(true)]));
+        let count = outward.face_count();
+        let turned = |mesh: &Mesh| match Winding::of(mesh) {
+            Winding::Closed { turned } => turned,
+            Winding::Open { edge } => panic!("open at {edge:?}"),
+        };
+        assert_eq!(turned(&outward), vec![false; count]);
+        let inward = with_faces(&outward, |faces| {
+            faces.iter_mut().for_each(|face| face.reverse())
+        });
+        assert_eq!(turned(&inward), vec![true; count]);
+        let mixed = with_faces(&outward, |faces| {
+            [3, 7, 8, 33].iter().for_each(|&face: &usize| faces[face].reverse());
+        });
+        let which: Vec<usize> = (0..count).filter(|&face| turned(&mixed)[face]).collect();
+        assert_eq!(which, [3, 7, 8, 33]);
+    }
+
+    #[test]
+    fn a_strip_with_half_a_twist_has_no_sides() {
+        // A Möbius strip, closed by a cone over its border, is a projective plane.
+        let n = 9_u32;
+        let ring = |i: u32| {
+            let angle = f64::from(i) * std::f64::consts::TAU / f64::from(n);
+            let (sin, cos) = angle.sin_cos();
+            let (s, c) = (0.5 * angle).sin_cos();
+            [-0.4, 0.4].map(|w| DVec3::new((1.0 + w * c) * cos, (1.0 + w * c) * sin, w * s))
+        };
+        let mut positions: Vec<DVec3> = (0..n).flat_map(ring).collect();
+        positions.push(DVec3::new(0.0, 0.0, 3.0));
+        let tip = 2 * n;
+        let mut faces: Vec<Vec<u32>> = Vec::new();
+        for i in 0..n {
+            let [a, b] = [2 * i, 2 * i + 1];
+            // The twist joins the upper edge of the last cell to the lower edge of the first.
+            let [c, d] = if i + 1 < n { [a + 2, b + 2] } else { [1, 0] };
+            faces.push(vec![a, b, d, c]);
+            faces.push(vec![a, c, tip]);
+            faces.push(vec![b, d, tip]);
+        }
+        assert!(!is_closed(&Mesh::new(&positions, &faces, &[])));
     }
 
     #[test]

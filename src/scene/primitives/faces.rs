@@ -22,7 +22,6 @@ pub(super) struct Faces {
     planes: Vec<FacePlane>,
     pub low: DVec3,
     pub high: DVec3,
-    pub is_closed: bool,
     frame: Frame,
     hierarchy: Bvh,
     /// The leaves of the hierarchy.
@@ -48,7 +47,8 @@ impl Faces {
         (vertices + triangles + uvs + packets) as u64 + self.hierarchy.bytes()
     }
 
-    pub fn new(mesh: &Mesh, is_textured: bool) -> Self {
+    /// `turned` says by face which are wound the other way here; where it is empty, none is.
+    pub fn new(mesh: &Mesh, is_textured: bool, turned: &[bool]) -> Self {
         let vertices: Vec<DVec3> = (0..mesh.vertex_count() as u32)
             .map(|vertex| mesh.position(vertex))
             .collect();
@@ -59,7 +59,13 @@ impl Faces {
             let corners = mesh.face(face);
             let face_uvs = mesh.face_uvs(face);
             let start = triangles.len();
-            let mut add = |triangle: [u32; 3]| {
+            let is_turned = turned.get(face) == Some(&true);
+            let mut add = |[first, second, third]: [u32; 3]| {
+                let triangle = if is_turned {
+                    [first, third, second]
+                } else {
+                    [first, second, third]
+                };
                 triangles.push(triangle.map(|corner| corners[corner as usize]));
                 if is_textured && !face_uvs.is_empty() {
                     uvs.push(triangle.map(|corner| face_uvs[corner as usize]));
@@ -75,7 +81,11 @@ impl Faces {
                 planes.push(FacePlane {
                     start: start as u32,
                     end: triangles.len() as u32,
-                    normal: polygon.normal,
+                    normal: if is_turned {
+                        -polygon.normal
+                    } else {
+                        polygon.normal
+                    },
                     off_plane: polygon.off_plane,
                 });
             }
@@ -118,7 +128,6 @@ impl Faces {
             planes,
             low,
             high,
-            is_closed: super::closed::is_closed(mesh),
             frame,
             hierarchy,
             packets,
@@ -270,11 +279,11 @@ impl Faces {
         *a + v * (*b - *a) + w * (*c - *a)
     }
 
-    /// Whether the surface is closed, and the point inside.
+    /// Whether a point is inside the surface, which is closed.
     pub fn contains(&self, point: DVec3) -> bool {
         let is_in_box = point.cmpge(self.low).all() && point.cmple(self.high).all();
         let triangles = (0..self.triangle_count() as u32).map(|triangle| self.corners(triangle));
-        is_in_box && self.is_closed && super::closed::winds_around(triangles, point)
+        is_in_box && super::closed::winds_around(triangles, point)
     }
 }
 

@@ -1,12 +1,14 @@
 //! What rays meet: the objects of a scene, exactly in f64, found through f32 hierarchies that pass over nothing.
 //!
-//! Two levels: each divided object (mesh, polygon, cylinder, Bézier surface) has a hierarchy over its triangles, and one stands over the
+//! Two levels: each divided object (mesh, polygon, Bézier surface) has a hierarchy over its triangles, and one stands over the
 //! boxes of all finite objects. Infinite planes are tested apart. A run that tests object by object with [`Primitives::meet`] gets
 //! the same bits as [`Primitives::nearest`].
 
 mod aim;
 mod chart;
 mod closed;
+mod contact;
+mod cylinder;
 mod error;
 mod face_chart;
 mod faces;
@@ -16,6 +18,7 @@ mod packet;
 mod plane;
 pub(super) mod polygon;
 mod ray;
+mod solid;
 mod sphere;
 mod stack;
 #[cfg(test)]
@@ -23,19 +26,21 @@ mod tests;
 mod triangle;
 mod true_surface;
 
+pub use contact::{Between, Contact, Nearest};
 pub use face_chart::FaceChart;
 pub use polygon::triangles;
 pub use ray::{Ray, leaving, short_of};
 pub use sphere::meet_ball;
 pub use true_surface::{TruePoint, true_point};
 
-use super::{Scene, Shape, Tessellation};
+use super::{Scene, Tessellation};
+use crate::color::Rgb;
 use aim::Aim;
-use faces::Faces;
+pub use closed::Winding;
 use frame::{Frame, Near};
 use glam::{DVec2, DVec3, Vec3};
 use hierarchy::{Bvh, UnitRay};
-use plane::Plane;
+use solid::Solid;
 use stack::Stack;
 
 /// Where a ray meets an object.
@@ -44,7 +49,7 @@ pub struct Hit {
     /// Along the ray, > 0: a distance.
     pub t: f64,
     pub object: u32,
-    /// Of the object's triangles, counted from 0 face by face; 0 on spheres and planes.
+    /// Of the object's triangles, counted from 0 face by face; 0 on spheres and planes; on cylinders 0 is the mantle, 1 and 2 are the ends.
     pub triangle: u32,
 }
 
@@ -70,7 +75,10 @@ pub struct Surface {
 #[derive(Clone, Debug)]
 pub struct Primitives {
     primitives: Vec<Solid>,
+    /// By object, as the two below.
     casts_shadow: Vec<bool>,
+    is_transparent: Vec<bool>,
+    is_closed: Vec<bool>,
     /// The objects that are infinite.
     planes: Vec<u32>,
     /// The objects in the leaves of the hierarchy.
@@ -79,43 +87,13 @@ pub struct Primitives {
     hierarchy: Bvh,
 }
 
-#[derive(Clone, Debug)]
-enum Solid {
-    Sphere {
-        center: DVec3,
-        radius: f64,
-    },
-    Plane(Plane),
-    /// `vertices` are those of a polygon, and none of other shapes.
-    Faces {
-        faces: Box<Faces>,
-        vertices: Vec<DVec3>,
-    },
-}
-
 impl Primitives {
     /// `tessellation` is that of the scene.
     pub fn of(scene: &Scene, tessellation: &Tessellation) -> Primitives {
         let objects = scene.objects.iter().zip(&tessellation.meshes);
-        let primitives: Vec<Solid> = objects
-            .map(|(object, mesh)| {
-                let is_textured = scene.materials[object.material].texture.is_some();
-                match &object.shape {
-                    &Shape::Sphere { center, radius } => Solid::Sphere { center, radius },
-                    &Shape::Plane { point, normal } => Solid::Plane(Plane { point, normal }),
-                    Shape::Polygon { vertices } => Solid::Faces {
-                        faces: Box::new(Faces::new(mesh, false)),
-                        vertices: vertices.clone(),
-                    },
-                    Shape::Cylinder { .. } | Shape::Bezier { .. } | Shape::Mesh(_) => {
-                        Solid::Faces {
-                            faces: Box::new(Faces::new(mesh, is_textured)),
-                            vertices: Vec::new(),
-                        }
-                    }
-                }
-            })
-            .collect();
+        let (primitives, is_closed): (Vec<Solid>, Vec<bool>) = objects
+            .map(|(object, mesh)| Solid::of(object, &scene.materials[object.material], mesh))
+            .unzip();
         let (mut planes, mut finite, mut boxes) = (Vec::new(), Vec::new(), Vec::new());
         for (object, solid) in (0..).zip(&primitives) {
             match solid.bounds() {
@@ -145,7 +123,13 @@ impl Primitives {
                 .iter()
                 .map(|object| object.casts_shadow)
                 .collect(),
+            is_transparent: scene
+                .objects
+                .iter()
+                .map(|object| scene.materials[object.material].transmission != Rgb::BLACK)
+                .collect(),
             primitives,
+            is_closed,
             planes,
             frame,
             hierarchy,
@@ -156,7 +140,7 @@ impl Primitives {
     pub fn bytes(&self) -> u64 {
         let of = |solid: &Solid| match solid {
             Solid::Faces { faces, .. } => faces.bytes(),
-            Solid::Sphere { .. } | Solid::Plane(_) => 0,
+            Solid::Sphere { .. } | Solid::Plane(_) | Solid::Cylinder(_) => 0,
         };
         let own = self.primitives.len() * size_of::<Solid>();
         own as u64 + self.hierarchy.bytes() + self.primitives.iter().map(of).sum::<u64>()
@@ -179,46 +163,64 @@ impl Primitives {
         }
     }
 
-    /// The nearest hit of all objects; of equally near ones that of the lowest object, then triangle.
+    /// What is in front on a ray: the nearest hit of all objects, and of those that touch there the lowest object.
     pub fn nearest(&self, ray: &Ray) -> Option<Hit> {
-        let mut nearest: Option<Hit> = None;
-        let mut meet = |hit: Option<Hit>| {
-            if let Some(hit) = hit
-                && nearest.is_none_or(|nearest| hit.is_before(&nearest))
-            {
-                nearest = Some(hit);
-            }
-            nearest.map_or(f64::INFINITY, |nearest| nearest.t)
-        };
-        let mut distance = f64::INFINITY;
+        self.nearest_with_contact(ray).map(|nearest| nearest.hit)
+    }
+
+    /// The same, and what else is at its place.
+    pub fn nearest_with_contact(&self, ray: &Ray) -> Option<Nearest> {
+        let mut search = contact::Search::new(ray);
+        self.for_each_hit(ray, &mut |hit| {
+            search.add(hit);
+            search.reach()
+        });
+        let hit = search.nearest?;
+        if !search.has_close {
+            return Some(Nearest { hit, contact: None });
+        }
+        let reach = search.reach();
+        let mut hits = Vec::new();
+        self.for_each_hit(ray, &mut |hit| {
+            hits.push(hit);
+            reach
+        });
+        hits.retain(|hit| hit.t <= reach);
+        hits.sort_by_key(|hit| hit.object);
+        self.front(ray, &hits)
+    }
+
+    /// Shows `met` the nearest hit of every object within the reach that it returns.
+    fn for_each_hit(&self, ray: &Ray, met: &mut dyn FnMut(Hit) -> f64) {
+        let mut reach = f64::INFINITY;
         for &plane in &self.planes {
-            distance = meet(self.meet(plane as usize, ray));
+            if let Some(hit) = self.meet(plane as usize, ray) {
+                reach = met(hit);
+            }
         }
-        if let Some(near) = self.frame.near(ray) {
-            let aim = Aim::of(ray.direction);
-            let unit = UnitRay::new(&self.frame, &near, &aim);
-            let stack = &mut Stack::new();
-            self.hierarchy
-                .walk(&unit, unit.reach(distance), stack, |leaf, _, stack| {
-                    let object = self.finite[leaf];
-                    distance = meet(self.meet_finite(object, ray, &near, &aim, distance, stack));
-                    unit.reach(distance)
-                });
-        }
-        nearest
+        let Some(near) = self.frame.near(ray) else {
+            return;
+        };
+        let aim = Aim::of(ray.direction);
+        let unit = UnitRay::new(&self.frame, &near, &aim);
+        let stack = &mut Stack::new();
+        self.hierarchy
+            .walk(&unit, unit.reach(reach), stack, |leaf, _, stack| {
+                let object = self.finite[leaf];
+                if let Some(hit) = self.meet_finite(object, ray, &near, &aim, reach, stack) {
+                    reach = met(hit);
+                }
+                unit.reach(reach)
+            });
     }
 
     /// What [`Self::nearest`] finds, to the bit, with no hierarchy: by testing every triangle of every object.
     pub fn nearest_by_brute_force(&self, ray: &Ray) -> Option<Hit> {
-        let mut nearest: Option<Hit> = None;
-        for hit in
-            (0..self.primitives.len()).filter_map(|object| self.meet_by_brute_force(object, ray))
-        {
-            if nearest.is_none_or(|nearest| hit.t < nearest.t) {
-                nearest = Some(hit);
-            }
-        }
-        nearest
+        let objects = 0..self.primitives.len();
+        let hits: Vec<Hit> = objects
+            .filter_map(|object| self.meet_by_brute_force(object, ray))
+            .collect();
+        self.front(ray, &hits).map(|front| front.hit)
     }
 
     fn meet_by_brute_force(&self, object: usize, ray: &Ray) -> Option<Hit> {
@@ -285,6 +287,7 @@ impl Primitives {
         match &self.primitives[hit.object as usize] {
             &Solid::Sphere { center, radius } => sphere::surface(center, radius, position),
             Solid::Plane(plane) => plane.surface(position),
+            Solid::Cylinder(cylinder) => cylinder.surface(hit.triangle, position),
             Solid::Faces { faces, .. } => {
                 let near = self.frame.near(ray).map_or(*ray, |near| near.ray);
                 faces.surface(&near, hit.triangle, position)
@@ -301,6 +304,7 @@ impl Primitives {
         match &self.primitives[hit.object as usize] {
             Solid::Sphere { center, .. } => sphere::uv(*center, position),
             Solid::Plane(plane) => plane.uv(position),
+            Solid::Cylinder(cylinder) => cylinder.uv(position),
             Solid::Faces { faces, vertices } if vertices.is_empty() => {
                 faces.uv(hit.triangle, position)
             }
@@ -308,8 +312,13 @@ impl Primitives {
         }
     }
 
-    /// The closed objects that contain a point, outermost first: spheres, and divided objects each edge of which is shared by
-    /// exactly two faces in opposite senses.
+    /// Whether light passes through an object, and the object has an inside: its surface is closed.
+    pub fn is_transparent_body(&self, object: u32) -> bool {
+        self.is_transparent[object as usize] && self.is_closed[object as usize]
+    }
+
+    /// The closed objects that contain a point, outermost first: spheres, capped cylinders, and divided objects each
+    /// face of which has a neighbour across each of its edges.
     pub fn around(&self, point: DVec3) -> Vec<u32> {
         // Any direction will do: what contains another thing is left after it.
         let ray = Ray {
@@ -321,7 +330,8 @@ impl Primitives {
             .filter(|&object| match &self.primitives[object] {
                 Solid::Sphere { center, radius } => point.distance(*center) < *radius,
                 Solid::Plane(_) => false,
-                Solid::Faces { faces, .. } => faces.contains(point),
+                Solid::Cylinder(cylinder) => cylinder.contains(point),
+                Solid::Faces { faces, .. } => self.is_closed[object] && faces.contains(point),
             })
             .map(|object| object as u32)
             .collect();
@@ -343,6 +353,10 @@ impl Primitives {
                 let t = meet_ball(*center, *radius, &near.ray)?;
                 (near.moved + t, 0)
             }
+            Solid::Cylinder(cylinder) => {
+                let (t, part) = cylinder.meet(&near.ray)?;
+                (near.moved + t, part)
+            }
             Solid::Plane(_) => return None,
             Solid::Faces { faces, .. } => {
                 let (t, triangle) = faces.meet(&near.ray, aim, near.reach(distance), stack)?;
@@ -354,20 +368,5 @@ impl Primitives {
             object,
             triangle,
         })
-    }
-}
-
-impl Solid {
-    /// The corners of the box around it, unless it is infinite.
-    fn bounds(&self) -> Option<[DVec3; 2]> {
-        match self {
-            // A step outward, where the radius is lost against the centre's coordinates
-            &Solid::Sphere { center, radius } => Some([
-                (center - radius).map(f64::next_down),
-                (center + radius).map(f64::next_up),
-            ]),
-            Solid::Plane(_) => None,
-            Solid::Faces { faces, .. } => Some([faces.low, faces.high]),
-        }
     }
 }
