@@ -296,6 +296,7 @@ fn vertex_normals_that_cancel_out_give_way_to_the_normal_of_the_face() {
             y: 20,
             first: 15,
             inverse_depth: 1.0,
+            depth_error: 0.0,
         };
         expansion
             .shade(pixel, &PowerTable::new(40.0), &mut Unrecorded)

@@ -158,10 +158,10 @@ impl<'a, V: Varying> EdgeTable<'a, V> {
     pub fn spans(&mut self, line: ScanLine) -> impl Iterator<Item = Span<V>> {
         self.active
             .sort_by(|&a, &b| self.edges[a].x_4.total_cmp(&self.edges[b].x_4));
-        let (edges, columns, width) = (&self.edges, &self.region.columns, self.view.width);
+        let (edges, columns, view) = (&self.edges, &self.region.columns, self.view);
         self.active.chunks_exact(2).map(move |pair| {
             let (left, right) = (&edges[pair[0]], &edges[pair[1]]);
-            Span::between(left, right, line.y, columns, width)
+            Span::between(left, right, line.y, columns, view)
         })
     }
 }

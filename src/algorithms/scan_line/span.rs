@@ -1,4 +1,7 @@
 //! A span, its pixels, and the depth test of each.
+//!
+//! Polygons are drawn in the order of the objects, and what is as near as what was drawn before, within rounding, does not replace it: of
+//! surfaces in one plane the first in the file is in front, without stripes.
 
 use super::edge::{Edge, first_centre};
 use super::event::Event;
@@ -20,6 +23,7 @@ pub struct Span<V> {
     pub left: V,
     pub right: V,
     inverse_depths: [f64; 2],
+    depth_error: f64,
     first: u32,
     end: u32,
     /// Those of its pixels that are drawn.
@@ -35,6 +39,8 @@ pub struct Pixel {
     pub first: u32,
     /// 1/depth, as interpolated by increments.
     pub inverse_depth: f64,
+    /// How far rounding may have put it off.
+    pub depth_error: f64,
 }
 
 impl<V: Varying> Span<V> {
@@ -43,17 +49,19 @@ impl<V: Varying> Span<V> {
         right: &Edge<V>,
         y: u32,
         columns: &Range<u32>,
-        width: u32,
+        view: &View,
     ) -> Self {
         let (x_4, x_5) = (left.x_4, right.x_4);
-        let (first, end) = (first_centre(x_4, width), first_centre(x_5, width));
+        let (first, end) = (first_centre(x_4, view.width), first_centre(x_5, view.width));
+        let inverse_depths = [left.inverse_depth.value, right.inverse_depth.value];
         Span {
             y,
             x_4,
             x_5,
             left: left.value.value,
             right: right.value.value,
-            inverse_depths: [left.inverse_depth.value, right.inverse_depth.value],
+            inverse_depths,
+            depth_error: depth_error(inverse_depths, [x_4, x_5], view),
             first,
             end,
             columns: first.max(columns.start)..end.min(columns.end),
@@ -93,18 +101,32 @@ impl<V: Varying> Span<V> {
     pub fn pixels(&self) -> impl Iterator<Item = Pixel> + use<V> {
         let [left, right] = self.inverse_depths;
         let mut inverse_depth = self.ramp(left, right);
-        let (y, first) = (self.y, self.first);
+        let (y, first, depth_error) = (self.y, self.first, self.depth_error);
         self.columns.clone().map(move |x| {
             let pixel = Pixel {
                 x,
                 y,
                 first,
                 inverse_depth: inverse_depth.value,
+                depth_error,
             };
             inverse_depth.advance();
             pixel
         })
     }
+}
+
+/// How far rounding may put 1/depth off in a span, generously: by the corners' places in the world, by the sums of increments, and by the
+/// columns where the span begins and ends.
+fn depth_error(inverse_depths: [f64; 2], [x_4, x_5]: [f64; 2], view: &View) -> f64 {
+    const OF_SUMS: f64 = 1.0 / (1_u64 << 36) as f64;
+    const OF_COLUMN: f64 = 1.0 / (1_u64 << 40) as f64;
+    let [left, right] = inverse_depths;
+    let largest = left.max(right);
+    let of_corners = 8.0 * f64::EPSILON * view.eye.abs().max_element() * largest;
+    let column = OF_COLUMN * (x_4.abs() + x_5.abs() + f64::from(view.width));
+    let share = (column / (x_5 - x_4)).min(1.0);
+    largest * (OF_SUMS + of_corners) + share * (right - left).abs()
 }
 
 impl Pixel {
@@ -113,7 +135,7 @@ impl Pixel {
         f64::from(self.x) + 0.5
     }
 
-    /// Opens the pixel. It is closed at once where it is not nearer than what was drawn there before.
+    /// Opens the pixel. It is closed at once where it is not nearer, by more than rounding, than what was drawn there before.
     #[inline]
     pub fn passes_depth_test<A, E: From<Event<A>>>(
         &self,
@@ -123,7 +145,7 @@ impl Pixel {
         let (x, y, x_p) = (self.x, self.y, self.x_p());
         recorder.enter(|| Event::Pixel { x, y, x_p }.into());
         let nearest = frame.inverse_depth[frame.index(x, y)];
-        let nearer = self.inverse_depth > nearest;
+        let nearer = nearest == 0.0 || self.inverse_depth - nearest > self.depth_error;
         recorder.step(|| {
             Event::DepthTested {
                 z: 1.0 / self.inverse_depth,

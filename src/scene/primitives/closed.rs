@@ -195,7 +195,9 @@ mod tests {
         });
         assert_eq!(turned(&inward), vec![true; count]);
         let mixed = with_faces(&outward, |faces| {
-            [3, 7, 8, 33].iter().for_each(|&face: &usize| faces[face].reverse());
+            [3, 7, 8, 33]
+                .iter()
+                .for_each(|&face: &usize| faces[face].reverse());
         });
         let which: Vec<usize> = (0..count).filter(|&face| turned(&mixed)[face]).collect();
         assert_eq!(which, [3, 7, 8, 33]);
