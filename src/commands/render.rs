@@ -123,6 +123,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 
     if arguments.stats {
         let skipped = needs::skipped(&setup, method);
+        let notes = [notes, setup.replaced(method)].concat();
         let stats = serde_json::json!({
             "method": method.name(),
             "size": [width, height],

@@ -5,7 +5,7 @@ use crate::algorithms::{enclosure_notes, lamp_notes};
 use crate::color::Rgb;
 use crate::scene::patch_primitives::PatchPrimitives;
 use crate::scene::patches::Patches;
-use crate::scene::{Note, Object, Scene, Shape, View};
+use crate::scene::{Note, Object, Scene, Shape, View, body_notes, replaced};
 
 impl Setup {
     /// What the scene says without effect, whatever the method, and then what has none when `method` draws it.
@@ -24,7 +24,19 @@ impl Setup {
             Family::Rays if method == Method::RayTracing && has_mirrors(scene) => {}
             Family::Polygons | Family::Rays => notes.extend(outside(scene, &self.prepared.view)),
         }
+        if method == Method::RayTracing {
+            notes.extend(body_notes(scene));
+        }
         notes
+    }
+
+    /// The round shapes for which `method` draws polygons.
+    pub fn replaced(&self, method: Method) -> Vec<Note> {
+        let is_replaced = |shape: &Shape| {
+            method.family() != Family::Rays || matches!(shape, Shape::Bezier { .. })
+        };
+        let by_patches = method.family() == Family::Exchange;
+        replaced(&self.prepared.scene, method.name(), by_patches, is_replaced)
     }
 }
 
@@ -43,6 +55,8 @@ pub fn notes_of(scene: &Scene, max_patches: u64) -> Vec<Note> {
     } else if let Some(camera) = &scene.camera {
         notes.extend(outside(scene, &View::new(camera, SIZE[0], SIZE[1])));
     }
+    notes.extend(body_notes(scene));
+    notes.extend(replaced(scene, "each scan-line method", false, |_| true));
     notes
 }
 

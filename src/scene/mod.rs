@@ -2,6 +2,7 @@
 //!
 //! Right-handed coordinates, any length unit; angles in radians here, in degrees in files; colours in linear RGB.
 
+mod body_notes;
 mod camera;
 mod division;
 pub mod document;
@@ -15,16 +16,19 @@ mod outside;
 pub mod patch_primitives;
 pub mod patches;
 pub mod primitives;
+mod replaced;
 mod tessellation;
 mod validate;
 mod values;
 
+pub use body_notes::body_notes;
 pub use camera::{Camera, View};
 pub use file::SceneFile;
 pub use mesh::Mesh;
 pub use mesh_file::{MeshData, mesh_path_is_inside};
 pub use needs::{LeftOut, Needs, Part, Parts, has_highlights};
 pub use note::Note;
+pub use replaced::replaced;
 pub use tessellation::{Tessellation, sphere as sphere_mesh};
 pub use validate::{LARGEST, Limits, ReadFile, SceneError, read};
 

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::numeric::Random;
-use crate::scene::{Material, Mesh, Object};
+use crate::scene::{Material, Mesh, Object, Shape};
 use proptest::prelude::*;
 
 pub fn scene(shapes: impl IntoIterator<Item = Shape>) -> Scene {

@@ -126,17 +126,15 @@ fn a_slab_of_glass_shifts_a_ray_sideways() {
 
 #[test]
 fn the_critical_angle_is_kept_to_1e_12() {
-    // From inside the glass, on a plane met at the critical angle 41.81…° ± 1e-12 rad. The eye is in no closed object, so the
-    // plane is given the other side: air inside the "object" of index 1/1.5.
+    // From inside a rod of glass, whose end is met at the critical angle 41.81…° ± 1e-12 rad.
     let critical = (1.0_f64 / 1.5).asin();
     for (angle, passes) in [(critical - 1e-12, true), (critical + 1e-12, false)] {
         let (sin, cos) = angle.sin_cos();
         let json = format!(
             r#"{{ "schema": 1, "background": [0, 1, 0], "camera": {{ "eye": [0, 0, 0], "target": [{sin:?}, 0, {cos:?}], "up": [0, 1, 0], "fov_x_degrees": 1e-9 }},
-                 "materials": {{ "thin": {{ "transmission": 1, "ior": {:?} }}, "lit": {{ "emission": [1, 0, 0] }} }},
-                 "objects": [ {{ "name": "border", "material": "thin", "plane": {{ "point": [0, 0, 1], "normal": [0, 0, -1] }} }},
-                              {{ "name": "near", "material": "lit", "plane": {{ "point": [0, 0, -1], "normal": [0, 0, 1] }} }} ] }}"#,
-            1.0 / 1.5
+                 "materials": {{ "glass": {{ "transmission": 1, "ior": 1.5 }}, "lit": {{ "emission": [1, 0, 0] }} }},
+                 "objects": [ {{ "name": "rod", "material": "glass", "cylinder": {{ "base": [0, 0, -5], "axis": [0, 0, 1], "radius": 10, "height": 6 }} }},
+                              {{ "name": "near", "material": "lit", "plane": {{ "point": [0, 0, -1], "normal": [0, 0, 1] }} }} ] }}"#
         );
         let color = picture(&setup(&json, 1, 1)).pixel(0, 0);
         let expected = if passes {

@@ -6,6 +6,7 @@ mod limits;
 mod random_scenes;
 mod reference;
 pub mod scenes;
+mod touching;
 
 use crate::common::{TEAPOT, setup};
 use lightwalk::algorithms::focus::Focus;

@@ -183,7 +183,9 @@ fn trace(
     let mirrored = u - 2.0 * u.dot(n) * n;
     go_on(m.reflection, mirrored, 1.0, inside);
     let mut beyond = inside.to_vec();
-    if entering {
+    // Of planes, polygons and spheres only spheres have an inside; the others are thin panes.
+    let is_body = matches!(scene.objects[object].shape, Shape::Sphere { .. });
+    if is_body && entering {
         beyond.push(object);
     } else if let Some(at) = beyond.iter().rposition(|&one| one == object) {
         beyond.remove(at);

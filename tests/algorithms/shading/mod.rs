@@ -50,7 +50,7 @@ fn picture(prepared: &PreparedScene, method: Method) -> Frame {
     drawn(&Setup::new(prepared.clone(), Settings::default()), method)
 }
 
-fn drawn(setup: &Setup, method: Method) -> Frame {
+pub fn drawn(setup: &Setup, method: Method) -> Frame {
     render(setup, method, NonZeroUsize::MIN, &|_, _| {})
 }
 
