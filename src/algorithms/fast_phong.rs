@@ -8,8 +8,9 @@
 //!
 //! As in the paper, L, V and the attenuation are those of the point of expansion, for the whole triangle, however near the light or
 //! the eye is. N is turned toward the eye once per triangle, at that point: were it turned vertex by vertex, N would pass through
-//! zero inside a triangle on the outline, and the series with it. A polygon is divided into triangles first. A texture multiplies the
-//! diffuse part, as elsewhere.
+//! zero inside a triangle on the outline, and the series with it. A polygon is divided into triangles first. One that reaches behind the eye
+//! is cut to what the picture shows, and its pieces are expanded about one point, the middle of that. A texture multiplies the diffuse
+//! part, as elsewhere.
 
 mod event;
 mod expansion;
@@ -19,13 +20,13 @@ use super::focus::Focus;
 use super::frame::Frame;
 use super::phong::find_normal;
 use super::prepared_scene;
-use super::scan_line::{Corner, EdgeTable, clip_near};
+use super::scan_line::{Corner, EdgeTable, clip_near, clip_to_picture};
 use super::shading::{self, ShadedScene};
 use super::texture::PolygonTexture;
 use super::vertex_cache::VertexCache;
 use crate::numeric::PowerTable;
 use crate::record::Recorder;
-use expansion::Expansion;
+use expansion::{Expansion, Middle};
 
 pub use event::{Cosine, Event};
 pub use listing::{FastPhong, PSEUDOCODE};
@@ -44,7 +45,8 @@ pub fn fast_phong<R: Recorder<Event>>(
     let (region, view) = (focus.region(frame), &prepared.view);
     let mut cache = VertexCache::default();
     let mut corners = Vec::new();
-    let mut clipped = Vec::new();
+    let (mut cut, mut visible) = (Vec::new(), Vec::new());
+    let (mut pieces, mut numbers) = (Vec::new(), Vec::new());
     let mut plain = EdgeTable::new(view, &region);
     let mut textured = EdgeTable::new(view, &region);
     let mut expansion = Expansion::default();
@@ -74,34 +76,49 @@ pub fn fast_phong<R: Recorder<Event>>(
             });
         }
 
+        // What the near plane leaves of a triangle may have more corners: again triangles
+        pieces.clear();
+        numbers.clear();
+        let is_cut = corners.iter().any(|corner| corner.position.z < view.near);
         for triangle in polygon.triangles() {
-            // What the near plane leaves of a triangle may have four corners: again triangles
             let whole = triangle.map(|corner| corners[corner as usize]);
-            clip_near(&whole, view.near, &mut clipped);
-            for last in 2..clipped.len() {
-                let piece = [clipped[0], clipped[last - 1], clipped[last]];
-                recorder.enter(|| Event::Triangle { corners: triangle });
-                let with_normals = piece.map(|corner| corner.map(|(normal, _)| normal));
-                expansion.expand(&with_normals, &polygon, prepared, recorder);
-                match &texture {
-                    None => {
-                        let corners = piece.map(|corner| corner.map(|_| ()));
-                        plain.fill(corners, frame, recorder, |recorder, pixel, ()| {
-                            expansion.shade(pixel, &powers, recorder).whole
-                        });
-                    }
-                    Some(texture) => {
-                        let corners = piece.map(|corner| corner.map(|(_, uv)| uv));
-                        textured.fill(corners, frame, recorder, |recorder, pixel, uv| {
-                            let intensity = expansion.shade(pixel, &powers, recorder);
-                            let position = pixel.position(view);
-                            recorder.step(|| shading::Event::PixelPoint { position }.into());
-                            texture.applied(intensity, position, uv, recorder)
-                        });
-                    }
-                }
-                recorder.leave(|| Event::TriangleDone);
+            visible.clear();
+            visible.extend(whole);
+            if is_cut {
+                clip_near(&whole, view.near, &mut cut);
+                clip_to_picture(&cut, view, &mut visible);
             }
+            for last in 2..visible.len() {
+                pieces.push([visible[0], visible[last - 1], visible[last]]);
+                numbers.push(triangle);
+            }
+        }
+        // Beside the eye, the middle of a piece would be far outside the picture, and another for each piece
+        let common = is_cut.then(|| Middle::of_pieces(&pieces, view)).flatten();
+
+        for (piece, &corners) in pieces.iter().zip(&numbers) {
+            recorder.enter(|| Event::Triangle { corners });
+            let with_normals = piece.map(|corner| corner.map(|(normal, _)| normal));
+            let middle = common.unwrap_or_else(|| Middle::of(piece, view));
+            expansion.expand(&with_normals, middle, &polygon, prepared, recorder);
+            match &texture {
+                None => {
+                    let corners = piece.map(|corner| corner.map(|_| ()));
+                    plain.fill(corners, frame, recorder, |recorder, pixel, ()| {
+                        expansion.shade(pixel, &powers, recorder).whole
+                    });
+                }
+                Some(texture) => {
+                    let corners = piece.map(|corner| corner.map(|(_, uv)| uv));
+                    textured.fill(corners, frame, recorder, |recorder, pixel, uv| {
+                        let intensity = expansion.shade(pixel, &powers, recorder);
+                        let position = pixel.position(view);
+                        recorder.step(|| shading::Event::PixelPoint { position }.into());
+                        texture.applied(intensity, position, uv, recorder)
+                    });
+                }
+            }
+            recorder.leave(|| Event::TriangleDone);
         }
         recorder.leave(|| prepared_scene::Event::PolygonDone.into());
     }

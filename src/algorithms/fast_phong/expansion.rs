@@ -9,7 +9,7 @@ use crate::algorithms::scan_line::{Corner, Pixel};
 use crate::color::Rgb;
 use crate::numeric::{Differences, LinearNormal, PowerTable, Quadratic, slopes};
 use crate::record::Recorder;
-use crate::scene::Highlight;
+use crate::scene::{Highlight, View};
 use glam::{DVec2, DVec3};
 
 /// Below this length N_0 points nowhere: vertex normals that cancel out.
@@ -48,19 +48,19 @@ struct Exact {
 }
 
 impl Expansion {
-    /// Expands the cosines of every light about the middle of a triangle of `polygon`, given the unit normals at its corners.
+    /// Expands the cosines of every light about `middle`, usually that of the triangle of `polygon`, given the unit normals at its
+    /// corners.
     pub fn expand<R: Recorder<Event>>(
         &mut self,
         triangle: &[Corner<DVec3>; 3],
+        middle: Middle,
         polygon: &Polygon,
         prepared: &PreparedScene,
         recorder: &mut R,
     ) {
-        // The point that is seen at the triangle's middle on the screen, where 1/z is the mean
         let screen = triangle.map(|corner| prepared.view.to_screen(corner.position));
-        self.middle = middle_of(screen);
-        let sum: f64 = triangle.iter().map(|c| 1.0 / c.position.z).sum();
-        let position = prepared.view.from_screen(self.middle, 3.0 / sum);
+        self.middle = middle.screen;
+        let position = prepared.view.from_screen(middle.screen, middle.depth);
         let to_eye = (prepared.view.eye - position).normalize_or_zero();
         let ExpandedNormal {
             normal,
@@ -69,6 +69,7 @@ impl Expansion {
         } = ExpandedNormal::over(
             screen,
             triangle.map(|corner| corner.value),
+            middle.screen,
             polygon.mesh.normal(polygon.face),
             to_eye,
         );
@@ -273,14 +274,48 @@ fn highlight<R: Recorder<Event>>(
     }
 }
 
-/// The point of expansion of a triangle of the screen.
+/// The point of expansion: a place on the screen, and the depth of what is seen there.
+#[derive(Clone, Copy)]
+pub struct Middle {
+    screen: DVec2,
+    depth: f64,
+}
+
+impl Middle {
+    /// Of a triangle, where 1/depth is the mean of the corners'.
+    pub fn of<V>(triangle: &[Corner<V>; 3], view: &View) -> Self {
+        let sum: f64 = triangle.iter().map(|c| 1.0 / c.position.z).sum();
+        Middle {
+            screen: middle_of(triangle.each_ref().map(|c| view.to_screen(c.position))),
+            depth: 3.0 / sum,
+        }
+    }
+
+    /// Of the pieces of one polygon together, by their areas on the screen. None where they have no area.
+    pub fn of_pieces<V>(pieces: &[[Corner<V>; 3]], view: &View) -> Option<Self> {
+        let (mut area, mut place, mut inverse_depth) = (0.0, DVec2::ZERO, 0.0);
+        for piece in pieces {
+            let [a, b, c] = piece.each_ref().map(|c| view.to_screen(c.position));
+            let weight = (b - a).perp_dot(c - a).abs();
+            let middle = Middle::of(piece, view);
+            area += weight;
+            place += weight * middle.screen;
+            inverse_depth += weight / middle.depth;
+        }
+        (area > 0.0).then(|| Middle {
+            screen: place / area,
+            depth: area / inverse_depth,
+        })
+    }
+}
+
 fn middle_of([a, b, c]: [DVec2; 3]) -> DVec2 {
     (a + b + c) / 3.0
 }
 
 /// N over a triangle, linear on the screen.
 struct ExpandedNormal {
-    /// x and y count from the triangle's middle.
+    /// x and y count from the point of expansion.
     normal: LinearNormal,
     /// Whether the corners' normals cancel out there, so that the normal of the face is used.
     vanished: bool,
@@ -289,10 +324,20 @@ struct ExpandedNormal {
 }
 
 impl ExpandedNormal {
-    /// `to_eye` leads from the middle to the eye, of any length.
-    fn over(screen: [DVec2; 3], normals: [DVec3; 3], face: DVec3, to_eye: DVec3) -> Self {
+    /// `to_eye` leads from the point of expansion to the eye, of any length.
+    fn over(
+        screen: [DVec2; 3],
+        normals: [DVec3; 3],
+        middle: DVec2,
+        face: DVec3,
+        to_eye: DVec3,
+    ) -> Self {
         let [n_x, n_y] = slopes(screen, normals);
-        let n_0 = (normals[0] + normals[1] + normals[2]) / 3.0;
+        let mut n_0 = (normals[0] + normals[1] + normals[2]) / 3.0;
+        let beside = middle - middle_of(screen);
+        if beside != DVec2::ZERO && n_x.is_finite() && n_y.is_finite() {
+            n_0 += beside.x * n_x + beside.y * n_y;
+        }
         let vanished = n_0.length() < VANISHED;
         // A triangle without area has no slopes, nor pixels to notice it.
         let linear = !vanished && n_x.is_finite() && n_y.is_finite();

@@ -267,6 +267,32 @@ fn a_triangle_cut_by_the_near_plane_is_drawn_in_pieces_without_a_gap() {
 }
 
 #[test]
+fn a_floor_below_the_eye_is_lit_without_a_seam() {
+    // The light stands high over a floor that reaches behind the eye: along every row the light changes a little from pixel to pixel, also
+    // where one triangle ends and the next begins.
+    let json = r#"{ "schema": 1, "camera": { "eye": [0.3, 1, -2], "target": [0, 0, 1], "up": [0, 1, 0], "fov_x_degrees": 60 },
+      "materials": { "floor": { "diffuse": [1, 1, 1] } },
+      "objects": [ { "name": "floor", "material": "floor",
+        "polygon": { "vertices": [[-9, 0, -9], [-9, 0, 11], [9, 0, 11], [9, 0, -9]] } } ],
+      "lights": [ { "point": { "position": [2, 6, 3] } } ] }"#;
+    let prepared = prepared(json, 80, 60);
+    let frame = draw(&prepared, Focus::Frame, &mut Unrecorded);
+    let mut drawn = 0;
+    for y in 0..60 {
+        for x in 1..80 {
+            let [left, right] = [x - 1, x].map(|x| frame.index(x, y));
+            if frame.inverse_depth[left] > 0.0 && frame.inverse_depth[right] > 0.0 {
+                let step = frame.color[right].r - frame.color[left].r;
+                assert!(step.abs() < 1e-3, "({x}, {y}): {step}");
+                assert!(frame.color[right].r > 0.5);
+                drawn += 1;
+            }
+        }
+    }
+    assert!(drawn > 3000, "{drawn}");
+}
+
+#[test]
 fn vertex_normals_that_cancel_out_give_way_to_the_normal_of_the_face() {
     let prepared = prepared(SCENE, 80, 60);
     let polygon = prepared
@@ -290,7 +316,8 @@ fn vertex_normals_that_cancel_out_give_way_to_the_normal_of_the_face() {
     });
     let color = |triangle: [Corner<DVec3>; 3]| {
         let mut expansion = Expansion::default();
-        expansion.expand(&triangle, &polygon, &prepared, &mut Unrecorded);
+        let middle = Middle::of(&triangle, &prepared.view);
+        expansion.expand(&triangle, middle, &polygon, &prepared, &mut Unrecorded);
         let pixel = Pixel {
             x: 20,
             y: 20,

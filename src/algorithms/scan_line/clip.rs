@@ -1,7 +1,9 @@
-//! Clipping at the near plane (Sutherland & Hodgman 1974), in the camera frame, before the division by depth.
+//! Clipping at the near plane and at the sides of the picture (Sutherland & Hodgman 1974, "Reentrant Polygon Clipping"), in the camera frame,
+//! before the division by depth.
 
 use super::corner::Corner;
 use crate::numeric::Linear;
+use crate::scene::View;
 use glam::DVec3;
 
 /// Keeps the part of `polygon` whose depth is at least `near`. The values at the corners are interpolated linearly in space.
@@ -9,24 +11,57 @@ use glam::DVec3;
 /// Invariant: every corner of the result has depth ≥ `near` > 0. A concave polygon that is cut in two comes out as one,
 /// joined by edges along the plane that enclose no area: even–odd filling draws nothing there.
 pub fn clip_near<V: Linear>(polygon: &[Corner<V>], near: f64, clipped: &mut Vec<Corner<V>>) {
+    clip(polygon, |position| position.z - near, clipped);
+    for corner in clipped {
+        corner.position.z = corner.position.z.max(near);
+    }
+}
+
+/// Keeps the part of `polygon`, which lies in front of the eye, that the picture shows, and a margin of a pixel.
+pub fn clip_to_picture<V: Linear>(
+    polygon: &[Corner<V>],
+    view: &View,
+    clipped: &mut Vec<Corner<V>>,
+) {
+    const MARGIN: f64 = 1.0;
+    let half = |pixels: u32| (0.5 * f64::from(pixels) + MARGIN) / view.focal;
+    let (right, top) = (half(view.width), half(view.height));
+    let mut polygon = polygon.to_vec();
+    for side in [DVec3::X, DVec3::NEG_X, DVec3::Y, DVec3::NEG_Y] {
+        let reach = right * side.x.abs() + top * side.y.abs();
+        clip(
+            &polygon,
+            |position| reach * position.z - side.dot(position),
+            clipped,
+        );
+        std::mem::swap(&mut polygon, clipped);
+    }
+    *clipped = polygon;
+}
+
+/// Keeps the part of `polygon` where `inside`, which is linear, is not negative.
+fn clip<V: Linear>(
+    polygon: &[Corner<V>],
+    inside: impl Fn(DVec3) -> f64,
+    clipped: &mut Vec<Corner<V>>,
+) {
     clipped.clear();
     for (index, &corner) in polygon.iter().enumerate() {
         let previous = polygon[(index + polygon.len() - 1) % polygon.len()];
-        if (previous.position.z < near) != (corner.position.z < near) {
+        let (before, here) = (inside(previous.position), inside(corner.position));
+        if (before < 0.0) != (here < 0.0) {
             // Always from the hidden to the visible end, so that two polygons cut their common edge at the same point.
-            let (hidden, seen) = if corner.position.z < near {
-                (corner, previous)
+            let (hidden, seen, t) = if here < 0.0 {
+                (corner, previous, here / (here - before))
             } else {
-                (previous, corner)
+                (previous, corner, before / (before - here))
             };
-            let t = (near - hidden.position.z) / (seen.position.z - hidden.position.z);
-            let position = hidden.position + (seen.position - hidden.position) * t;
             clipped.push(Corner {
-                position: DVec3::new(position.x, position.y, near),
+                position: hidden.position + (seen.position - hidden.position) * t,
                 value: hidden.value.plus(seen.value.minus(hidden.value).times(t)),
             });
         }
-        if corner.position.z >= near {
+        if here >= 0.0 {
             clipped.push(corner);
         }
     }

@@ -156,8 +156,7 @@ mod tests {
         let mut random = Random(3);
         let (mut mantle, mut caps) = (0, 0);
         for _ in 0..5000 {
-            let mut point =
-                || 4.0 * DVec3::from_array(std::array::from_fn(|_| random.number() - 0.5));
+            let mut point = || 2.0 * DVec3::from_array(std::array::from_fn(|_| random.number()));
             let (origin, to) = (point(), point());
             let ray = Ray {
                 origin,

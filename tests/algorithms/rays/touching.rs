@@ -39,7 +39,7 @@ fn path(objects: &[String], meshes: &[(&str, String)]) -> Vec<(usize, Option<[f6
     let prepared = lightwalk::algorithms::prepared_scene::PreparedScene::new(scene, view);
     let setup = Setup::new(prepared, settings(12, 1));
     let mut recording = Recording::new(RecordingLimit::default());
-    let tracer = RayTracer::new(&setup.prepared, setup.settings.rays, setup.needs(), Bvh);
+    let tracer = RayTracer::new(&setup.prepared, setup.settings.get(), setup.needs(), Bvh);
     let mut frame = setup.prepared.empty_frame();
     ray_tracing(&tracer, Focus::Frame, &mut frame, &mut recording);
     let mut path = Vec::new();
