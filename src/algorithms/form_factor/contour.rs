@@ -29,6 +29,9 @@ pub static PSEUDOCODE: Listing = Listing {
 /// Edges whose distance from one line is below this share of their extent lie on it.
 const ON_LINE: f64 = 4e-15;
 
+/// The most parts of an edge. Toward a singularity their length falls off by four, so few are needed unless rounding hides the end.
+const MOST_PARTS: usize = 2048;
+
 /// The most Gauss points on one part of an edge.
 const POINTS_A_PART: f64 = 12.0;
 
@@ -125,9 +128,11 @@ impl Edge {
         let mut parts = [[0.0; 2]; 64];
         parts[0] = [0.0, outer.length];
         let mut waiting = 1;
+        let mut count = 0;
         let mut sum = 0.0;
         while waiting > 0 {
             waiting -= 1;
+            count += 1;
             let [start, end] = parts[waiting];
             let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
             let nearest = singular
@@ -141,7 +146,8 @@ impl Edge {
             let points = points_needed(sigma, error / (size * half));
             // What is left out next to a singularity u ln u shrinks with the square of the part.
             let is_negligible = half * half * 0.02 <= error;
-            if points <= POINTS_A_PART || is_negligible || waiting + 2 > parts.len() {
+            let is_last = waiting + 2 > parts.len() || count >= MOST_PARTS;
+            if points <= POINTS_A_PART || is_negligible || is_last {
                 let n = points.min(POINTS_A_PART) as usize;
                 let along: f64 = gauss(n)
                     .iter()

@@ -66,7 +66,7 @@ fn from_element<R: Recorder<Event>>(x: DVec3, n: DVec3, j: &Polygon, recorder: &
 }
 
 /// A_i F_ij to about `tolerance`, however near the two are: the parts of `i` where the sums at three and at four Gauss points differ
-/// are halved across their longest edge.
+/// are halved across their longest edge, as far as rounding lets the sums agree.
 pub fn adaptive_exchange<R: Recorder<Event>>(
     i: &Polygon,
     j: &Polygon,
@@ -76,6 +76,11 @@ pub fn adaptive_exchange<R: Recorder<Event>>(
     const DEEPEST: u32 = 60;
     // Two rules may agree by chance on a part that is too large to be seen through.
     const SHALLOWEST: u32 = 6;
+    // Depth alone bounds nothing: there are 2^depth parts.
+    const MOST_PARTS: usize = 1 << 14;
+    // What the edges of a polygon around the element leave of 1/2 when they cancel.
+    const ROUNDING: f64 = 16.0 * f64::EPSILON;
+    let mut count = 0;
     let first = i.corners[0];
     let mut parts: Vec<([DVec3; 3], u32)> = i.corners[1..]
         .windows(2)
@@ -91,8 +96,11 @@ pub fn adaptive_exchange<R: Recorder<Event>>(
         let coarse = exchange(&part, j, 3, recorder);
         let fine = exchange(&part, j, 4, recorder);
         let share = (part.area / i.area).sqrt();
-        let is_exact = (fine - coarse).abs() <= 0.1 * tolerance * whole * share;
-        if (is_exact && depth >= SHALLOWEST) || depth == DEEPEST {
+        count += 1;
+        let difference = (fine - coarse).abs();
+        let is_exact =
+            difference <= 0.1 * tolerance * whole * share || difference <= ROUNDING * part.area;
+        if (is_exact && depth >= SHALLOWEST) || depth == DEEPEST || count >= MOST_PARTS {
             sum += fine;
             whole = whole.max(sum);
             continue;
