@@ -143,6 +143,7 @@ impl Fold<Event> for State {
             Event::Sight { x, y, blocked, .. } => {
                 self.add(x, Way::Sight { to: y, blocked }, step);
             }
+            Event::Seen { x, .. } => self.points.push((x, step)),
             Event::Visible { share, .. } => self.visible = Some((share, step)),
             Event::FormFactorFound { f, .. } => self.found = Some((f, step)),
         }

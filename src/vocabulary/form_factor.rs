@@ -4,7 +4,7 @@ use super::Declared;
 use super::entry::{Formula, When, entry, is, only};
 use crate::algorithms::form_factor::{
     Event, PSEUDOCODE, area_to_area, auto, contour, element_to_polygon, hemicube, monte_carlo,
-    visibility,
+    sampled, visibility,
 };
 use crate::record::{self, Fields, Line, Listing};
 
@@ -231,6 +231,16 @@ vocabulary! {
             only(When::True("blocked"), "event-sight-blocked", SIGHT),
             entry("event-sight-free", SIGHT),
         ];
+    Event::Seen { x, whole, visible } => "Seen" at "seen"
+        {
+            "x" = x,
+            "F_x" = whole,
+            "F_visible" = visible,
+        }
+        [
+            only(When::NotPositive("F_visible"), "event-seen-nothing", SEEN_FROM),
+            entry("event-seen", SEEN_FROM),
+        ];
     Event::Visible { rays, share } => "Visible" at "visible"
         {
             "rays" = rays,
@@ -287,10 +297,11 @@ const AREA: &str = "{ΔA=pixel_area} := ([2; {n=resolution}])^2";
 const SEEN: &str = "F_x = {F_x′=F_x<0} + delta_F";
 const SIGHT: &[Formula] = &[is("{V_{ij}=share} = ['Σ K V(x, y)'; 'Σ K']")
     .unevaluated("what single lines of sight would carry is not recorded")];
+const SEEN_FROM: &[Formula] = &[is("x"), is("F_x"), is("F_visible")];
 const EXCHANGE: Formula = is("A_i_F_ij");
 
 /// The listings of all methods; a label stands in one of them only.
-static LISTINGS: [&Listing; 8] = [
+static LISTINGS: [&Listing; 9] = [
     &PSEUDOCODE,
     &auto::PSEUDOCODE,
     &area_to_area::PSEUDOCODE,
@@ -299,6 +310,7 @@ static LISTINGS: [&Listing; 8] = [
     &monte_carlo::PSEUDOCODE,
     &hemicube::PSEUDOCODE,
     &visibility::PSEUDOCODE,
+    &sampled::PSEUDOCODE,
 ];
 
 impl record::Event for Event {
@@ -327,6 +339,7 @@ impl record::Event for Event {
                 | Event::Ray { .. }
                 | Event::Pixel { .. }
                 | Event::Sight { .. }
+                | Event::Seen { .. }
         )
     }
 

@@ -47,7 +47,7 @@ const fn equal(a: &str, b: &str) -> bool {
     i == a.len() && i == b.len()
 }
 
-pub(super) const QUANTITIES: [(&str, &str, Unit); 213] = [
+pub(super) const QUANTITIES: [(&str, &str, Unit); 214] = [
     ("width", "width", Unit::Pixels),
     ("height", "height", Unit::Pixels),
     ("A", "A", Unit::None),
@@ -232,6 +232,7 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 213] = [
     ("pixel_y", "pixel y", Unit::None),
     ("delta_F", "ΔF", Unit::None),
     ("F_mean", "F_{mean}", Unit::None),
+    ("F_visible", "F_{visible}", Unit::None),
     ("share", "share", Unit::None),
     ("rays", "rays", Unit::None),
     ("A_i_F_ij", "A_i F_{ij}", Unit::None),

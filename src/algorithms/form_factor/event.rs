@@ -1,4 +1,4 @@
-//! What form factors tell of themselves.
+//! The events of form factors.
 
 use crate::record::Listing;
 use glam::DVec3;
@@ -81,7 +81,9 @@ pub enum Event {
         blocked: bool,
         share: f64,
     },
-    /// What passes between the patches, of so many rays.
+    /// What the element at `x` sees of the polygon: F of the whole, and of what no blocker hides.
+    Seen { x: DVec3, whole: f64, visible: f64 },
+    /// What passes between the patches, by so many rays, or by views from so many points.
     Visible { rays: u32, share: f64 },
     /// Closes `FormFactor`.
     FormFactorFound { exchange: f64, f: f64 },

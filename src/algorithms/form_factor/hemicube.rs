@@ -6,6 +6,7 @@
 
 use super::Event;
 use super::sample::{self, Sample};
+use super::visibility::Blockers;
 use crate::record::{Listing, Recorder};
 use crate::scene::patches::{Patches, Piece};
 use glam::DVec3;
@@ -54,16 +55,16 @@ impl Hemicubes {
         self,
         patches: &Patches,
         [i, j]: [usize; 2],
-        blocks: impl Fn(usize) -> bool,
+        blockers: Option<&Blockers>,
         recorder: &mut R,
     ) -> f64 {
         let mut mean = 0.0;
-        self.each_point(patches, i, blocks, |x, faces, depths, share| {
+        self.each_point(patches, i, blockers, |x, faces, depths, share| {
             recorder.enter(|| Event::Hemicube {
                 x,
                 resolution: self.resolution,
             });
-            let f = self.seen(patches, j, x, faces, depths, recorder);
+            let f = self.seen(patches, j, x, (faces, depths), blockers, recorder);
             mean += share * f;
             recorder.leave(|| Event::HemicubeSeen { f, mean });
         });
@@ -71,13 +72,20 @@ impl Hemicubes {
     }
 
     /// F_ij for every j.
-    pub fn row(self, patches: &Patches, i: usize, blocks: impl Fn(usize) -> bool, row: &mut [f64]) {
+    pub fn row(self, patches: &Patches, i: usize, blockers: Option<&Blockers>, row: &mut [f64]) {
         row.fill(0.0);
-        self.each_point(patches, i, blocks, |x, faces, depths, share| {
+        self.each_point(patches, i, blockers, |x, faces, depths, share| {
             for (j, f) in row.iter_mut().enumerate() {
                 if j != i {
                     *f += share
-                        * self.seen(patches, j, x, faces, depths, &mut crate::record::Unrecorded);
+                        * self.seen(
+                            patches,
+                            j,
+                            x,
+                            (faces, depths),
+                            blockers,
+                            &mut crate::record::Unrecorded,
+                        );
                 }
             }
         });
@@ -88,22 +96,26 @@ impl Hemicubes {
         self,
         patches: &Patches,
         i: usize,
-        blocks: impl Fn(usize) -> bool,
+        blockers: Option<&Blockers>,
         mut at: impl FnMut(DVec3, &[Face; 5], &[f64], f64),
     ) {
         let n = self.points;
         let side = self.resolution as usize;
         let mut depths = vec![f64::INFINITY; 5 * side * side];
-        let blockers: Vec<usize> = (0..patches.len())
+        let blocks = |k: usize| blockers.is_some_and(|all| all.includes(patches[k].object));
+        let in_the_way: Vec<usize> = (0..patches.len())
             .filter(|&k| k != i && blocks(k))
             .collect();
         for row in 0..n {
             for column in 0..n {
                 let place = [column, row].map(|k| (f64::from(k) + 0.5) / f64::from(n));
                 let Sample { point: x, normal } = sample::at(patches, i, place);
+                if blockers.is_some_and(|blockers| !blockers.is_exposed(i, x)) {
+                    continue;
+                }
                 let faces = faces(normal, self.resolution);
                 depths.fill(f64::INFINITY);
-                for &k in &blockers {
+                for &k in &in_the_way {
                     for piece in patches.pieces(k) {
                         self.cover(&piece, x, &faces, |pixel, _, t| {
                             depths[pixel] = depths[pixel].min(t);
@@ -121,8 +133,8 @@ impl Hemicubes {
         patches: &Patches,
         j: usize,
         x: DVec3,
-        faces: &[Face; 5],
-        depths: &[f64],
+        (faces, depths): (&[Face; 5], &[f64]),
+        blockers: Option<&Blockers>,
         recorder: &mut R,
     ) -> f64 {
         let mut sum = 0.0;
@@ -131,7 +143,11 @@ impl Hemicubes {
                 continue;
             }
             self.cover(&piece, x, faces, |pixel, [face, column, row], t| {
-                if t > depths[pixel] * (1.0 + 1e-9) {
+                let is_hidden = |blockers: &Blockers| {
+                    let y = x + t * self.direction(&faces[face as usize], column, row);
+                    !blockers.is_exposed(j, y)
+                };
+                if t > depths[pixel] * (1.0 + 1e-9) || blockers.is_some_and(is_hidden) {
                     return;
                 }
                 let delta = self.delta(face, column, row);
@@ -146,6 +162,11 @@ impl Hemicubes {
             });
         }
         sum
+    }
+
+    /// Through the centre of a pixel, as long as the depth of the face is 1.
+    fn direction(self, face: &Face, column: u32, row: u32) -> DVec3 {
+        face.forward + self.at(column) * face.right + self.at(row) * face.up
     }
 
     /// u or v at the centre of a column or row.
@@ -181,8 +202,7 @@ impl Hemicubes {
             };
             for row in rows[0].max(face.first_row)..rows[1] {
                 for column in columns[0]..columns[1] {
-                    let direction =
-                        face.forward + self.at(column) * face.right + self.at(row) * face.up;
+                    let direction = self.direction(face, column, row);
                     if is_inside(piece, x, direction, height > 0.0) {
                         let pixel = ((number * side + row) * side + column) as usize;
                         let t = height / piece.normal.dot(direction);

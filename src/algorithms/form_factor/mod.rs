@@ -16,20 +16,26 @@ pub mod area_to_area;
 pub mod auto;
 pub mod closed;
 pub mod closure;
+mod coincident;
 pub mod contour;
 pub mod element_to_polygon;
 mod errors;
 mod event;
+mod faces;
 pub mod far_field;
 pub mod gauss;
 mod groups;
 pub mod hemicube;
 pub mod monte_carlo;
+mod occlusion;
 pub mod polygon;
 pub mod report;
 pub mod sample;
+pub mod sampled;
+mod shaft;
 mod shortcuts;
 pub mod sobol;
+mod view;
 pub mod visibility;
 
 pub use errors::{Estimated, PairError};
@@ -142,8 +148,13 @@ impl<'a> FormFactors<'a> {
 
     /// Whether no light passes between two patches because one lies behind the other or in its plane, or is the same.
     pub fn face_away(&self, i: usize, j: usize) -> bool {
-        let faces = |a: &Polygon| self.polygons(j).any(|b| facing(a.clone(), b).is_some());
-        !self.polygons(i).any(|a| faces(&a))
+        let others = self.polygons(j);
+        let faces = |a: &Polygon| {
+            others
+                .iter()
+                .any(|b| facing(a.clone(), b.clone()).is_some())
+        };
+        !self.polygons(i).iter().any(faces)
     }
 
     /// F_ij.
@@ -161,7 +172,7 @@ impl<'a> FormFactors<'a> {
                 monte_carlo::form_factor(self.patches, [i, j], rays, seed, self.blockers, recorder)
             }
             Method::Hemicube(hemicubes) => {
-                hemicubes.form_factor(self.patches, [i, j], |k| self.blocks(k), recorder)
+                hemicubes.form_factor(self.patches, [i, j], self.blockers, recorder)
             }
             _ => {
                 let exchange = self.unblocked(i, j, recorder);
@@ -185,7 +196,7 @@ impl<'a> FormFactors<'a> {
     pub fn row(&self, i: usize, row: &mut [f64]) {
         match self.method {
             Method::Hemicube(hemicubes) => {
-                hemicubes.row(self.patches, i, |k| self.blocks(k), row);
+                hemicubes.row(self.patches, i, self.blockers, row);
             }
             Method::MonteCarlo { .. } => {
                 for (j, f) in row.iter_mut().enumerate() {
@@ -261,7 +272,10 @@ impl<'a> FormFactors<'a> {
         }
         for (j, exchange) in (first..end).zip(row) {
             let is_away = *exchange == 0.0;
-            if exchange.is_nan() || is_away && !self.shortcuts.facing_away {
+            // What lies on a patch makes it another polygon.
+            let is_bare = |blockers: &Blockers| blockers.is_bare(i) && blockers.is_bare(j);
+            let is_whole = is_away || self.blockers.is_none_or(is_bare);
+            if exchange.is_nan() || !is_whole || is_away && !self.shortcuts.facing_away {
                 *exchange = self.unblocked(i, j, &mut Unrecorded);
             }
             if let Some(blockers) = self.blockers
@@ -288,24 +302,31 @@ impl<'a> FormFactors<'a> {
         exchange: f64,
         recorder: &mut R,
     ) -> [f64; 2] {
-        if self.shortcuts.sight_tests && !blockers.can_stand_between(i, j) {
-            return [1.0, 0.0];
-        }
         // The larger of F_ij and F_ji.
         let f = exchange / self.patches[i].area.min(self.patches[j].area);
-        blockers.share(self.patches, [i, j], f, recorder)
+        blockers.share(
+            self.patches,
+            [i, j],
+            f,
+            !self.shortcuts.sight_tests,
+            recorder,
+        )
     }
 
-    fn polygons(&self, patch: usize) -> impl Iterator<Item = Polygon<'_>> {
-        let pieces = self.patches.pieces(patch);
-        pieces.filter_map(|piece| Polygon::new(piece.corners.into(), piece.normal))
+    /// The convex parts of a patch, as far as nothing lies on them.
+    fn polygons(&self, patch: usize) -> Vec<Polygon<'_>> {
+        match self.blockers {
+            Some(blockers) => blockers.polygons(self.patches, patch),
+            None => visibility::polygons(self.patches, patch).collect(),
+        }
     }
 
     /// A_i F_ij where nothing stands between.
     fn unblocked<R: Recorder<Event>>(&self, i: usize, j: usize, recorder: &mut R) -> f64 {
         let mut sum = 0.0;
+        let others = self.polygons(j);
         for piece_i in self.polygons(i) {
-            for piece_j in self.polygons(j) {
+            for piece_j in &others {
                 let Some([a, b]) = facing(piece_i.clone(), piece_j.clone()) else {
                     recorder.step(|| Event::FacesAway);
                     if !self.shortcuts.facing_away {
@@ -340,11 +361,6 @@ impl<'a> FormFactors<'a> {
             Method::Auto { tolerance } => auto::exchange(a, b, tolerance, recorder),
             Method::MonteCarlo { .. } | Method::Hemicube(_) => 0.0,
         }
-    }
-
-    fn blocks(&self, patch: usize) -> bool {
-        self.blockers
-            .is_some_and(|blockers| blockers.includes(self.patches[patch].object))
     }
 }
 

@@ -49,8 +49,13 @@ pub fn form_factor<R: Recorder<Event>>(
         let direction = (u.sqrt() * (cos * across + sin * along)
             + (1.0 - u).sqrt() * sample.normal)
             .normalize();
-        let met = meets(patches, j, sample.point, direction)
-            .is_some_and(|y| blockers.is_none_or(|blockers| !blockers.stand_between(&sample, &y)));
+        let met = meets(patches, j, sample.point, direction).is_some_and(|y| {
+            blockers.is_none_or(|blockers| {
+                blockers.is_exposed(i, sample.point)
+                    && blockers.is_exposed(j, y.point)
+                    && !blockers.stand_between(&sample, &y)
+            })
+        });
         hits += u32::from(met);
         recorder.step(|| Event::Ray {
             x: sample.point,

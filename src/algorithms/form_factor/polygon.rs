@@ -44,6 +44,17 @@ impl<'a> Polygon<'a> {
         })
     }
 
+    /// A plane, as polygons are cut at. It has no area.
+    pub fn plane(point: DVec3, normal: DVec3) -> Polygon<'static> {
+        Polygon {
+            corners: Cow::Owned(vec![point]),
+            normal,
+            area: 0.0,
+            center: point,
+            radius: 0.0,
+        }
+    }
+
     /// The part in front of the plane of `other`. Corners within `slack` of the plane lie in it.
     pub fn in_front_of(self, other: &Polygon, slack: f64) -> Option<Self> {
         // A ball that is far from the plane need not be looked at corner by corner.

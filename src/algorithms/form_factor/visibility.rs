@@ -1,48 +1,49 @@
 //! What stands between two patches: which surfaces can, and how much they hide.
 //!
-//! Patches in one plane make a group. A group can stand between i and j only where its plane parts them, and where the shaft of the two
-//! (Haines & Wallace 1991, "Shaft culling for efficient ray-traced radiosity") crosses that plane within the group's box. Only then are
-//! rays cast, between points that a Sobol sequence spreads over both, each counted by what it would exchange.
+//! Patches in one plane make a group, and a group one or more convex faces. A face can stand between i and j only where its plane parts
+//! them, and where the shaft of the two (Haines & Wallace 1991, "Shaft culling for efficient ray-traced radiosity") crosses that plane
+//! within the face. Where the whole shaft does so within one face, nothing passes. What the other faces leave is found by
+//! [`super::occlusion`], exactly from each point of one patch; where they are too many for that, by rays ([`super::sampled`]).
 
 use super::Event;
-use super::area_to_area::{cosines, kernel};
+use super::coincident::{self, Exposed};
+use super::faces::{self, Face};
 use super::groups::{Group, groups};
-use super::sample::{self, Sample};
-use super::sobol::Sobol;
+use super::occlusion::{self, Passing};
+use super::polygon::Polygon;
+use super::sample::Sample;
+use super::shaft::{self, Shaft, Sight};
+use super::view::Blocker;
+use super::{facing, sampled};
 use crate::record::{Listing, Recorder};
 use crate::scene::patches::Patches;
 use crate::scene::primitives::{Primitives, Ray};
 use crate::scene::{Mesh, Scene, Shape, Tessellation};
 use glam::DVec3;
+use std::ops::Range;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "visibility",
     lines: &[
         ("", "visible(i, j)"),
         ("", "  {if-nothing-can-stand-between-return-1}"),
-        ("", "  {for-each-of-n-points-s-t-u-v-of-a-sobol-sequence}"),
-        ("", "    x ← {point-of-i-at-s-t};  y ← {point-of-j-at-u-v}"),
+        ("", "  {for-each-point-x-of-the-receiver}"),
         (
-            "sight",
-            "    K ← cosθ_x cosθ_y / (π r²);  blocked ← {whether-the-ray-from-x-to-y-meets-a-surface}",
+            "seen",
+            "    F_x, F_visible ← {form-factors-of-the-whole-and-of-what-no-face-hides}",
         ),
-        ("visible", "  {return} Σ K {over-what-is-not-blocked} / Σ K"),
+        ("visible", "  {return} Σ w F_visible / Σ w F_x"),
     ],
 };
-
-/// Rays for a form factor of 1: a pair gets its share of them, so that a row takes no more, within [`LEAST_RAYS`] and [`MOST_RAYS`].
-const RAYS_A_ROW: f64 = 32_768.0;
-const LEAST_RAYS: u32 = 8;
-const MOST_RAYS: u32 = 1024;
-
-/// So many times as many where the first ones do not agree.
-const UNCLEAR: u32 = 4;
 
 /// Above so many groups no pair is looked at group by group.
 const MOST_GROUPS: usize = 4096;
 
-/// How far from a plane counts as in it, as a share of the scene's extent.
-const SLACK: f64 = 1e-9;
+/// How far from a plane counts as in it, as a share of the scene's extent: as far as rounding may have moved a corner.
+const SLACK: f64 = 64.0 * f64::EPSILON;
+
+/// Above so many faces between two patches, rays are cheaper than exact clipping.
+const MOST_FACES: usize = 512;
 
 /// The patches of a scene as they stand in each other's way. Objects that cast no shadow do not.
 #[derive(Clone, Debug)]
@@ -53,11 +54,15 @@ pub struct Blockers {
     starts: Vec<usize>,
     corners: Vec<DVec3>,
     groups: Vec<Group>,
+    faces: Vec<Face>,
+    /// By group, those of `faces` that it is made of.
+    faces_of: Vec<Range<usize>>,
     /// By patch, a bit a group: no corner behind its plane, and none in front.
     not_behind: Vec<u64>,
     not_in_front: Vec<u64>,
     strings: usize,
     has_too_many: bool,
+    exposed: Exposed,
     slack: f64,
 }
 
@@ -74,6 +79,10 @@ impl Blockers {
         let slack = SLACK * extent;
         let groups = groups(scene, patches, slack);
         let has_too_many = groups.len() > MOST_GROUPS;
+        let in_place = groups
+            .iter()
+            .flat_map(|group| faces::in_place(patches, group, slack));
+        let exposed = coincident::exposed(patches, in_place, slack);
         // A wall of a convex room parts nothing from anything.
         let groups: Vec<Group> = groups
             .into_iter()
@@ -88,6 +97,15 @@ impl Blockers {
         let facets = facets(scene, patches, &groups);
         let primitives = Primitives::of(&facets, &Tessellation::of(&facets));
         let groups = if has_too_many { Vec::new() } else { groups };
+        let mut all_faces = Vec::new();
+        let faces_of = groups
+            .iter()
+            .map(|group| {
+                let start = all_faces.len();
+                all_faces.extend(faces::of_group(patches, group, slack));
+                start..all_faces.len()
+            })
+            .collect();
         let strings = groups.len().div_ceil(64);
         let mut blockers = Blockers {
             primitives,
@@ -101,8 +119,11 @@ impl Blockers {
             starts,
             corners,
             groups,
+            faces: all_faces,
+            faces_of,
             strings,
             has_too_many,
+            exposed,
             slack,
         };
         blockers.take_sides(patches.len());
@@ -135,6 +156,30 @@ impl Blockers {
         self.casts_shadow.iter().all(|&casts| casts)
     }
 
+    /// The convex parts of a patch that no other one lies on.
+    pub fn polygons<'a>(&'a self, patches: &'a Patches, patch: usize) -> Vec<Polygon<'a>> {
+        match &self.exposed[patch] {
+            Some(parts) => parts.clone(),
+            None => polygons(patches, patch).collect(),
+        }
+    }
+
+    /// Whether no other patch lies on any part of this one.
+    pub fn is_bare(&self, patch: usize) -> bool {
+        self.exposed[patch].is_none()
+    }
+
+    /// Whether no other patch lies on this one at a point of it.
+    pub fn is_exposed(&self, patch: usize, point: DVec3) -> bool {
+        let Some(parts) = &self.exposed[patch] else {
+            return true;
+        };
+        parts.iter().any(|part| {
+            part.edges()
+                .all(|[from, to]| (to - from).cross(point - from).dot(part.normal) >= 0.0)
+        })
+    }
+
     /// Whether an object stands in the way at all.
     pub fn includes(&self, object: u32) -> bool {
         self.casts_shadow[object as usize]
@@ -142,10 +187,17 @@ impl Blockers {
 
     /// Whether anything can stand between two patches. False only where nothing does.
     pub fn can_stand_between(&self, i: usize, j: usize) -> bool {
+        !matches!(self.between(i, j), Between::Nothing)
+    }
+
+    /// What can stand between two patches.
+    fn between(&self, i: usize, j: usize) -> Between {
         if self.has_too_many {
-            return true;
+            return Between::TooMany;
         }
-        (0..self.strings).any(|word| {
+        let shaft = Shaft::of(self.corners_of(i), self.corners_of(j));
+        let mut between = Vec::new();
+        for word in 0..self.strings {
             let of = |bits: &[u64], patch: usize| bits[patch * self.strings + word];
             let (front_i, back_i) = (of(&self.not_behind, i), of(&self.not_in_front, i));
             let (front_j, back_j) = (of(&self.not_behind, j), of(&self.not_in_front, j));
@@ -156,18 +208,26 @@ impl Blockers {
             let all = if in_all >= 64 { !0 } else { (1 << in_all) - 1 };
             let mut can = !cannot & all;
             while can != 0 {
-                let group = &self.groups[64 * word + can.trailing_zeros() as usize];
-                let crosses = match group.is_warped() {
-                    true => !self.rises_from(i, j, group),
-                    false => self.shaft_crosses(i, j, group),
-                };
-                if crosses {
-                    return true;
-                }
+                let number = 64 * word + can.trailing_zeros() as usize;
                 can &= can - 1;
+                let group = &self.groups[number];
+                if group.is_warped() && self.rises_from(i, j, group) {
+                    continue;
+                }
+                for face in self.faces_of[number].clone() {
+                    match shaft.past(&self.faces[face], self.slack) {
+                        Sight::Free => {}
+                        Sight::Hidden => return Between::Everything,
+                        Sight::Unclear => between.push(face),
+                    }
+                }
             }
-            false
-        })
+        }
+        match between.len() {
+            0 => Between::Nothing,
+            n if n > MOST_FACES => Between::TooMany,
+            _ => Between::Faces(between),
+        }
     }
 
     /// Whether every ray between two patches, one of a warped group, is steeper than the group anywhere: such a ray leaves the group and does
@@ -190,44 +250,6 @@ impl Blockers {
         (group.patches.contains(&i) && rises(i, j)) || (group.patches.contains(&j) && rises(j, i))
     }
 
-    /// Whether the convex hull of two patches crosses the plane of a group within its box.
-    fn shaft_crosses(&self, i: usize, j: usize, group: &Group) -> bool {
-        const MOST_CORNERS: usize = 16;
-        let [of_i, of_j] = [i, j].map(|patch| self.corners_of(patch));
-        let count = of_i.len() + of_j.len();
-        if count > MOST_CORNERS {
-            return true;
-        }
-        let mut corners = [(DVec3::ZERO, 0.0); MOST_CORNERS];
-        for (place, &corner) in corners.iter_mut().zip(of_i.iter().chain(of_j)) {
-            *place = (corner, group.height(corner));
-        }
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for &(a, height_a) in &corners[..count] {
-            if height_a > 0.0 {
-                continue;
-            }
-            for &(b, height_b) in &corners[..count] {
-                if height_b >= 0.0 {
-                    let rise = height_b - height_a;
-                    let share = if rise > 0.0 { -height_a / rise } else { 0.0 };
-                    let crossing = a + share * (b - a);
-                    low = low.min(crossing);
-                    high = high.max(crossing);
-                }
-            }
-        }
-        (0..3).all(|axis| {
-            // A box of no thickness is met, one that is only touched at its side is not.
-            let slack = if group.high[axis] - group.low[axis] > 4.0 * self.slack {
-                self.slack
-            } else {
-                -self.slack
-            };
-            low[axis] + slack <= group.high[axis] && group.low[axis] + slack <= high[axis]
-        })
-    }
-
     /// Whether a surface lies between two points of patches.
     pub fn stand_between(&self, x: &Sample, y: &Sample) -> bool {
         let [from, to] = [x, y].map(|sample| sample.point + 4.0 * self.slack * sample.normal);
@@ -242,45 +264,99 @@ impl Blockers {
             )
     }
 
-    /// The share of what i and j would exchange that nothing blocks, found by rays, and its standard error. `f` is the larger of their form factors if nothing did.
+    /// The share of what i and j would exchange that nothing blocks, and an estimate of its error. `f` is the larger of their form factors if
+    /// nothing did. With `forced`, also where nothing can.
     pub fn share<R: Recorder<Event>>(
         &self,
         patches: &Patches,
         [i, j]: [usize; 2],
         f: f64,
+        forced: bool,
         recorder: &mut R,
     ) -> [f64; 2] {
-        let rays = ((f * RAYS_A_ROW) as u32)
-            .clamp(LEAST_RAYS, MOST_RAYS)
-            .next_power_of_two();
-        let sobol = Sobol::new(((i as u64) << 32) | j as u64);
-        let (mut whole, mut passing) = (0.0, 0.0);
-        let mut cast = 0;
-        while cast < rays || (cast < UNCLEAR * rays && passing > 0.0 && passing < whole) {
-            let [s, t, u, v] = sobol.point(cast);
-            cast += 1;
-            let x = sample::at(patches, i, [s, t]);
-            let y = sample::at(patches, j, [u, v]);
-            let [cos_x, cos_y, r2] = cosines(x.point, x.normal, y.point, y.normal);
-            let exchanged = kernel(cos_x, cos_y, r2);
-            if exchanged == 0.0 {
-                continue;
+        let faces = match self.between(i, j) {
+            Between::Nothing if forced => Vec::new(),
+            Between::Nothing => return [1.0, 0.0],
+            Between::Everything => {
+                recorder.step(|| Event::Visible {
+                    rays: 0,
+                    share: 0.0,
+                });
+                return [0.0, 0.0];
             }
-            let blocked = self.stand_between(&x, &y);
-            whole += exchanged;
-            passing += if blocked { 0.0 } else { exchanged };
-            recorder.step(|| Event::Sight {
-                x: x.point,
-                y: y.point,
-                blocked,
-                share: passing / whole,
-            });
+            Between::Faces(faces) => faces,
+            Between::TooMany => return sampled::share(self, patches, [i, j], f, recorder),
+        };
+        let mut sum = Passing::default();
+        for piece_i in self.polygons(patches, i) {
+            for piece_j in self.polygons(patches, j) {
+                if let Some([a, b]) = facing(piece_i.clone(), piece_j) {
+                    let passing = self.passing(a, b, &faces, recorder);
+                    sum.whole += passing.whole;
+                    sum.visible += passing.visible;
+                    sum.error += passing.error;
+                    sum.points += passing.points;
+                }
+            }
         }
-        // Where not one pair of points faces each other, nothing is known to be hidden.
-        let share = if whole > 0.0 { passing / whole } else { 1.0 };
-        recorder.step(|| Event::Visible { rays: cast, share });
-        [share, (share * (1.0 - share) / f64::from(cast)).sqrt()]
+        let [share, error] = match sum.whole > 0.0 {
+            true => [sum.visible / sum.whole, sum.error / sum.whole],
+            false => [0.0, 0.0],
+        };
+        recorder.step(|| Event::Visible {
+            rays: sum.points,
+            share,
+        });
+        [share, error]
     }
+
+    /// What passes between two polygons that lie in front of each other.
+    fn passing<R: Recorder<Event>>(
+        &self,
+        a: Polygon,
+        b: Polygon,
+        faces: &[usize],
+        recorder: &mut R,
+    ) -> Passing {
+        let in_front = |&face: &usize| {
+            let Blocker { corners, normal } = &self.faces[face].outline;
+            let whole = Polygon::new(corners.into(), *normal)?;
+            let part = whole
+                .in_front_of(&a, self.slack)?
+                .in_front_of(&b, self.slack)?;
+            Some(Blocker {
+                corners: part.corners.into_owned(),
+                normal: *normal,
+            })
+        };
+        let mut blockers: Vec<Blocker> = faces.iter().filter_map(in_front).collect();
+        // What stands between the centres hides the most. It comes first, so that little is left to be divided.
+        blockers.sort_by_key(|blocker| !blocker.is_met(a.center, b.center));
+        let spreads = shaft::spreads(&a, &b, &blockers);
+        let (receiver, source, spread) = match spreads[0] >= spreads[1] {
+            true => (a, b, spreads[0]),
+            false => (b, a, spreads[1]),
+        };
+        let grid = (1.0 / spread).clamp(1.0, 6.0).ceil() as u32;
+        let parts = shaft::divided(receiver, &blockers, self.slack);
+        occlusion::passing(&parts, &source, &blockers, grid, self.slack, recorder)
+    }
+}
+
+/// What can stand between two patches.
+enum Between {
+    Nothing,
+    /// One face hides all of one from the other.
+    Everything,
+    /// These faces, by number.
+    Faces(Vec<usize>),
+    TooMany,
+}
+
+/// The pieces of a patch.
+pub fn polygons(patches: &Patches, patch: usize) -> impl Iterator<Item = Polygon<'_>> {
+    let pieces = patches.pieces(patch);
+    pieces.filter_map(|piece| Polygon::new(piece.corners.into(), piece.normal))
 }
 
 /// The groups as a scene: every object a mesh of those of its patches that stand in the way.

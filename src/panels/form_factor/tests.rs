@@ -37,13 +37,13 @@ fn at_the_end_the_value_stands_beside_the_reference() {
 }
 
 #[test]
-fn the_line_of_sight_in_hand_can_be_pointed_at() {
+fn the_current_point_of_view_can_be_pointed_at() {
     let mut samples = form_factors();
     let has = |fixture: &&mut super::super::fixture::Fixture| {
-        (0..fixture.walk().len()).any(|step| fixture.walk().kind(step) == "Sight")
+        (0..fixture.walk().len()).any(|step| fixture.walk().kind(step) == "Seen")
     };
     let fixture = samples.iter_mut().find(has).expect("a pair is parted");
-    let step = fixture.first("Sight") + 3;
+    let step = fixture.first("Seen") + 3;
     fixture.seek(step);
     let picture = draw(&fixture.input(), Vec2::new(800.0, 500.0));
     assert!(picture.tagged_bounds(Tag::Step(step)).is_some());

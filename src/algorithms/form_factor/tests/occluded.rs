@@ -1,0 +1,398 @@
+//! What stands between: against closed forms, crossed strings and sums of rectangles.
+
+use super::*;
+use crate::scene::{Limits, Scene, read};
+
+/// A scene of polygons, each one patch each way.
+fn scene(polygons: &[(&str, Vec<[f64; 3]>, u32)]) -> Scene {
+    let objects: Vec<String> = polygons
+        .iter()
+        .enumerate()
+        .map(|(number, (name, vertices, patches))| {
+            format!(
+                r#"{{"name": "{name}{number}", "material": "m", "polygon": {{"vertices": {vertices:?}}}, "patches": {patches}}}"#
+            )
+        })
+        .collect();
+    let text = format!(
+        r#"{{"schema": 1, "materials": {{"m": {{}}}}, "objects": [{}]}}"#,
+        objects.join(", ")
+    );
+    read(text.as_bytes(), &Limits::default(), &mut |_| {
+        Err(String::new())
+    })
+    .unwrap()
+}
+
+/// A horizontal rectangle at height `y`, seen from above or from below.
+fn level(
+    name: &'static str,
+    [x0, x1]: [f64; 2],
+    y: f64,
+    [z0, z1]: [f64; 2],
+    is_floor: bool,
+    patches: u32,
+) -> (&'static str, Vec<[f64; 3]>, u32) {
+    let mut corners = vec![[x0, y, z0], [x0, y, z1], [x1, y, z1], [x1, y, z0]];
+    if !is_floor {
+        corners.reverse();
+    }
+    (name, corners, patches)
+}
+
+fn estimated(scene: &Scene) -> (Patches, Estimated) {
+    let patches = Patches::of(scene, 100_000).unwrap();
+    let blockers = Blockers::of(scene, &patches);
+    let method = Method::Auto { tolerance: 1e-6 };
+    let estimated = FormFactors::new(&patches, method, Some(&blockers)).estimated();
+    (patches, estimated)
+}
+
+/// F from the first patch to the second.
+fn first_to_second(polygons: &[(&str, Vec<[f64; 3]>, u32)]) -> f64 {
+    let (patches, estimated) = estimated(&scene(polygons));
+    assert!(patches.len() > 1);
+    estimated.matrix[1]
+}
+
+/// A F between parallel rectangles at distance `c`, by the sums of what rectangles from one corner exchange: G(x, y) with x and y the
+/// shifts between the sides (Ehlert & Smith 1993, "View factors for perpendicular and parallel rectangular plates").
+fn parallel(
+    [a1, a2]: [f64; 2],
+    [b1, b2]: [f64; 2],
+    [p1, p2]: [f64; 2],
+    [q1, q2]: [f64; 2],
+    c: f64,
+) -> f64 {
+    let g = |u: f64, v: f64| {
+        let (su, sv) = ((u * u + c * c).sqrt(), (v * v + c * c).sqrt());
+        (v * su * (v / su).atan() + u * sv * (u / sv).atan()
+            - 0.5 * c * c * ((u * u + v * v + c * c) / (c * c)).ln())
+            / std::f64::consts::TAU
+    };
+    let mut sum = 0.0;
+    for (a, sa) in [(a1, -1.0), (a2, 1.0)] {
+        for (p, sp) in [(p1, -1.0), (p2, 1.0)] {
+            for (b, sb) in [(b1, -1.0), (b2, 1.0)] {
+                for (q, sq) in [(q1, -1.0), (q2, 1.0)] {
+                    sum += sa * sp * sb * sq * g(a - p, b - q);
+                }
+            }
+        }
+    }
+    sum
+}
+
+#[test]
+fn the_sum_of_rectangles_is_right_of_unit_squares() {
+    let f = parallel([0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [0.0, 1.0], 1.0);
+    assert!((f - 0.199_824_895_698_387_38).abs() < 1e-14, "{f}");
+}
+
+/// Within 1e-4, and within 1 % above 1e-5.
+fn assert_right(name: &str, found: f64, right: f64) {
+    let error = (found - right).abs();
+    println!("{name}: {found:e} for {right:e}");
+    assert!(error <= 1e-4, "{name}: {found} for {right}");
+    assert!(
+        right <= 1e-5 || error <= 0.01 * right,
+        "{name}: {found} for {right}"
+    );
+}
+
+#[test]
+fn strips_past_a_blocker_exchange_what_crossed_strings_say() {
+    // 2000 long, so that what leaves at the ends is below 1e-3 of F; two lengths take that away.
+    for (left, right) in [
+        (-0.2, 0.3),
+        (0.1, 0.9),
+        (-1.0, 0.5),
+        (0.45, 0.55),
+        (-0.5, 0.02),
+    ] {
+        let of_length = |length: f64| {
+            let z = [0.0, length];
+            first_to_second(&[
+                level("floor", [0.0, 1.0], 0.0, z, true, 1),
+                level("lid", [0.0, 1.0], 1.0, z, false, 1),
+                level("card", [left, right], 0.4, [-length, 2.0 * length], true, 1),
+            ])
+        };
+        let found = 2.0 * of_length(400.0) - of_length(200.0);
+        // Past each side of the card: crossed less uncrossed strings, over twice the width (Hottel 1954).
+        let string = |from: [f64; 2], to: [f64; 2]| {
+            ((to[0] - from[0]).powi(2) + (to[1] - from[1]).powi(2)).sqrt()
+        };
+        let bent = |over: [f64; 2], x: f64, y: f64, is_left: bool| {
+            // From (x, 0) to (y, 1), taut around the edge where that is in the way.
+            let at = x + over[1] * (y - x);
+            let is_free = if is_left {
+                at <= over[0]
+            } else {
+                at >= over[0]
+            };
+            if is_free {
+                string([x, 0.0], [y, 1.0])
+            } else {
+                string([x, 0.0], over) + string(over, [y, 1.0])
+            }
+        };
+        let past = |edge: f64, is_left: bool| {
+            let over = [edge, 0.4];
+            let (near, far) = if is_left { (0.0, 1.0) } else { (1.0, 0.0) };
+            let crossed = bent(over, near, far, is_left) + bent(over, far, near, is_left);
+            let uncrossed = bent(over, near, near, is_left) + bent(over, far, far, is_left);
+            (0.5 * (crossed - uncrossed)).max(0.0)
+        };
+        assert_right(
+            &format!("{left} to {right}"),
+            found,
+            past(left, true) + past(right, false),
+        );
+    }
+}
+
+#[test]
+fn a_wall_from_floor_to_lid_parts_what_rectangles_say() {
+    // On either side of the wall floor and lid see all of each other.
+    for at in [0.5, 0.3, 0.07] {
+        let wall = (
+            "wall",
+            vec![
+                [at, 0.0, -1.0],
+                [at, 0.0, 2.0],
+                [at, 1.0, 2.0],
+                [at, 1.0, -1.0],
+            ],
+            1,
+        );
+        let unit = [0.0, 1.0];
+        let found = first_to_second(&[
+            level("floor", unit, 0.0, unit, true, 1),
+            level("lid", unit, 1.0, unit, false, 1),
+            wall,
+        ]);
+        let side = |x: [f64; 2]| parallel(x, unit, x, unit, 1.0);
+        assert_right(
+            &format!("wall at {at}"),
+            found,
+            side([0.0, at]) + side([at, 1.0]),
+        );
+    }
+}
+
+#[test]
+fn a_card_close_to_the_lid_hides_what_lies_behind_it() {
+    let unit = [0.0, 1.0];
+    for (x, z) in [
+        ([0.2, 0.7], [0.1, 0.6]),
+        ([0.0, 1.0], [0.0, 0.5]),
+        ([0.499, 0.501], unit),
+    ] {
+        for (is_above, gap) in [(true, 1e-9), (false, 1e-9)] {
+            let y = if is_above { 1.0 - gap } else { gap };
+            let found = first_to_second(&[
+                level("floor", unit, 0.0, unit, true, 1),
+                level("lid", unit, 1.0, unit, false, 1),
+                level("card", x, y, z, true, 1),
+            ]);
+            let whole = parallel(unit, unit, unit, unit, 1.0);
+            assert_right(
+                &format!("{x:?} {z:?} {is_above}"),
+                found,
+                whole - parallel(unit, unit, x, z, 1.0),
+            );
+        }
+    }
+}
+
+#[test]
+fn a_slit_is_seen_and_a_grating_lets_through_its_share() {
+    let unit = [0.0, 1.0];
+    let plate = |x: [f64; 2]| level("plate", x, 0.5, [-1.0, 2.0], true, 1);
+    let slit = first_to_second(&[
+        level("floor", unit, 0.0, unit, true, 1),
+        level("lid", unit, 1.0, unit, false, 1),
+        plate([-1.0, 0.499]),
+        plate([0.501, 2.0]),
+    ]);
+    // From x through the slit to the strip of the lid about 1 − x, twice as wide as the slit.
+    let steps = 400;
+    let exact: f64 = (0..steps)
+        .map(|k| (f64::from(k) + 0.5) / f64::from(steps))
+        .map(|x| strip(x, [0.998 - x, 1.002 - x], 1.0) / f64::from(steps))
+        .sum();
+    assert_right("slit", slit, exact);
+}
+
+/// A F a unit of width of a line (x, 0, z), 0 ≤ z ≤ 1, to what the lid at height `c` has between two x.
+fn strip(x: f64, [from, to]: [f64; 2], c: f64) -> f64 {
+    let (from, to) = (from.clamp(0.0, 1.0), to.clamp(0.0, 1.0));
+    let half = 1e-5;
+    parallel([x - half, x + half], [0.0, 1.0], [from, to], [0.0, 1.0], c) / (2.0 * half)
+}
+
+#[test]
+fn a_grating_passes_the_same_light_at_every_division() {
+    let unit = [0.0, 1.0];
+    let mut passed = Vec::new();
+    for side in [1, 2, 4] {
+        let mut polygons = vec![
+            level("floor", unit, 0.0, unit, true, side),
+            level("lid", unit, 4.0, unit, false, side),
+        ];
+        // Bars of .0475 every .05, 5 % open.
+        polygons.extend((-20..40).map(|k| {
+            let x = 0.05 * f64::from(k);
+            level("bar", [x + 0.00125, x + 0.04875], 2.0, [-2.0, 3.0], true, 1)
+        }));
+        let (patches, estimated) = estimated(&scene(&polygons));
+        let (n, count) = (patches.len(), (side * side) as usize);
+        let through: f64 = (0..count)
+            .flat_map(|i| (count..2 * count).map(move |j| (i, j)))
+            .map(|(i, j)| patches[i].area * estimated.matrix[i * n + j])
+            .sum();
+        passed.push(through);
+    }
+    // Each gap shows a strip of the lid, twice as wide as itself.
+    let steps = 400;
+    let exact: f64 = (0..steps)
+        .map(|k| (f64::from(k) + 0.5) / f64::from(steps))
+        .flat_map(|x| (-20..40).map(move |k| (x, 0.05 * f64::from(k) - 0.00125)))
+        .map(|(x, gap)| strip(x, [2.0 * gap - x, 2.0 * (gap + 0.0025) - x], 4.0) / f64::from(steps))
+        .sum();
+    for through in &passed {
+        assert!((through / exact - 1.0).abs() < 0.01, "{exact} {passed:?}");
+    }
+}
+
+fn box_faces(
+    name: &'static str,
+    low: [f64; 3],
+    high: [f64; 3],
+    is_room: bool,
+    patches: u32,
+) -> Vec<(&'static str, Vec<[f64; 3]>, u32)> {
+    let corner = |bits: usize| -> [f64; 3] {
+        std::array::from_fn(|axis| {
+            if bits >> axis & 1 == 1 {
+                high[axis]
+            } else {
+                low[axis]
+            }
+        })
+    };
+    [
+        [0, 1, 3, 2],
+        [5, 4, 6, 7],
+        [4, 0, 2, 6],
+        [1, 5, 7, 3],
+        [4, 5, 1, 0],
+        [2, 3, 7, 6],
+    ]
+    .map(|face| {
+        let mut corners: Vec<[f64; 3]> = face.into_iter().map(corner).collect();
+        if !is_room {
+            corners.reverse();
+        }
+        (name, corners, patches)
+    })
+    .to_vec()
+}
+
+#[test]
+fn nothing_enters_a_sealed_box_and_rows_of_the_room_around_it_sum_to_1() {
+    let (low, high) = ([0.3, 0.2, 0.35], [0.6, 0.7, 0.6]);
+    let polygons = [
+        box_faces("room", [0.0; 3], [1.0; 3], true, 2),
+        box_faces("inside", low, high, true, 2),
+        box_faces("outside", low, high, false, 2),
+    ]
+    .concat();
+    let (patches, estimated) = estimated(&scene(&polygons));
+    let n = patches.len();
+    for i in 0..n {
+        let row = &estimated.matrix[i * n..][..n];
+        let sum: f64 = row.iter().sum();
+        assert!((sum - 1.0).abs() < 1e-3, "{i}: {sum}");
+        assert!(
+            (sum - 1.0).abs() < 2.0 * estimated.row_errors[i] + 1e-6,
+            "{i}: {sum}"
+        );
+        let is_inside = |patch: usize| (24..48).contains(&patch);
+        for (j, &f) in row.iter().enumerate() {
+            assert!(is_inside(i) == is_inside(j) || f == 0.0, "{i} {j}: {f}");
+        }
+    }
+}
+
+#[test]
+fn a_room_with_blocks_that_share_edges_closes() {
+    let polygons = [
+        box_faces("room", [0.0; 3], [1.0; 3], true, 2),
+        box_faces("one", [0.1, 0.05, 0.2], [0.4, 0.6, 0.5], false, 1),
+        box_faces("two", [0.4, 0.05, 0.2], [0.7, 0.3, 0.5], false, 1),
+    ]
+    .concat();
+    let (patches, estimated) = estimated(&scene(&polygons));
+    let n = patches.len();
+    // What the two blocks share looks at the other's back.
+    let rows = (0..n).map(|i| (i, estimated.matrix[i * n..][..n].iter().sum::<f64>()));
+    for (i, sum) in rows.filter(|&(i, _)| i < 24) {
+        assert!((sum - 1.0).abs() < 1e-3, "{i}: {sum}");
+    }
+}
+
+#[test]
+fn walls_given_twice_exchange_as_if_given_once() {
+    let once = box_faces("room", [0.0; 3], [1.0; 3], true, 2);
+    let twice = [once.clone(), once[..3].to_vec()].concat();
+    let (single, double) = (estimated(&scene(&once)), estimated(&scene(&twice)));
+    let (n, m) = (single.0.len(), double.0.len());
+    for i in 0..m {
+        for j in 0..m {
+            let f = double.1.matrix[i * m + j];
+            let right = if i < n && j < n {
+                single.1.matrix[i * n + j]
+            } else {
+                0.0
+            };
+            assert_eq!(f, right, "{i} {j}");
+        }
+    }
+}
+
+#[test]
+fn of_a_panel_on_a_wall_the_one_that_comes_first_is_in_front() {
+    let room = box_faces("room", [0.0; 3], [1.0; 3], true, 2);
+    let panel = (
+        "panel",
+        vec![
+            [0.3, 0.0, 0.3],
+            [0.3, 0.0, 0.6],
+            [0.6, 0.0, 0.6],
+            [0.6, 0.0, 0.3],
+        ],
+        1,
+    );
+    for is_first in [true, false] {
+        let mut polygons = room.clone();
+        polygons.insert(if is_first { 0 } else { 6 }, panel.clone());
+        let (patches, estimated) = estimated(&scene(&polygons));
+        let n = patches.len();
+        let of_panel = if is_first { 0 } else { n - 1 };
+        let sum = |i: usize| estimated.matrix[i * n..][..n].iter().sum::<f64>();
+        assert!(
+            (sum(of_panel) - f64::from(u8::from(is_first))).abs() < 1e-5,
+            "{}",
+            sum(of_panel)
+        );
+        // What it leaves of the floor, by area; what lies under it sees nothing.
+        let floor: f64 = (0..n)
+            .filter(|&i| i != of_panel && patches[i].center.y == 0.0)
+            .map(|i| patches[i].area * sum(i))
+            .sum();
+        let left = if is_first { 1.0 - 0.09 } else { 1.0 };
+        assert!((floor - left).abs() < 1e-4, "{is_first}: {floor}");
+    }
+}
