@@ -1,6 +1,6 @@
-//! Cells of lists and tables: text in a form that fits, after the swatch of its colour.
+//! Rows and cells of lists and tables: text in a form that fits, after the swatch of its colour.
 
-use crate::picture::{Ink, Picture, Rect, Style, Text, elide};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, Text, elide};
 
 /// One line of text in a box, its end left out where it does not fit.
 pub fn elided(picture: &mut Picture, place: Rect, text: &str, set: Text) {
@@ -86,6 +86,38 @@ impl Cell {
         };
         elided(picture, room, text, *set);
         room.x + set.width(text).min(room.width)
+    }
+}
+
+/// A line of a list: cells that begin one behind the other, each with room up to the right end.
+#[derive(Clone, Debug)]
+pub struct Row {
+    tag: Tag,
+    cells: Vec<(f32, Cell)>,
+}
+
+impl Row {
+    pub fn new(tag: Tag) -> Self {
+        Row {
+            tag,
+            cells: Vec::new(),
+        }
+    }
+
+    /// With a cell more, `x` from the left end.
+    pub fn cell(mut self, x: f32, cell: Cell) -> Self {
+        self.cells.push((x, cell));
+        self
+    }
+
+    /// In `place`, each cell under the tag.
+    pub fn draw(&self, picture: &mut Picture, place: Rect) {
+        picture.tagged(self.tag, |picture| {
+            for (x, cell) in &self.cells {
+                let x = (place.x + x).min(place.right());
+                cell.draw(picture, Rect::between((x, place.y), place.max()));
+            }
+        });
     }
 }
 

@@ -5,7 +5,7 @@ use super::message::{NO_STEPS, labelled, message};
 use super::values::{short, step_as_sentence};
 use super::{PanelInput, Properties};
 use crate::color::Rgb;
-use crate::figure::{Axis, Cell, Plot, Scale};
+use crate::figure::{Axis, Cell, Plot, Row, Scale};
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, symbol};
 use crate::record::Value;
@@ -85,13 +85,13 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             plot,
         );
     }
-    let recorded: Vec<String> = rows.iter().map(Row::in_words).collect();
+    let recorded: Vec<String> = rows.iter().map(Listed::in_words).collect();
     picture.alt = format!("{} {}.", step_as_sentence(input), recorded.join("; "));
     picture
 }
 
 /// A name with its value; a term has a bar, a factor a line that stands for its curve.
-struct Row {
+struct Listed {
     name: String,
     value: String,
     tag: Tag,
@@ -101,7 +101,7 @@ struct Row {
     bar: Option<f32>,
 }
 
-fn rows(point: &CurrentPoint, language: Language) -> Vec<Row> {
+fn rows(point: &CurrentPoint, language: Language) -> Vec<Listed> {
     let light = point.lights.last();
     let terms = [
         ("I_a", point.ambient, "Ambient", Ink::Series(0)),
@@ -121,9 +121,9 @@ fn rows(point: &CurrentPoint, language: Language) -> Vec<Row> {
     ];
     let recorded = terms.iter().filter_map(|(_, term, ..)| *term);
     let longest = recorded.map(Rgb::max_channel).fold(1.0, f64::max);
-    let mut rows: Vec<Row> = terms
+    let mut rows: Vec<Listed> = terms
         .into_iter()
-        .map(|(name, term, recorded_by, ink)| Row {
+        .map(|(name, term, recorded_by, ink)| Listed {
             name: symbol(name),
             value: term.map_or("–".into(), |term| short(Value::from(term), 3, language)),
             tag: Tag::Field(name),
@@ -138,7 +138,7 @@ fn rows(point: &CurrentPoint, language: Language) -> Vec<Row> {
     let standard = standard(light, n_dot_l);
     let strings = |strings: Message| strings.text(language);
     let mut factor = |name: String, value: f64, tag, ink| {
-        rows.push(Row {
+        rows.push(Listed {
             name,
             value: language.short(value, 4),
             tag: Tag::Field(tag),
@@ -163,39 +163,43 @@ fn standard(light: &CurrentLight, n_dot_l: f64) -> f64 {
     light.attenuation * n_dot_l.max(0.0)
 }
 
-impl Row {
+impl Listed {
     fn draw(&self, picture: &mut Picture, kind: &str, place: Rect) {
         let here = self.recorded_by == kind;
         let value = Style::Mono
             .size(TEXT)
             .ink(if here { Ink::This } else { Ink::Text });
         let name = Style::Label.size(TEXT).ink(Ink::Muted);
-        picture.tagged(self.tag, |picture| {
-            let y = place.center().y;
-            let from = |x: f32| Rect::between((x.min(place.right()), place.y), place.max());
-            let mark = Some(self.ink).filter(|_| self.bar.is_some());
-            let cell = Cell::new(self.name.as_str(), name).swatch(mark);
-            let x = match mark {
-                Some(_) => {
-                    cell.draw(picture, place);
-                    place.x + 44.0
-                }
-                None => {
-                    picture.line((place.x, y), (place.x + 12.0, y), self.ink.stroke(2.5));
-                    cell.draw(picture, from(place.x + 18.0)) + 10.0
-                }
-            };
-            let values = [self.value.as_str(), ""].map(|text| (text.to_string(), value));
-            Cell::forms(values).draw(picture, from(x));
-            // Bars begin in one line, behind the longest number that there may be.
-            let start = x + value.width("0.000, 0.000, 0.000") + 10.0;
-            if let Some(share) = self.bar.filter(|_| start + 30.0 < place.right()) {
-                let all = Rect::between((start, y - 5.0), (place.right(), y + 5.0));
+        let mark = Some(self.ink).filter(|_| self.bar.is_some());
+        let (before, start) = match mark {
+            Some(_) => (0.0, 44.0),
+            None => (
+                18.0,
+                18.0 + name.width(&self.name).min(place.width - 18.0) + 10.0,
+            ),
+        };
+        let y = place.center().y;
+        if mark.is_none() {
+            let line = [(place.x, y), (place.x + 12.0, y)];
+            picture.tagged(self.tag, |picture| {
+                picture.line(line[0], line[1], self.ink.stroke(2.5));
+            });
+        }
+        let values = [self.value.as_str(), ""].map(|text| (text.to_string(), value));
+        Row::new(self.tag)
+            .cell(before, Cell::new(self.name.as_str(), name).swatch(mark))
+            .cell(start, Cell::forms(values))
+            .draw(picture, place);
+        // Bars begin in one line, behind the longest number that there may be.
+        let start = place.x + start + value.width("0.000, 0.000, 0.000") + 10.0;
+        if let Some(share) = self.bar.filter(|_| start + 30.0 < place.right()) {
+            let all = Rect::between((start, y - 5.0), (place.right(), y + 5.0));
+            picture.tagged(self.tag, |picture| {
                 picture.rect(all, Ink::Faint);
                 let width = share * all.width;
                 picture.rect(Rect { width, ..all }, self.ink);
-            }
-        });
+            });
+        }
     }
 
     fn in_words(&self) -> String {

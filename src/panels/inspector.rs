@@ -103,12 +103,12 @@ fn known(walk: &dyn Walk, step: usize) -> Vec<RecordedField> {
 }
 
 /// A value: its name, the value itself, and where it was recorded.
-struct Row {
+struct Known {
     recorded: RecordedField,
     cells: [String; 3],
 }
 
-impl Row {
+impl Known {
     /// Set in text of `size` points; the step's own values stand out.
     fn cells(&self, size: f32, step: usize) -> [Cell; 3] {
         let own = self.recorded.step == step;
@@ -131,7 +131,7 @@ impl Row {
 
 /// The rows as they are written, and the widths of their columns.
 struct Layout {
-    rows: Vec<Row>,
+    rows: Vec<Known>,
     size: f32,
     /// Of names, values and origins.
     widths: [f32; 3],
@@ -190,9 +190,9 @@ impl Layout {
                 None => value,
             }
         };
-        let rows: Vec<Row> = recorded
+        let rows: Vec<Known> = recorded
             .iter()
-            .map(|&recorded| Row {
+            .map(|&recorded| Known {
                 recorded,
                 cells: [
                     walk.declared(recorded.step)
@@ -213,7 +213,7 @@ impl Layout {
                 ],
             })
             .collect();
-        let cells = |row: &Row| row.cells(LARGEST, walk.position()).map(|cell| cell.width());
+        let cells = |row: &Known| row.cells(LARGEST, walk.position()).map(|cell| cell.width());
         let widest = |all: [f32; 3], row: [f32; 3]| std::array::from_fn(|i| all[i].max(row[i]));
         Layout {
             widths: rows.iter().map(cells).fold([0.0; 3], widest),
@@ -254,7 +254,7 @@ impl Layout {
         )
     }
 
-    fn draw(&self, picture: &mut Picture, row: &Row, place: Rect, step: usize) {
+    fn draw(&self, picture: &mut Picture, row: &Known, place: Rect, step: usize) {
         let [name, value, from] = row.cells(self.size, step);
         name.draw(
             picture,

@@ -3,7 +3,7 @@
 use super::super::names;
 use super::met::SurfaceInSight;
 use crate::color::Rgb;
-use crate::figure::Cell;
+use crate::figure::{Cell, Row};
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::replay::rays::Verdict;
@@ -23,7 +23,7 @@ const TOTAL: Message = Message("common-total-internal-reflection");
 const CRITICAL: Message = Message("vectors-critical");
 
 /// A line of the list: a symbol, a number, and what is to be said of it.
-struct Row {
+struct Angle {
     symbol: String,
     value: String,
     /// From the longest to the shortest.
@@ -38,7 +38,7 @@ pub(super) struct Angles {
     /// Of the object.
     name: String,
     title: String,
-    rows: Vec<Row>,
+    rows: Vec<Angle>,
     /// Of the rows, the first about a light.
     lights: usize,
 }
@@ -53,8 +53,8 @@ fn row(
     tag: &'static str,
     recorded_by: &'static str,
     language: Language,
-) -> Row {
-    Row {
+) -> Angle {
+    Angle {
         symbol: symbol.to_string(),
         value: degrees(radians, language),
         notes: Vec::new(),
@@ -105,7 +105,7 @@ impl Angles {
                 } else {
                     strings(CRITICAL)
                 };
-                rows.push(Row {
+                rows.push(Angle {
                     notes: vec![note.to_string()],
                     ..row("θ_c", angle, "theta_c_degrees", "Refraction", language)
                 });
@@ -150,13 +150,14 @@ impl Angles {
             let x = area.x + column as f32 * width;
             for (i, row) in rows.iter().enumerate().take(room - 1) {
                 let y = area.y + (i + 1) as f32 * line;
-                row.draw(picture, kind, text, Rect::new(x, y, width - 4.0, line));
+                let place = Rect::new(x, y, width - 4.0, line);
+                row.row(kind, text).draw(picture, place);
             }
         }
     }
 
     pub fn in_words(&self) -> String {
-        let row = |row: &Row| {
+        let row = |row: &Angle| {
             let note = row.notes.first().map_or("", String::as_str);
             let note = note.replace(['✕', '✓'], "");
             format!("{} {} {}", row.symbol, row.value, note.trim())
@@ -168,8 +169,9 @@ impl Angles {
     }
 }
 
-impl Row {
-    fn draw(&self, picture: &mut Picture, kind: &str, text: f32, place: Rect) {
+impl Angle {
+    /// `kind` is that of the step, `text` the size of the text.
+    fn row(&self, kind: &str, text: f32) -> Row {
         let here = self.recorded_by == kind;
         let set = Style::Label.size(text);
         let value = set.ink(if here { Ink::This } else { Ink::Text });
@@ -177,14 +179,12 @@ impl Row {
         // Without a note that fits there is none.
         let notes = self.notes.iter().map(String::as_str).chain([""]);
         let notes = notes.map(|note| (note.to_string(), set.ink(Ink::Muted)));
-        let from = |x: f32| Rect::between((x.min(place.right()), place.y), place.max());
-        picture.tagged(self.tag, |picture| {
-            picture.text_in(place, self.symbol.as_str(), symbol);
-            let x = place.x + 2.2 * text;
-            picture.text_in(from(x), self.value.as_str(), value);
-            let x = x + value.width(&self.value).max(3.2 * text) + 0.6 * text;
-            Cell::forms(notes).draw(picture, from(x));
-        });
+        let start = 2.2 * text;
+        let after = start + value.width(&self.value).max(3.2 * text) + 0.6 * text;
+        Row::new(self.tag)
+            .cell(0.0, Cell::new(self.symbol.as_str(), symbol))
+            .cell(start, Cell::new(self.value.as_str(), value))
+            .cell(after, Cell::forms(notes))
     }
 }
 
@@ -203,7 +203,7 @@ fn blocked(surface: &SurfaceInSight, verdict: &Verdict, language: Language) -> V
 }
 
 /// Each light: the angle of L with N, N·L, what the shadow ray found; then H or R of the current light.
-fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
+fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Angle> {
     let strings = |strings: Message| strings.text(language);
     let lean = |vector: DVec3| match surface.lean(vector) {
         lean if lean < 0.05 => String::new(),
@@ -243,7 +243,7 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
             format!("{n_dot_l} {mark}"),
             mark.to_string(),
         ];
-        rows.push(Row {
+        rows.push(Angle {
             notes: std::iter::once(whole)
                 .chain(without_lean)
                 .chain(shortest)
@@ -262,7 +262,7 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
     if let Some(light) = surface.current_light() {
         if let Some((halfway, cosine)) = light.halfway {
             let n_dot_h = language.short(cosine, 3);
-            rows.push(Row {
+            rows.push(Angle {
                 notes: vec![
                     format!("N·H {n_dot_h}{}", lean(halfway)),
                     format!("N·H {n_dot_h}"),
@@ -277,7 +277,7 @@ fn lights(surface: &SurfaceInSight, language: Language) -> Vec<Row> {
             });
         }
         if let Some((_, cosine)) = light.mirrored {
-            rows.push(Row {
+            rows.push(Angle {
                 symbol: "R_L".to_string(),
                 value: String::new(),
                 notes: vec![format!("R·V {}", language.short(cosine, 3))],

@@ -3,7 +3,7 @@
 use super::super::channels;
 use super::super::values::short;
 use crate::color::Rgb;
-use crate::figure::{Cell, mono_or_narrow};
+use crate::figure::{Cell, Row, mono_or_narrow};
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, symbol};
 use crate::record::Value;
@@ -30,16 +30,16 @@ const LIGHT: Message = Message("common-light");
 struct Term(Ink, &'static str, Ink);
 
 /// A named value, with the ink that stands for it in the bars.
-struct Row {
+struct Named {
     name: &'static str,
     shown: String,
     value: Value,
     ink: Option<Ink>,
 }
 
-impl Row {
+impl Named {
     fn new(name: &'static str, value: impl Into<Value>) -> Self {
-        Row {
+        Named {
             name,
             shown: symbol(name),
             value: value.into(),
@@ -48,10 +48,26 @@ impl Row {
     }
 
     fn ink(self, ink: Ink) -> Self {
-        Row {
+        Named {
             ink: Some(ink),
             ..self
         }
+    }
+
+    fn row(&self, language: Language) -> Row {
+        let set = Style::Label.size(SIZE).ink(Ink::Muted);
+        // The most decimals that fit, in the widest face that does; of what does not fit, nothing.
+        let values = (FEWEST..=3).rev().flat_map(|digits| {
+            mono_or_narrow(short(self.value, digits, language), SIZE, Ink::Text)
+        });
+        let values = values.chain([(String::new(), set)]);
+        // Names stand below each other, with a swatch or without.
+        let name = Cell::new(self.shown.clone(), set).swatch(self.ink);
+        let before = if self.ink.is_some() { 0.0 } else { SWATCH };
+        let start = SWATCH + NAMES.max(set.width(&self.shown) + 6.0);
+        Row::new(Tag::Field(self.name))
+            .cell(before, name)
+            .cell(start, Cell::forms(values))
     }
 }
 
@@ -70,7 +86,7 @@ pub(super) fn draw(picture: &mut Picture, state: &State, language: Language, are
     let top = area.y + 0.5 * (room - rows.len() as f32 * ROW).max(0.0);
     for (i, row) in rows.iter().enumerate() {
         let place = Rect::new(area.x + 4.0, top + i as f32 * ROW, area.width - 8.0, ROW);
-        draw_row(picture, row, language, place);
+        row.row(language).draw(picture, place);
     }
     let top = top + rows.len() as f32 * ROW + 6.0;
     let whole = parts
@@ -86,77 +102,61 @@ pub(super) fn draw(picture: &mut Picture, state: &State, language: Language, are
     }
 }
 
-fn draw_row(picture: &mut Picture, row: &Row, language: Language, place: Rect) {
-    let set = Style::Label.size(SIZE).ink(Ink::Muted);
-    // The most decimals that fit, in the widest face that does; of what does not fit, nothing.
-    let values = (FEWEST..=3)
-        .rev()
-        .flat_map(|digits| mono_or_narrow(short(row.value, digits, language), SIZE, Ink::Text));
-    let values = values.chain([(String::new(), set)]);
-    picture.tagged(Tag::Field(row.name), |picture| {
-        let from = |x: f32| Rect::between((x.min(place.right()), place.y), place.max());
-        // Names stand below each other, with a swatch or without.
-        let name = Cell::new(row.shown.clone(), set).swatch(row.ink);
-        name.draw(
-            picture,
-            from(place.x + if row.ink.is_some() { 0.0 } else { SWATCH }),
-        );
-        let start = place.x + SWATCH + NAMES.max(set.width(&row.shown) + 6.0);
-        Cell::forms(values).draw(picture, from(start));
-    });
-}
-
 /// What is known of the point, the current light at the end.
-fn rows_of_point(point: &CurrentPoint, language: Language) -> Vec<Row> {
+fn rows_of_point(point: &CurrentPoint, language: Language) -> Vec<Named> {
     let mut rows = Vec::new();
     rows.extend(
         point
             .ambient
-            .map(|term| Row::new("I_a", term).ink(TERMS[0].0)),
+            .map(|term| Named::new("I_a", term).ink(TERMS[0].0)),
     );
     if let Some(light) = point.lights.last() {
-        let mut number = Row::new("light", light.light);
+        let mut number = Named::new("light", light.light);
         number.shown = LIGHT.text(language).to_string();
         rows.push(number);
-        rows.push(Row::new("f_att", light.attenuation));
+        rows.push(Named::new("f_att", light.attenuation));
         rows.extend(
             light
                 .to_light
-                .map(|(_, cosine)| Row::new("N_dot_L", cosine)),
+                .map(|(_, cosine)| Named::new("N_dot_L", cosine)),
         );
         rows.extend(
             light
                 .diffuse
-                .map(|term| Row::new("I_d", term).ink(TERMS[1].0)),
+                .map(|term| Named::new("I_d", term).ink(TERMS[1].0)),
         );
-        rows.extend(light.halfway.map(|(_, cosine)| Row::new("N_dot_H", cosine)));
+        rows.extend(
+            light
+                .halfway
+                .map(|(_, cosine)| Named::new("N_dot_H", cosine)),
+        );
         rows.extend(
             light
                 .mirrored
-                .map(|(_, cosine)| Row::new("R_dot_V", cosine)),
+                .map(|(_, cosine)| Named::new("R_dot_V", cosine)),
         );
         rows.extend(
             light
                 .specular
-                .map(|term| Row::new("I_s", term).ink(TERMS[2].0)),
+                .map(|term| Named::new("I_s", term).ink(TERMS[2].0)),
         );
     }
-    rows.extend(point.intensity.map(|intensity| Row::new("I", intensity)));
+    rows.extend(point.intensity.map(|intensity| Named::new("I", intensity)));
     rows
 }
 
 /// The normal added last, the sum so far, and their mean.
-fn rows_of_normals(state: &State) -> Vec<Row> {
+fn rows_of_normals(state: &State) -> Vec<Named> {
     let Some(vertex) = &state.vertex else {
         return Vec::new();
     };
-    let mut rows = vec![Row::new("P_v", vertex.position)];
+    let mut rows = vec![Named::new("P_v", vertex.position)];
     if let Some(&(_, normal, _)) = vertex.faces.last() {
-        let mut sum = Row::new("sum_N", vertex.sum);
+        let mut sum = Named::new("sum_N", vertex.sum);
         sum.shown = "ΣN_k".to_string();
-        rows.extend([Row::new("N_k", normal), sum]);
+        rows.extend([Named::new("N_k", normal), sum]);
     }
-    rows.extend(vertex.normal.map(|normal| Row::new("N_v", normal)));
+    rows.extend(vertex.normal.map(|normal| Named::new("N_v", normal)));
     rows
 }
 
