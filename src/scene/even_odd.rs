@@ -7,7 +7,7 @@ mod borders;
 
 use borders::Borders;
 use glam::DVec2;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// Within this distance, where the polygon's extent is 1, two places are one.
 const TOUCHING: f64 = 1e-12;
@@ -38,45 +38,91 @@ pub(super) fn outline(corners: &[DVec2], pairs: &mut usize) -> Outline {
     let mut subdivision = Subdivision::new(corners);
     match subdivision.cut(pairs) {
         None => Outline::TooOften,
-        Some(0) => Outline::Simple,
+        Some(0) if !subdivision.repeats => Outline::Simple,
         Some(_) => subdivision.regions(),
     }
 }
 
 /// Edges cut where they meet others. Nodes are the corners, then the crossings.
-struct Subdivision<'a> {
-    corners: &'a [DVec2],
+struct Subdivision {
     nodes: Vec<(Place, DVec2)>,
     /// A node that stands for the same place, in the end itself.
     same: Vec<u32>,
-    /// By edge, the nodes on it and their shares.
-    cuts: Vec<Vec<(f64, u32)>>,
+    /// Each once, however often the polygon runs along it.
+    edges: Vec<Edge>,
+    /// Whether it comes back to a corner or an edge.
+    repeats: bool,
     contacts: usize,
 }
 
-impl<'a> Subdivision<'a> {
-    fn new(corners: &'a [DVec2]) -> Self {
-        let places = (0..)
+struct Edge {
+    from: u32,
+    to: u32,
+    /// The edge of the polygon that first runs along it, from `from` to `to`.
+    first: u32,
+    /// How often the polygon runs along it that way, less how often the other way.
+    turns: i32,
+    /// The nodes on it and their shares.
+    cuts: Vec<(f64, u32)>,
+}
+
+impl Subdivision {
+    fn new(corners: &[DVec2]) -> Self {
+        let nodes: Vec<(Place, DVec2)> = (0..)
             .zip(corners)
-            .map(|(edge, &at)| (Place { edge, share: 0.0 }, at));
+            .map(|(edge, &at)| (Place { edge, share: 0.0 }, at))
+            .collect();
+        let mut first_at = HashMap::new();
+        let same: Vec<u32> = (0..)
+            .zip(corners)
+            .map(|(corner, &at)| {
+                *first_at
+                    .entry((at + DVec2::ZERO).to_array().map(f64::to_bits))
+                    .or_insert(corner)
+            })
+            .collect();
+        let mut repeats = first_at.len() < corners.len();
+        let mut number_of = HashMap::new();
+        let mut edges: Vec<Edge> = Vec::new();
+        for (first, &from) in (0..).zip(&same) {
+            let to = same[(first as usize + 1) % same.len()];
+            if from == to {
+                continue;
+            }
+            let number = *number_of
+                .entry([from.min(to), from.max(to)])
+                .or_insert(edges.len());
+            match edges.get_mut(number) {
+                Some(edge) => {
+                    edge.turns += if edge.from == from { 1 } else { -1 };
+                    repeats = true;
+                }
+                None => edges.push(Edge {
+                    from,
+                    to,
+                    first,
+                    turns: 1,
+                    cuts: Vec::new(),
+                }),
+            }
+        }
         Subdivision {
-            corners,
-            nodes: places.collect(),
-            same: (0..corners.len() as u32).collect(),
-            cuts: vec![Vec::new(); corners.len()],
+            nodes,
+            same,
+            edges,
+            repeats,
             contacts: 0,
         }
     }
 
-    fn end(&self, edge: usize) -> usize {
-        (edge + 1) % self.corners.len()
+    fn at(&self, node: u32) -> DVec2 {
+        self.nodes[node as usize].1
     }
 
     /// Finds where edges meet, by a sweep along x. Returns how often; none where that is too much work.
     fn cut(&mut self, pairs: &mut usize) -> Option<usize> {
-        let ends = |edge: usize| [self.corners[edge], self.corners[self.end(edge)]];
-        let boxes: Vec<[DVec2; 2]> = (0..self.corners.len())
-            .map(|edge| ends(edge))
+        let boxes: Vec<[DVec2; 2]> = (self.edges.iter())
+            .map(|edge| [edge.from, edge.to].map(|node| self.at(node)))
             .map(|[a, b]| [a.min(b) - TOUCHING, a.max(b) + TOUCHING])
             .collect();
         let mut order: Vec<usize> = (0..boxes.len()).collect();
@@ -101,14 +147,14 @@ impl<'a> Subdivision<'a> {
 
     /// Cuts two edges where they cross, touch or lie on each other.
     fn meet(&mut self, a: usize, b: usize) {
-        let touching = [(a, b), (self.end(a), b), (b, a), (self.end(b), a)]
+        let [ends, others] = [a, b].map(|edge| [self.edges[edge].from, self.edges[edge].to]);
+        let touching = [(ends[0], b), (ends[1], b), (others[0], a), (others[1], a)]
             .map(|(corner, edge)| self.touch(corner, edge));
-        let are_neighbours = self.end(a) == b || self.end(b) == a;
+        let are_neighbours = ends.iter().any(|end| others.contains(end));
         if are_neighbours || touching.contains(&true) {
             return;
         }
-        let [p, q] = [a, self.end(a)].map(|corner| self.corners[corner]);
-        let [r, s] = [b, self.end(b)].map(|corner| self.corners[corner]);
+        let [[p, q], [r, s]] = [ends, others].map(|ends| ends.map(|node| self.at(node)));
         let (along, across) = (q - p, s - r);
         let side = |point: DVec2| along.perp_dot(point - p);
         let other_side = |point: DVec2| across.perp_dot(point - r);
@@ -117,34 +163,34 @@ impl<'a> Subdivision<'a> {
         }
         let share = other_side(p) / (other_side(p) - other_side(q));
         let node = self.nodes.len() as u32;
-        let edge = a as u32;
+        let edge = self.edges[a].first;
         self.nodes.push((Place { edge, share }, p + share * along));
         self.same.push(node);
-        self.cuts[a].push((share, node));
-        self.cuts[b].push((side(r) / (side(r) - side(s)), node));
+        self.edges[a].cuts.push((share, node));
+        let share = side(r) / (side(r) - side(s));
+        self.edges[b].cuts.push((share, node));
         self.contacts += 1;
     }
 
     /// Joins a corner to an edge that it lies on, or to the end of one. Whether it does.
-    fn touch(&mut self, corner: usize, edge: usize) -> bool {
-        let end = self.end(edge);
-        if corner == edge || corner == end {
+    fn touch(&mut self, corner: u32, edge: usize) -> bool {
+        let Edge { from, to, .. } = self.edges[edge];
+        if corner == from || corner == to {
             return false;
         }
-        let (point, from) = (self.corners[corner], self.corners[edge]);
-        let along = self.corners[end] - from;
-        let share = ((point - from).dot(along) / along.length_squared().max(f64::MIN_POSITIVE))
-            .clamp(0.0, 1.0);
-        if point.distance(from + share * along) > TOUCHING {
+        let (point, start) = (self.at(corner), self.at(from));
+        let along = self.at(to) - start;
+        let share = ((point - start).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        if point.distance(start + share * along) > TOUCHING {
             return false;
         }
         let length = along.length();
         if share * length <= TOUCHING {
-            self.join(corner as u32, edge as u32);
+            self.join(corner, from);
         } else if (1.0 - share) * length <= TOUCHING {
-            self.join(corner as u32, end as u32);
+            self.join(corner, to);
         } else {
-            self.cuts[edge].push((share, corner as u32));
+            self.edges[edge].cuts.push((share, corner));
         }
         self.contacts += 1;
         true
@@ -165,25 +211,24 @@ impl<'a> Subdivision<'a> {
     /// The pieces of edges between neighbouring nodes, from the lower to the higher: how often they are run along that way, less how often the
     /// other way.
     fn pieces(&mut self) -> BTreeMap<[u32; 2], i32> {
-        let mut cuts = std::mem::take(&mut self.cuts);
-        for (edge, cuts) in cuts.iter_mut().enumerate() {
-            cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
-            let length = self.corners[edge].distance(self.corners[self.end(edge)]);
-            for pair in cuts.windows(2) {
+        let mut edges = std::mem::take(&mut self.edges);
+        for edge in &mut edges {
+            edge.cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let length = self.at(edge.from).distance(self.at(edge.to));
+            for pair in edge.cuts.windows(2) {
                 if (pair[1].0 - pair[0].0) * length <= TOUCHING {
                     self.join(pair[0].1, pair[1].1);
                 }
             }
         }
         let mut pieces = BTreeMap::new();
-        for (edge, cuts) in cuts.iter().enumerate() {
-            let mut from = self.node(edge as u32);
-            let on_edge = cuts.iter().map(|&(_, node)| node);
-            for to in on_edge.chain([self.end(edge) as u32]) {
+        for edge in &edges {
+            let mut from = self.node(edge.from);
+            for to in edge.cuts.iter().map(|&(_, node)| node).chain([edge.to]) {
                 let to = self.node(to);
                 if to != from {
                     let turns = pieces.entry([from.min(to), from.max(to)]).or_insert(0);
-                    *turns += if from < to { 1 } else { -1 };
+                    *turns += if from < to { edge.turns } else { -edge.turns };
                 }
                 from = to;
             }

@@ -169,6 +169,13 @@ fn random_polygons_are_filled_where_an_odd_number_of_edges_is_crossed() {
 }
 
 #[test]
+fn a_polygon_run_around_many_times_takes_no_more_work() {
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    assert_eq!(regions(&square.repeat(100_000)), Some(vec![]));
+    assert!(is_near(&areas(&square.repeat(99_999)), &[1.0]));
+}
+
+#[test]
 fn work_has_a_bound() {
     let corners: Vec<DVec2> = (0..100).map(|i| DVec2::new(0.0, f64::from(i))).collect();
     assert_eq!(outline(&corners, &mut 100), Outline::TooOften);

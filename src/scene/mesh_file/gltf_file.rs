@@ -200,7 +200,8 @@ impl Reader<'_> {
                             )
                         })?;
                         let position = to_scene.transform_point3(DVec3::from(*position));
-                        if !(position.abs().max_element() <= LARGEST) {
+                        let is_right = position.abs().max_element() <= LARGEST;
+                        if !is_right {
                             return Err(format!(
                                 "found {position} as a position; allowed are finite numbers up to {LARGEST:?} in magnitude"
                             ));

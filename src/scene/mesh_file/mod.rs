@@ -3,6 +3,7 @@
 mod gltf_file;
 mod kind;
 mod lines;
+mod list;
 mod obj;
 mod path;
 mod statements;

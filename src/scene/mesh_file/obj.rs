@@ -4,11 +4,16 @@
 
 use super::kind::kind_of;
 use super::lines::{Lines, text_of};
+use super::list::{Found, List};
 use super::statements::Statements;
 use super::{MeshData, Remark};
 use crate::scene::validate::{LARGEST, unit};
 use glam::{DVec2, DVec3};
+use std::collections::HashMap;
 use std::str::SplitAsciiWhitespace;
+
+/// Which coordinates a vertex may have.
+const FINITE: &str = "allowed are finite numbers from -1e75 to 1e75";
 
 /// Errors: what the file is instead, the first line that is wrong, no faces at all, or more than `max_triangles`, as a sentence.
 pub(super) fn read(bytes: &[u8], max_triangles: u64) -> Result<MeshData, String> {
@@ -37,6 +42,8 @@ struct Reader {
     /// Of `v`, `vt` and `vn`, in the order in which a corner names them.
     lists: [List; 3],
     other: Statements,
+    /// The lines of vertices beyond the largest coordinate, which no face may have.
+    far: HashMap<u32, usize>,
     few_corners: Found,
     weights: Found,
     colors: Found,
@@ -44,45 +51,14 @@ struct Reader {
     unusable: [Found; 2],
 }
 
-/// A list that corners refer to, and whose lines may stand behind them.
-struct List {
-    word: &'static str,
-    /// Lines so far.
-    count: u64,
-    /// The largest index so far, and the line of the face that gives it.
-    furthest: (u64, usize),
-    /// References that lead nowhere, where those are dropped.
-    missing: Found,
-}
-
-/// How often something was found, and in which line first.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Found {
-    pub count: u64,
-    pub line: usize,
-}
-
-impl Found {
-    pub fn add(&mut self, line: usize) {
-        if self.count == 0 {
-            self.line = line;
-        }
-        self.count += 1;
-    }
-}
-
 impl Reader {
     fn new(max_triangles: u64) -> Self {
         Reader {
             file: MeshData::default(),
             max_triangles,
-            lists: ["v", "vt", "vn"].map(|word| List {
-                word,
-                count: 0,
-                furthest: (0, 0),
-                missing: Found::default(),
-            }),
+            lists: ["v", "vt", "vn"].map(List::new),
             other: Statements::default(),
+            far: HashMap::new(),
             few_corners: Found::default(),
             weights: Found::default(),
             colors: Found::default(),
@@ -114,10 +90,8 @@ impl Reader {
         for word in words {
             let value = number(word).map_err(|()| format!("found {word:?}; {allowed}"))?;
             if let Some(coordinate) = position.get_mut(count) {
-                if value.is_nan() || value.abs() > LARGEST {
-                    return Err(format!(
-                        "found {word}; allowed are finite numbers up to {LARGEST:?} in magnitude"
-                    ));
+                if !value.is_finite() {
+                    return Err(format!("found {word}; {FINITE}"));
                 }
                 *coordinate = value;
             }
@@ -129,6 +103,9 @@ impl Reader {
             4 => self.weights.add(line),
             6 | 7 => self.colors.add(line),
             _ => return Err(format!("found {count} numbers; {allowed}")),
+        }
+        if position.iter().any(|x| x.abs() > LARGEST) {
+            self.far.insert(self.file.positions.len() as u32, line);
         }
         self.lists[0].count += 1;
         self.file.positions.push(position.into());
@@ -231,6 +208,16 @@ impl Reader {
             }
             _ => {}
         }
+        let mut far = self
+            .file
+            .corners
+            .iter()
+            .filter_map(|corner| self.far.get(&corner[0]));
+        if let Some(line) = far.next() {
+            return Err(format!(
+                "line {line}: found a vertex of a face too far away; {FINITE}"
+            ));
+        }
         for corner in &mut self.file.corners {
             for (kind, list) in [(1, &mut *uvs), (2, &mut *normals)] {
                 if u64::from(corner[kind]) > list.count {
@@ -314,50 +301,6 @@ impl Reader {
         );
         self.other.remark(&mut remarks);
         remarks
-    }
-}
-
-impl List {
-    /// The index, counted from 1, that a word means: from the start, or where negative, back from this line. One that is too large
-    /// may still get its line, and is judged in the end. Of a list that a face can do without, an index that leads nowhere is none.
-    fn resolve(
-        &mut self,
-        part: &str,
-        line: usize,
-        is_optional: bool,
-    ) -> Result<Option<u32>, String> {
-        let index: i64 = part
-            .parse()
-            .map_err(|_| self.wrong(part, "a whole number"))?;
-        if index > 0 {
-            let index = index.unsigned_abs();
-            if index > self.furthest.0 {
-                self.furthest = (index, line);
-            }
-            return Ok(Some(u32::try_from(index).unwrap_or(u32::MAX)));
-        }
-        match self.count.checked_sub(index.unsigned_abs()) {
-            Some(before) if index != 0 => Ok(Some(before as u32 + 1)),
-            _ if is_optional => {
-                self.missing.add(line);
-                Ok(None)
-            }
-            None => Err(self.wrong(
-                part,
-                &format!("at least -{}: so many stand before this line", self.count),
-            )),
-            Some(_) => Err(self.wrong(
-                part,
-                "1 for the first or −1 for the last before this line, never 0",
-            )),
-        }
-    }
-
-    fn wrong(&self, part: &str, allowed: &str) -> String {
-        format!(
-            "found {part:?} as an index of `{}`; allowed is {allowed}",
-            self.word
-        )
     }
 }
 

@@ -1,7 +1,7 @@
 //! The statements of OBJ files that have no use here, counted by what they are about.
 
 use super::Remark;
-use super::obj::Found;
+use super::list::Found;
 
 #[derive(Default)]
 pub(super) struct Statements {

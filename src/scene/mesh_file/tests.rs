@@ -132,6 +132,7 @@ fn the_same_triangle_is_read_however_it_is_written() {
     }
     same(b"v 0 0 0 0.5\nv 1 0 0 0\nv 0 1 0 1\nf 1 2 3");
     same(b"v 0 0 0 1 1 1\nv 1 0 0 0.5 nan 0\nv 0 1 0 1 1 1 1\nf 1 2 3");
+    same(format!("{CORNERS}v 1e308 0 0\nf 1 2 3").as_bytes());
     same(b"f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n");
 }
 
@@ -244,6 +245,10 @@ fn a_wrong_line_is_named() {
         ("v nan 0 0", "line 4: found nan"),
         ("v 0 0 1e400", "line 4: found 1e400"),
         ("v 1.#INF 0 0", "line 4: found 1.#INF"),
+        (
+            "v 0 1e76 0\nf 1 2 4",
+            "line 4: found a vertex of a face too far away",
+        ),
         ("v 0,5 0 0", "line 4: found \"0,5\""),
         ("v 0 0", "line 4: found too few numbers"),
         ("v 0 0 0 1 2", "line 4: found 5 numbers"),
@@ -274,7 +279,7 @@ proptest! {
         let text = format!("{}{word}{}", &HOUSE[..cut], &HOUSE[rest..]);
         if let Ok(data) = read(&text) {
             prop_assert_eq!(data.corners.len() as u64, data.triangles() + 2 * data.face_count() as u64);
-            prop_assert!(data.positions.iter().all(|position| position.is_finite()));
+            prop_assert!(data.corners.iter().all(|corner| data.positions[corner[0] as usize].is_finite()));
             prop_assert!(data.uvs.iter().all(|uv| uv.is_finite()));
             prop_assert!(data.normals.iter().all(|normal| normal.is_finite()));
             prop_assert!(data.mesh(&DAffine3::IDENTITY, false).face_count() <= data.face_count());

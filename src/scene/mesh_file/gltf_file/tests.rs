@@ -128,7 +128,7 @@ fn nodes_place_their_meshes_and_mirrors_keep_the_front() {
     let mut json = square();
     json["nodes"] = json!([
         { "children": [1, 2], "translation": [10, 0, 0] },
-        { "mesh": 0, "rotation": [0, 0.7071067811865476, 0, 0.7071067811865476], "scale": [1, 2, 3] },
+        { "mesh": 0, "rotation": [0, 0.5, 0, 0.5], "scale": [1, 2, 3] },
         { "mesh": 0, "matrix": [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 5, 1] }
     ]);
     let mesh = mesh(&json);
