@@ -270,11 +270,11 @@ fn name(session: &Session, parameter: Parameter) -> String {
             format!(
                 "{} {}",
                 coefficient.symbol(),
-                scene.materials[material].name
+                scene.called(&scene.materials[material].name, language)
             )
         }
         Parameter::Divisions(object) => {
-            let object = scene.objects[object].name.as_str();
+            let object = scene.called(&scene.objects[object].name, language);
             strings::DIVISIONS.format(language, &[("object", object)])
         }
     }

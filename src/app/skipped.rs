@@ -54,8 +54,9 @@ fn list(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         }
     }
     for &object in planes {
-        let name = &session.prepared().scene.objects[object].name;
-        ui.label(PLANE.format(session.look.language, &[("object", name)]));
+        let (scene, language) = (&session.prepared().scene, session.look.language);
+        let name = scene.called(&scene.objects[object].name, language);
+        ui.label(PLANE.format(language, &[("object", name)]));
     }
     if !session.setup().forced().is_empty() {
         ui.separator();

@@ -132,6 +132,7 @@ pub const NOTHING_NARRATED_BEFORE: Message = Message("app-nothing-narrated-befor
 pub const ANSWER_FIRST: Message = Message("app-answer-first");
 pub const NO_QUESTION: Message = Message("app-no-question");
 pub const NOT_A_NUMBER: Message = Message("app-not-a-number");
+pub const NOT_A_SEARCH: Message = Message("app-not-a-search");
 pub const NOT_FOUND: Message = Message("app-not-found");
 pub const FASTEST: Message = Message("app-fastest");
 pub const SLOWEST: Message = Message("app-slowest");
@@ -158,7 +159,8 @@ pub const SHARE_LESSON_ONLY: Message = Message("app-share-lesson-only");
 pub fn said_of_a_point(point: &Point) -> [String; 2] {
     Language::ALL.map(|language| {
         let time = report::seconds(point.seconds.median, language);
-        let (setting, time) = (("setting", point.setting.as_str()), ("time", time.as_str()));
+        let setting = point.setting.text(language);
+        let (setting, time) = (("setting", setting.as_str()), ("time", time.as_str()));
         match point
             .errors
             .map(|errors| language.significant(errors.rms, 2))

@@ -176,13 +176,14 @@ fn about(session: &Session, part: &Part, ui: &mut Ui) {
         let reference = &part.reference;
         let own = session.look.language.significant(reference.error, 2);
         let said = session.localize(strings::REFERENCE);
-        ui.label(format!(
-            "{said}: {} (± {own}; {}).",
-            reference.what, reference.known_by
-        ));
+        let [what, known_by] =
+            [&reference.what, &reference.known_by].map(|label| label.text(session.look.language));
+        ui.label(format!("{said}: {what} (± {own}; {known_by})."));
     }
-    for [curve, setting, why] in &part.failed {
-        let no = strings::NO_FINDINGS.format(session.look.language, &[("why", why)]);
+    for failed in &part.failed {
+        let [curve, setting] =
+            [&failed.curve, &failed.setting].map(|label| label.text(session.look.language));
+        let no = strings::NO_FINDINGS.format(session.look.language, &[("why", &failed.why)]);
         ui.label(format!("{curve}, {setting}. {no}."));
     }
 }
@@ -197,7 +198,8 @@ fn points(
     let mut lit = None;
     for (number, line) in part.lines.iter().enumerate() {
         let color = style::color(session.look.theme, Series::of(number).ink);
-        ui.label(style::strong(&line.name, 13.0).color(color));
+        let language = session.look.language;
+        ui.label(style::strong(&line.name.text(language), 13.0).color(color));
         let small = TextStyle::Small.resolve(ui.style());
         ui.label(prose::set(
             session,
@@ -212,7 +214,7 @@ fn points(
                 point: index,
             };
             let ring = if point.on_front { "○ " } else { "" };
-            let mut text = format!("{ring}{}", point.setting);
+            let mut text = ring.to_owned() + &point.setting.text(language);
             if let Some(errors) = point.errors {
                 text += &format!("   {}", session.look.language.significant(errors.rms, 2));
             }
@@ -223,7 +225,7 @@ fn points(
             let picked = session.studying().picked == Some(at);
             let button = Button::new(RichText::new(text).small()).selected(picked);
             let response = ui.add(button);
-            let name = format!("{}, {}", line.name, point.setting);
+            let name = study_words::name(line, point, language);
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
             let description = study_words::recorded(session, line, point);
             ui.ctx()

@@ -2,14 +2,20 @@
 
 use super::session::Session;
 use super::strings;
-use crate::language::Message;
+use crate::language::{Language, Message};
 use crate::study::harness::{Line, Point};
 use crate::study::report::strings as report;
+
+/// The curve and the setting of a point.
+pub fn name(line: &Line, point: &Point, language: Language) -> String {
+    let [line, setting] = [&line.name, &point.setting].map(|label| label.text(language));
+    format!("{line}, {setting}")
+}
 
 /// Everything about a point, a line each.
 pub fn recorded(session: &Session, line: &Line, point: &Point) -> String {
     let localize = |strings| session.localize(strings);
-    let mut recorded = format!("{}, {}", line.name, point.setting);
+    let mut recorded = name(line, point, session.look.language);
     if let Some(errors) = point.errors {
         let [rms, largest, relative] = [errors.rms, errors.largest, errors.relative]
             .map(|error| session.look.language.significant(error, 2));
@@ -39,11 +45,7 @@ pub fn recorded(session: &Session, line: &Line, point: &Point) -> String {
     );
     let mut counts: Vec<String> = Vec::new();
     for operations in &point.operations {
-        counts.push(format!(
-            "{} {}",
-            operations.count,
-            operations.of.replace('_', " ")
-        ));
+        counts.push(operations.text(session.look.language));
     }
     let bytes = report::bytes(point.bytes, session.look.language);
     counts.push(strings::MEMORY_IS.format(session.look.language, &[("bytes", &bytes)]));

@@ -5,6 +5,7 @@ use super::failure::{Failure, note};
 use super::files;
 use super::notes;
 use super::progress::Progress;
+use crate::language::Language;
 use crate::picture::{Theme, rasterize, to_png, to_svg};
 use crate::study::families;
 use crate::study::form::{Request, Study};
@@ -84,7 +85,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 
 /// The four files of one study.
 fn write(findings: &Findings, machine: &Machine, arguments: &Arguments) -> Result<(), Failure> {
-    let picture = plot(findings);
+    let picture = plot(findings, Language::English);
     let pixels = rasterize(&picture, Theme::Light, 1.0)
         .map_err(|error| Failure::Failed(format!("{}: {error}", findings.study.name)))?;
     let scene = arguments

@@ -152,6 +152,7 @@ app-nothing-narrated-before = Nothing is explained before this step.
 app-answer-first = Answer the question first, or skip it.
 app-no-question = No question waits at this step.
 app-not-a-number = That is no number; write for example 0.52.
+app-not-a-search = That is no search; write for example { app-search-hint }.
 app-not-found = No step matches.
 app-fastest = This is the fastest.
 app-slowest = This is the slowest.
@@ -1286,6 +1287,18 @@ inspector-more = … { $count } more
 inspector-no-values = This step records no values.
 time-line-at-step = Time line at step { $step } of { $steps }
 
+## what methods are called
+
+method-wireframe = wireframe
+method-flat = flat
+method-gouraud = Gouraud
+method-phong = Phong
+method-fast-phong = Fast Phong
+method-ray-casting = ray casting
+method-ray-tracing = ray tracing
+method-radiosity = radiosity
+method-exact = exact
+
 ## what the size of a setting counts, and what errors are errors of
 
 measure-longitudes-of-a-sphere = longitudes of a sphere
@@ -1335,7 +1348,7 @@ study-ray-depth-about = How deep must rays be followed, and what does each level
 
 ## parts of studies
 
-part-path-attenuation = path attenuation [{ $value }]
+part-path-attenuation = path attenuation [{ $a0 }, { $a1 }, { $a2 }]
 part-all-form-factors = All form factors of the scene, unobstructed
 part-pixels = pixels
 part-triangles = triangles of a ball, in 160×120 pixels
@@ -1346,7 +1359,6 @@ part-events = events of a Gouraud frame
 part-steps = Steps
 part-walls = Walls of n×n patches
 part-distances = Distances
-part-method = { $value }
 part-objects = Objects
 part-spheres = Spheres as polygons
 part-one-channel = One channel; a sweep is an iteration, or as many shots as patches
@@ -1354,9 +1366,115 @@ part-squares-at-distance-1 = Parallel squares at distance 1
 part-squares-at-distance-0-1 = Parallel squares at distance 0.1
 part-squares-with-a-common-edge = Squares with a common edge at 90°
 
+## settings of studies
+
+setting-depth = depth { $depth }
+setting-steps = { $count } steps
+setting-objects = { $count ->
+    [one] { $count } object
+   *[other] { $count } objects
+ }
+setting-shots = { $count } shots
+setting-iterations = { $count ->
+    [one] { $count } iteration
+   *[other] { $count } iterations
+ }
+setting-rays = { $count } rays
+setting-pixels = { $count } pixels
+setting-triangles = { $count } triangles
+setting-patches = { $count } patches
+setting-events = { $count } events
+setting-distance = distance { $distance }
+setting-pairs = { $points }⁴ pairs
+setting-points = { $points }² points
+setting-tolerance = tolerance { $tolerance }
+
+## curves of studies
+
+curve-incremental-f32 = incremental, f32
+curve-direct-f32 = direct, f32
+curve-incremental-f64 = incremental, f64
+curve-direct-f64 = direct, f64
+curve-plain-roots-f32 = plain roots, f32
+curve-stable-roots-f32 = stable roots, f32
+curve-plain-roots-f64 = plain roots, f64
+curve-brute-force = every object in turn
+curve-hierarchy = hierarchy
+curve-the-scene = the scene
+curve-two-mirrors = two mirrors
+curve-a-glass-ball = a glass ball
+curve-recorded = recorded
+curve-unrecorded = unrecorded
+curve-hemicube-at-the-centre = hemicube at the centre
+curve-4-by-4-hemicubes = 4×4 hemicubes
+curve-hemicube-of-64-pixels = hemicube of 64 pixels
+
+## references of studies, and how their own errors are known
+
+reference-none = none: only time and memory are measured
+reference-levels = the same picture with rays of up to { $deepest } levels
+reference-last-step = what the last step to it changed: an upper bound where each step changes half as much as the one before, or less
+reference-rounded-once = i/n in f64, rounded once
+reference-half-a-unit = half a unit in the last place
+reference-samples = the same picture with { $finest }×{ $finest } rays a pixel
+reference-half-as-many = how far it is from half as many along each side: right where errors halve with that, else too large
+reference-stable-roots = the stable roots in f64, for the same rays
+reference-rounding = rounding
+reference-elimination = elimination (LU) of { $count } patches, refined
+reference-bound = the bound ‖r‖_∞ / (1 − max ρ_i Σ F_ij) on its residual
+reference-finest-patches = the same room of { $finest }×{ $finest } patches a wall, by exact form factors
+reference-richardson = a third of what the last halving of the patches changed (Richardson, second order)
+reference-true-sphere = the true sphere, lit at each pixel with its true normal
+reference-form-and-rounding = a closed form; what is left is rounding
+reference-closed-form = F = { $f }, the closed form
+reference-17-digits = known to 17 digits; what is left is rounding
+reference-automatic-choice = the automatic choice at a tolerance of 1e-10
+reference-tolerance = its tolerance
+
+## what counts as memory in studies
+
+memory-ramp = the values of the ramp, as f64
+memory-objects = the objects with their hierarchy, and colour and depth of every pixel, counted by their sizes
+memory-rays = the rays
+memory-two-matrices = the matrix of form factors and four numbers a patch; elimination takes a second matrix of that size
+memory-matrix-of-form-factors = the matrix of form factors
+memory-matrix-and-hemicube = the matrix where there is one, and the pixels of a hemicube; counted by their sizes
+memory-matrix = the matrix
+memory-one-matrix = the matrix and four numbers a patch
+memory-events = colour and depth of every pixel; recorded, the events with their marks and outline
+memory-pictures = colour and depth of every pixel, the polygons with their vertices, and for rays the objects with their hierarchies, counted by their sizes
+
+## how often something was done
+
+operations-pixels = { $count } pixels
+operations-polygons = { $count } polygons
+operations-primary-rays = { $count } primary rays
+operations-shadow-rays = { $count } shadow rays
+operations-reflected-rays = { $count } reflected rays
+operations-transmitted-rays = { $count } transmitted rays
+operations-total-internal-reflections = { $count } total internal reflections
+operations-steps = { $count } steps
+operations-rays = { $count } rays
+operations-iterations = { $count } iterations
+operations-exchanges-gathered = { $count } exchanges gathered
+operations-exchanges-shot = { $count } exchanges shot
+operations-patches = { $count } patches
+operations-form-factors = { $count } form factors
+operations-events = { $count } events
+operations-pairs-of-points = { $count } pairs of points
+operations-edges-seen = { $count } edges seen
+operations-pairs-of-edges = { $count } pairs of edges
+operations-hemicube-pixels-of-the-patch = { $count } hemicube pixels of the patch
+
 ## plots of studies
 
 study-time = time of a run (median)
 study-rms-error = rms error of { $quantity }
 study-own-error = the reference's own error
+study-law-a-step = ×{ $factor } a step
+study-heading-growth = Bars: quartiles. Exponents are those of the larger half of the sizes.
+study-heading-reference = Reference: { $reference }.
+study-heading-front = Reference: { $reference }. Bars: quartiles. Ringed, on the grey line: the Pareto front; no other setting is as quick and as exact.
+study-point-error = { $setting } error { $error } in { $time }
+study-point-time = { $setting } { $time }
 study-no-result = No setting has a result.

@@ -72,7 +72,7 @@ app-loop-to-here = sampai langkah ini
 app-run-to = lompat ke
 app-next-of-this-kind = berikutnya yang sejenis: { $kind }
 app-search = cari
-app-search-hint = EdgeInterpolated y=15
+app-search-hint = Sisi diinterpolasi y=15
 app-breakpoint = titik henti
 app-truncated = Hanya awal dari proses ini yang muat di memori; gambarnya tetap utuh.
 app-making-the-picture = seluruh gambar: { $percent } %
@@ -152,6 +152,7 @@ app-nothing-narrated-before = Tidak ada penjelasan sebelum langkah ini.
 app-answer-first = Jawab dahulu pertanyaannya, atau lewati.
 app-no-question = Tidak ada pertanyaan pada langkah ini.
 app-not-a-number = Itu bukan angka; tulis misalnya 0,52.
+app-not-a-search = Itu bukan pencarian; tulis misalnya { app-search-hint }.
 app-not-found = Tidak ada langkah yang cocok.
 app-fastest = Ini yang tercepat.
 app-slowest = Ini yang paling lambat.
@@ -1283,6 +1284,18 @@ inspector-more = … { $count } lagi
 inspector-no-values = Langkah ini tidak memuat nilai.
 time-line-at-step = Garis waktu pada langkah { $step } dari { $steps }
 
+## what methods are called
+
+method-wireframe = rangka kawat
+method-flat = datar
+method-gouraud = Gouraud
+method-phong = Phong
+method-fast-phong = Fast Phong
+method-ray-casting = ray casting
+method-ray-tracing = ray tracing
+method-radiosity = radiositas
+method-exact = eksak
+
 ## what the size of a setting counts, and what errors are errors of
 
 measure-longitudes-of-a-sphere = garis bujur sebuah bola
@@ -1332,7 +1345,7 @@ study-ray-depth-about = Seberapa dalam sinar harus diikuti, dan berapa biaya tia
 
 ## parts of studies
 
-part-path-attenuation = pelemahan di jalan [{ $value }]
+part-path-attenuation = pelemahan di jalan [{ $a0 }; { $a1 }; { $a2 }]
 part-all-form-factors = Semua faktor bentuk adegan, tanpa penghalang
 part-pixels = piksel
 part-triangles = segitiga sebuah bola, dalam 160×120 piksel
@@ -1343,7 +1356,6 @@ part-events = kejadian sebuah gambar Gouraud
 part-steps = Langkah
 part-walls = Dinding dengan n×n patch
 part-distances = Jarak
-part-method = { $value }
 part-objects = Objek
 part-spheres = Bola sebagai poligon
 part-one-channel = Satu kanal; satu sapuan adalah satu iterasi, atau tembakan sebanyak jumlah patch
@@ -1351,9 +1363,109 @@ part-squares-at-distance-1 = Persegi sejajar pada jarak 1
 part-squares-at-distance-0-1 = Persegi sejajar pada jarak 0,1
 part-squares-with-a-common-edge = Persegi dengan sisi bersama pada 90°
 
+## settings of studies
+
+setting-depth = kedalaman { $depth }
+setting-steps = { $count } langkah
+setting-objects = { $count } objek
+setting-shots = { $count } tembakan
+setting-iterations = { $count } iterasi
+setting-rays = { $count } sinar
+setting-pixels = { $count } piksel
+setting-triangles = { $count } segitiga
+setting-patches = { $count } patch
+setting-events = { $count } kejadian
+setting-distance = jarak { $distance }
+setting-pairs = { $points }⁴ pasang
+setting-points = { $points }² titik
+setting-tolerance = toleransi { $tolerance }
+
+## curves of studies
+
+curve-incremental-f32 = inkremental, f32
+curve-direct-f32 = langsung, f32
+curve-incremental-f64 = inkremental, f64
+curve-direct-f64 = langsung, f64
+curve-plain-roots-f32 = akar biasa, f32
+curve-stable-roots-f32 = akar stabil, f32
+curve-plain-roots-f64 = akar biasa, f64
+curve-brute-force = setiap objek satu per satu
+curve-hierarchy = hierarki
+curve-the-scene = adegan
+curve-two-mirrors = dua cermin
+curve-a-glass-ball = sebuah bola kaca
+curve-recorded = direkam
+curve-unrecorded = tidak direkam
+curve-hemicube-at-the-centre = hemicube di pusat
+curve-4-by-4-hemicubes = 4×4 hemicube
+curve-hemicube-of-64-pixels = hemicube 64 piksel
+
+## references of studies, and how their own errors are known
+
+reference-none = tidak ada: hanya waktu dan memori yang diukur
+reference-levels = gambar yang sama dengan sinar sampai { $deepest } tingkat
+reference-last-step = perubahan pada langkah terakhir menuju acuan itu: batas atas bila setiap langkah mengubah paling banyak separuh perubahan sebelumnya
+reference-rounded-once = i/n dalam f64, dibulatkan sekali
+reference-half-a-unit = setengah satuan pada angka terakhir
+reference-samples = gambar yang sama dengan { $finest }×{ $finest } sinar per piksel
+reference-half-as-many = jaraknya dari gambar dengan separuh jumlah sinar pada tiap sisi: tepat bila galat menjadi separuhnya, selain itu terlalu besar
+reference-stable-roots = akar stabil dalam f64, untuk sinar yang sama
+reference-rounding = pembulatan
+reference-elimination = eliminasi (LU) { $count } patch, diperhalus
+reference-bound = batas ‖r‖_∞ / (1 − max ρ_i Σ F_ij) atas residunya
+reference-finest-patches = ruang yang sama dengan { $finest }×{ $finest } patch per dinding, dengan faktor bentuk eksak
+reference-richardson = sepertiga perubahan saat patch terakhir kali dibagi dua (Richardson, orde kedua)
+reference-true-sphere = bola sebenarnya, diberi pencahayaan di setiap piksel dengan normal sebenarnya
+reference-form-and-rounding = bentuk tertutup; sisanya pembulatan
+reference-closed-form = F = { $f }, bentuk tertutup
+reference-17-digits = diketahui sampai 17 angka; sisanya pembulatan
+reference-automatic-choice = pilihan otomatis dengan toleransi 1e-10
+reference-tolerance = toleransinya
+
+## what counts as memory in studies
+
+memory-ramp = nilai-nilai gradasi, sebagai f64
+memory-objects = objek dengan hierarkinya, serta warna dan kedalaman setiap piksel, dihitung dari ukurannya
+memory-rays = sinar-sinarnya
+memory-two-matrices = matriks faktor bentuk dan empat bilangan per patch; eliminasi memerlukan matriks kedua sebesar itu
+memory-matrix-of-form-factors = matriks faktor bentuk
+memory-matrix-and-hemicube = matriks bila ada, dan piksel hemicube; dihitung dari ukurannya
+memory-matrix = matriksnya
+memory-one-matrix = matriks dan empat bilangan per patch
+memory-events = warna dan kedalaman setiap piksel; bila direkam, kejadian dengan tanda dan kerangkanya
+memory-pictures = warna dan kedalaman setiap piksel, poligon dengan titik sudutnya, dan untuk sinar objek dengan hierarkinya, dihitung dari ukurannya
+
+## how often something was done
+
+operations-pixels = { $count } piksel
+operations-polygons = { $count } poligon
+operations-primary-rays = { $count } sinar primer
+operations-shadow-rays = { $count } sinar bayangan
+operations-reflected-rays = { $count } sinar pantul
+operations-transmitted-rays = { $count } sinar bias
+operations-total-internal-reflections = { $count } pemantulan internal total
+operations-steps = { $count } langkah
+operations-rays = { $count } sinar
+operations-iterations = { $count } iterasi
+operations-exchanges-gathered = { $count } pertukaran dikumpulkan
+operations-exchanges-shot = { $count } pertukaran ditembakkan
+operations-patches = { $count } patch
+operations-form-factors = { $count } faktor bentuk
+operations-events = { $count } kejadian
+operations-pairs-of-points = { $count } pasang titik
+operations-edges-seen = { $count } sisi terlihat
+operations-pairs-of-edges = { $count } pasang sisi
+operations-hemicube-pixels-of-the-patch = { $count } piksel hemicube milik patch
+
 ## plots of studies
 
 study-time = waktu satu kali jalan (median)
 study-rms-error = galat rms dari { $quantity }
 study-own-error = galat acuan itu sendiri
+study-law-a-step = ×{ $factor } per langkah
+study-heading-growth = Batang: kuartil. Pangkat berasal dari separuh ukuran yang lebih besar.
+study-heading-reference = Acuan: { $reference }.
+study-heading-front = Acuan: { $reference }. Batang: kuartil. Berlingkar, pada garis abu-abu: front Pareto; tidak ada pengaturan lain yang secepat dan seteliti itu.
+study-point-error = { $setting } galat { $error } dalam { $time }
+study-point-time = { $setting } { $time }
 study-no-result = Tidak ada pengaturan yang memberi hasil.

@@ -34,6 +34,16 @@ impl Language {
 /// What something with a name of its own in the program is called: the message whose key is `space`, a hyphen, and the name in
 /// small letters with hyphens: `kind-edge-interpolated` for `EdgeInterpolated`. None where the catalogue has no such message.
 pub fn called(space: &str, name: &str, language: Language) -> Option<String> {
+    called_with(space, name, &[], language)
+}
+
+/// The same of a message with arguments.
+pub fn called_with(
+    space: &str,
+    name: &str,
+    arguments: &[(&'static str, &str)],
+    language: Language,
+) -> Option<String> {
     let mut key = format!("{space}-");
     let mut follows_small = false;
     for c in name.chars() {
@@ -45,7 +55,7 @@ pub fn called(space: &str, name: &str, language: Language) -> Option<String> {
         }
         follows_small = c.is_ascii_lowercase() || c.is_ascii_digit();
     }
-    named(&key, language)
+    catalogue::of(language).format(&key, arguments)
 }
 
 /// The message without arguments under a key that is put together at run time; none where the catalogue has none.

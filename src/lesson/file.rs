@@ -4,7 +4,7 @@ use super::parameters::ParameterFile;
 use crate::panels::strings::Language;
 use crate::replay::Query;
 use crate::scene::SceneFile;
-use crate::scene::document::{Keyed, Schema, present};
+use crate::scene::document::{ByName, Keyed, Schema, present};
 use serde::Deserialize;
 
 /// A lesson file, version 1. Keys are described in the README, under "Writing a lesson".
@@ -27,6 +27,9 @@ pub struct LessonFile {
     /// Path of a scene file, relative to the lesson file.
     #[serde(default, deserialize_with = "present")]
     pub scene_file: Option<String>,
+    /// What the objects and materials of the scene are called, by their names; one that is not given is called by its name.
+    #[serde(default, deserialize_with = "present")]
+    pub names: Option<ByName<Keyed<Text>>>,
     pub method: String,
     /// Pixels, width and height.
     pub size: [u32; 2],

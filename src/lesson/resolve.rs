@@ -13,8 +13,9 @@ use crate::panels::Panel;
 use crate::record::RecordingLimit;
 use crate::render::{MAX_PIXELS, MAX_SIDE};
 use crate::replay::Run;
-use crate::scene::document::{self, Keyed, Problem};
-use crate::scene::{self, Limits, Scene, View};
+use crate::scene::document::{self, ByName, Keyed, Problem};
+use crate::scene::{self, Limits, Names, Scene, View};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A lesson whose file is right by itself; it has not been run.
@@ -60,7 +61,7 @@ impl Lesson {
     ) -> Result<Lesson, LessonError> {
         let file: LessonFile = document::parse(bytes)?;
         let mut problems = Vec::new();
-        let scene = read_scene(&file, limits, read_file).unwrap_or_else(|error| {
+        let mut scene = read_scene(&file, limits, read_file).unwrap_or_else(|error| {
             problems.extend(error.problems);
             None
         });
@@ -69,6 +70,10 @@ impl Lesson {
                 "scene.camera",
                 "the key is missing; a lesson makes a picture, so its scene needs a camera",
             ));
+        }
+
+        if let (Some(scene), Some(ByName(names))) = (&mut scene, &file.names) {
+            scene.names = checked_names(names, scene, &mut problems);
         }
 
         let method = Method::from_name(&file.method);
@@ -209,6 +214,43 @@ fn read_scene(
     }
 }
 
+/// What the objects and materials of the scene are called.
+fn checked_names(
+    names: &[(String, Keyed<Text>)],
+    scene: &Scene,
+    problems: &mut Vec<Problem>,
+) -> Names {
+    let objects = scene.objects.iter().map(|object| object.name.as_str());
+    let materials = scene
+        .materials
+        .iter()
+        .map(|material| material.name.as_str());
+    let known: BTreeSet<&str> = objects.chain(materials).collect();
+    for (name, _) in names.iter().filter(|(name, _)| !known.contains(&**name)) {
+        let allowed: Vec<&str> = known.iter().copied().collect();
+        let message = format!(
+            "there is no object or material of this name; allowed are {}",
+            allowed.join(", ")
+        );
+        problems.push(problem(format!("names.{name}"), message));
+    }
+    let texts = names.iter().map(|(name, Keyed(text))| {
+        refuse_empty(&format!("names.{name}"), text, problems);
+        let texts = text.both().map(|(_, text)| text.to_owned());
+        (name.clone(), texts)
+    });
+    texts.collect()
+}
+
+fn refuse_empty(place: &str, text: &Text, problems: &mut Vec<Problem>) {
+    for (language, text) in text.both() {
+        if text.trim().is_empty() {
+            let place = format!("{place}.{}", language.code());
+            problems.push(problem(place, "found an empty text"));
+        }
+    }
+}
+
 /// What can be wrong with words and numbers before anything is run.
 fn check_words(file: &LessonFile, problems: &mut Vec<Problem>) {
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
@@ -249,13 +291,6 @@ fn check_words(file: &LessonFile, problems: &mut Vec<Problem>) {
         .enumerate()
         .map(|(index, Keyed(step))| (format!("steps[{index}].say"), &step.say));
     for (place, text) in texts.into_iter().chain(says) {
-        for (language, text) in text.both() {
-            if text.trim().is_empty() {
-                problems.push(problem(
-                    format!("{place}.{}", language.code()),
-                    "found an empty text",
-                ));
-            }
-        }
+        refuse_empty(&place, text, problems);
     }
 }

@@ -10,21 +10,21 @@ impl Lesson {
     /// The number of a lesson that stands in no list.
     pub const UNNUMBERED: u32 = 0;
 
-    /// A lesson about the middle of a picture. `title` is the same in both languages, `say` is by language; in
-    /// neither may there be braces.
-    pub fn of_picture(title: String, say: [String; 2], setup: &Setup, method: Method) -> Lesson {
+    /// A lesson about the middle of a picture. `title` and `say` are by language; in neither may there be braces.
+    pub fn of_picture(
+        title: [String; 2],
+        say: [String; 2],
+        setup: &Setup,
+        method: Method,
+    ) -> Lesson {
         let prepared = &setup.prepared;
         let size = [prepared.view.width, prepared.view.height];
         let panels = method.panels().into_iter();
-        let [en, id] = say;
-        let say = Text { en, id };
+        let [title, say] = [title, say].map(|[en, id]| Text { en, id });
         Lesson {
             id: "picture".into(),
             number: Lesson::UNNUMBERED,
-            title: Text {
-                en: title.clone(),
-                id: title,
-            },
+            title,
             summary: say.clone(),
             topics: Vec::new(),
             scene: prepared.scene.clone(),

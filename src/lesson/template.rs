@@ -1,6 +1,6 @@
 //! Numbers in narration: `{I_4}` becomes the value that the run told, so that no text can contradict the picture.
 
-use crate::language::Language;
+use crate::language::{Language, called};
 use crate::record::{Fields, Value};
 
 /// A piece of a narration text.
@@ -85,7 +85,7 @@ pub fn write(value: Value, decimals: Option<usize>, language: Language) -> Strin
         Value::Rgb(color) => format!("({})", language.list(color.channels().map(one))),
         Value::Vector(vector) => format!("({})", language.list(vector.to_array().map(one))),
         Value::Truth(truth) => if truth { "✓" } else { "✗" }.to_owned(),
-        Value::Word(word) => word.to_owned(),
+        Value::Word(word) => called("value", word, language).unwrap_or_else(|| word.to_owned()),
     }
 }
 
@@ -105,10 +105,15 @@ mod tests {
             fill("Line {y}: {I_4:2}, {I_5:2}.", &fields, Language::English),
             Ok("Line 15: 0.51, (0.25, 0.50, 1.00).".into())
         );
+        fields.push("channel", "red");
+        assert_eq!(
+            fill("Kanal {channel}: {I_4:2}", &fields, Language::Indonesian),
+            Ok("Kanal merah: 0,51".into())
+        );
         assert!(
             fill("{I_6}", &fields, Language::English)
                 .unwrap_err()
-                .contains("told are y, I_4, I_5")
+                .contains("told are y, I_4, I_5, channel")
         );
         for broken in ["{", "}", "a {y", "{}", "{y:x}", "{y:99}"] {
             assert!(

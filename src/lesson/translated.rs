@@ -1,22 +1,22 @@
-//! Every word on screen comes from a catalogue: the pseudo-language marks what does, and nothing else may be there but symbols,
-//! names of the lesson's own scene, and names that are the same in every language.
+//! Every word on screen comes from a catalogue or the lesson's file: the pseudo-language marks what does, and nothing else may be
+//! there but symbols.
 
 use super::{OpenLesson, builtin};
-use crate::algorithms::radiosity::Solver;
 use crate::language::Language;
-use crate::methods::Method;
 use crate::panels::{Panel, PanelInput, TreeView, draw};
 use crate::picture::{Picture, Shape};
 use crate::render::compare::compare_on;
 use crate::render::{Finished, render};
-use crate::vocabulary::FAMILIES;
 use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 
-/// Names of functions and variables in pseudocode and formulas, words that formulas have as symbols, and subscripts where a
-/// picture has them apart.
-const SYMBOLS: &str = "bound cosθ degrees SOR ΔRad alpha beta delta DeltaB eta Gamma omega rho theta ambient arccos areaToArea att auto blocked contour cos elementToPolygon exact formFactor hemicube hits \
-    illumination level light max min monteCarlo NearestObject NearestT pixel rms sin sum table TIR trace unshot visible";
+/// Functions of mathematics, Greek letters by their names, what is abbreviated the same everywhere, and names of the literature.
+const SYMBOLS: &str =
+    "alpha beta delta DeltaB eta Gamma omega rho theta arccos cos max min sin NearestT Rad SOR TIR";
+
+/// Functions and variables of the pseudocode, as it has them in every language, and subscripts, which are texts of their own there.
+const PSEUDOCODE: &str = "NearestObject areaToArea blocked contour elementToPolygon formFactor hemicube illumination level \
+    monteCarlo pixel table trace visible att light sum unshot";
 
 /// What stands outside of the marks, without subscripts. A message that is broken into lines goes on in the next text.
 fn outside<'a>(texts: impl Iterator<Item = &'a str>) -> String {
@@ -27,6 +27,8 @@ fn outside<'a>(texts: impl Iterator<Item = &'a str>) -> String {
         while let Some(at) = rest.find(if inside { "!!]" } else { "[!!" }) {
             if !inside {
                 outside += &rest[..at];
+                // Arguments at the two sides of a message's text are words of their own.
+                outside.push(' ');
             }
             rest = &rest[at + 3..];
             inside = !inside;
@@ -40,9 +42,10 @@ fn outside<'a>(texts: impl Iterator<Item = &'a str>) -> String {
     outside
 }
 
-/// Words of three letters and more; what follows a `_` is a subscript.
+/// Words of three letters and more; what follows a `_` is a subscript, and Greek letters are symbols of their own.
 fn words(text: &str) -> impl Iterator<Item = &str> {
-    text.split(|c: char| !(c.is_alphanumeric() || matches!(c, '_' | '{')))
+    let is_greek = |c| ('Α'..='ω').contains(&c);
+    text.split(move |c: char| is_greek(c) || !(c.is_alphanumeric() || matches!(c, '_' | '{')))
         .map(|symbol| symbol.split('_').next().unwrap_or_default())
         .filter(|word| word.chars().filter(|c| c.is_alphabetic()).count() > 2)
 }
@@ -54,29 +57,25 @@ fn texts(picture: &Picture) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Names that no language translates: of the scene, of methods and solvers, and of variables.
-fn names(open: &OpenLesson) -> BTreeSet<String> {
-    let objects = open.run.prepared().scene.objects.iter();
-    let mut names: Vec<&str> = objects.map(|object| object.name.as_str()).collect();
-    names.extend(Method::ALL.map(Method::name));
-    names.extend(Solver::ALL.map(Solver::name));
-    names.push(SYMBOLS);
-    let formulas = FAMILIES.into_iter().flatten().flat_map(|kind| kind.entries);
-    names.extend(
-        formulas
-            .flat_map(|entry| entry.formulas)
-            .map(|formula| formula.text),
-    );
-    names
-        .into_iter()
-        .flat_map(words)
-        .map(str::to_owned)
-        .collect()
+/// The lesson with the marks around what its file calls objects and materials.
+fn with_marked_names(lesson: &str) -> OpenLesson {
+    let mut lesson = builtin(lesson).unwrap().read().unwrap();
+    for names in lesson.scene.names.values_mut() {
+        *names = names.each_ref().map(|name| format!("[!!{name}!!]"));
+    }
+    lesson.open().unwrap()
+}
+
+/// Whether no language translates a word that stands in a panel.
+fn is_symbol(word: &str, panel: Panel) -> bool {
+    let of_code = matches!(panel, Panel::Code | Panel::Formula);
+    words(SYMBOLS).any(|symbol| symbol == word)
+        || of_code && words(PSEUDOCODE).any(|name| name == word)
 }
 
 /// The words of a lesson's panels that come from no catalogue, each with its panel.
 fn untranslated(lesson: &str) -> BTreeSet<String> {
-    let mut open = builtin(lesson).unwrap().read().unwrap().open().unwrap();
+    let mut open = with_marked_names(lesson);
     let draw_all = |method| render(&open.setup, method, NonZeroUsize::MIN, &|_, _| {});
     let mut finished = Finished::new(
         draw_all(open.lesson.method),
@@ -98,7 +97,6 @@ fn untranslated(lesson: &str) -> BTreeSet<String> {
         let matrix = enclosure.matrix().unwrap();
         finished.race = Some(enclosure.race(matrix, &mut || 0.0));
     }
-    let names = names(&open);
     let steps: Vec<usize> = open.narrated.iter().map(|narrated| narrated.step).collect();
     let mut found = BTreeSet::new();
     for &step in steps.iter().step_by(steps.len().div_ceil(4).max(1)) {
@@ -116,7 +114,7 @@ fn untranslated(lesson: &str) -> BTreeSet<String> {
             };
             let picture = draw(panel, &input, (1000.0, 700.0).into());
             let shown = outside(texts(&picture)) + &outside([picture.alt.as_str()].into_iter());
-            let strange = words(&shown).filter(|word| !names.contains(*word));
+            let strange = words(&shown).filter(|word| !is_symbol(word, panel));
             found.extend(strange.map(|word| format!("{}: {word}", panel.name())));
         }
     }

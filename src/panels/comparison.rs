@@ -4,9 +4,9 @@
 pub(super) mod cells;
 pub(super) mod cursor;
 
-use super::message::{NOT_COMPARED, message};
+use super::message::{NOT_COMPARED, labelled, message};
 use super::values::step_as_sentence;
-use super::{PanelInput, Properties};
+use super::{PanelInput, Properties, names};
 use crate::language::Message;
 use crate::methods::Method;
 use crate::picture::{Image, Ink, Picture};
@@ -34,11 +34,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let all = input.finished.compared.pictures();
     for (compared, cell) in all.iter().zip(cells(&first.frame, all.len(), 3, size)) {
         let figures = figures(input, compared);
-        cell.title(
-            &mut picture,
-            compared.method,
-            input.run.method() == compared.method,
-        );
+        let name = names::method(compared.method, input.language);
+        cell.title(&mut picture, &name, input.run.method() == compared.method);
         let frame = &compared.frame;
         let colors = frame.color.iter();
         let bytes: Vec<u8> = colors.flat_map(|color| color.to_srgb8()).collect();
@@ -65,7 +62,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         let inks = [Ink::Muted, Ink::Muted, Ink::Text];
         let written = lines.iter().map(String::as_str).zip(inks);
         cell.lines(&mut picture, written);
-        alt = format!("{alt} {}: {}.", compared.method.name(), lines.join("; "));
+        let lines = labelled(&name, &lines.join("; "), input.language);
+        alt = format!("{alt} {lines}.");
     }
     picture.alt = alt;
     picture

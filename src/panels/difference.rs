@@ -2,7 +2,8 @@
 
 use super::comparison::cells::{ROW, cells};
 use super::comparison::cursor::Cursor;
-use super::message::{NOT_COMPARED, message};
+use super::message::{NOT_COMPARED, labelled, message};
+use super::names;
 use super::values::step_as_sentence;
 use super::{PanelInput, Properties};
 use crate::figure::{color_strip, diverging, elided};
@@ -43,11 +44,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let room = Vec2::new(size.x, size.y - SCALE - ROW);
     let cells = cells(&reference.frame, differences.len(), 2, room);
     for (((_, compared), difference), cell) in others.zip(differences).zip(cells) {
-        cell.title(
-            &mut picture,
-            compared.method,
-            input.run.method() == compared.method,
-        );
+        let name = names::method(compared.method, input.language);
+        cell.title(&mut picture, &name, input.run.method() == compared.method);
         picture.pixels(cell.image, image(compared, difference, most), (0, 0));
         cell.frame(&mut picture, &cursor);
         let width = compared.frame.width as usize;
@@ -67,7 +65,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         };
         let lines = lines.map(|line| (line.as_str(), Ink::Text));
         cell.lines(&mut picture, lines);
-        alt = format!("{alt} {}: {figures}.", compared.method.name());
+        let figures = labelled(&name, &figures, input.language);
+        alt = format!("{alt} {figures}.");
     }
     scale(&mut picture, most, &against, input, size);
     picture.alt = alt;
@@ -88,7 +87,8 @@ fn image(compared: &Compared, difference: &Difference, most: f64) -> Image {
 }
 
 fn against(reference: &Compared, language: Language) -> String {
-    AGAINST.format(language, &[("method", reference.method.name())])
+    let method = names::method(reference.method, language);
+    AGAINST.format(language, &[("method", &method)])
 }
 
 /// Under the images: what the colours mean.

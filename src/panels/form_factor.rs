@@ -129,7 +129,7 @@ impl Layout<'_> {
     }
 
     fn title(&self) -> String {
-        let name = |patch| names::patch(self.prepared, self.room, patch);
+        let name = |patch| names::patch(self.prepared, self.room, patch, self.input.language);
         let (i, j) = (self.i, self.j);
         format!("i = {i}: {} → j = {j}: {}", name(i), name(j))
     }

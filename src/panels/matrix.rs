@@ -97,7 +97,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
 
 impl Layout<'_> {
     fn name(&self, patch: usize) -> String {
-        super::names::patch(self.prepared, self.room, patch)
+        super::names::patch(self.prepared, self.room, patch, self.language)
     }
 
     fn row(&self, i: usize) -> &[f64] {

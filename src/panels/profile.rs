@@ -4,7 +4,7 @@
 use super::comparison::cursor::Cursor;
 use super::message::{NOT_COMPARED, message};
 use super::values::step_as_sentence;
-use super::{PanelInput, Properties};
+use super::{PanelInput, Properties, names};
 use crate::figure::{Axis, Plot, Scale, Series, legend};
 use crate::language::Message;
 use crate::methods::Method;
@@ -57,10 +57,13 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         (title.x + style.width(&caption) + 14.0, whole.y),
         title.max(),
     );
+    let strokes = profiles.iter().map(|profile| profile.series.stroke);
     let names = profiles
         .iter()
-        .map(|profile| (profile.series.stroke, profile.method.name()));
-    let top = legend(&mut picture, names, beside, whole.x);
+        .map(|profile| names::method(profile.method, input.language));
+    let names: Vec<String> = names.collect();
+    let legend_entries = strokes.zip(names.iter().map(String::as_str));
+    let top = legend(&mut picture, legend_entries, beside, whole.x);
 
     // What is drawn, and what the strip has room for
     let fields: [(Message, Values, Values); 3] = [
@@ -105,8 +108,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             plot.draw_below(&mut picture);
         }
     }
-    let jumps = profiles.iter().map(|profile| {
-        let name = profile.method.name();
+    let jumps = profiles.iter().zip(&names).map(|(profile, name)| {
         let jump = input.language.significant(profile.jump, 3);
         LARGEST_JUMP.format(input.language, &[("method", name), ("jump", &jump)])
     });

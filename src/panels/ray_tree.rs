@@ -370,7 +370,7 @@ fn in_words(describer: &Describer, ray: &RayState) -> String {
             parts.push(format!("I = {}", node::color(light, describer.language)));
         }
         (None, Some(sum)) => {
-            parts.push(format!("I sum = {}", node::color(sum, describer.language)));
+            parts.push(format!("I_sum = {}", node::color(sum, describer.language)));
         }
         (None, None) => {}
     }

@@ -95,7 +95,7 @@ fn in_words(state: &State, language: Language) -> String {
         }
         Some(Intersection::Object(hit)) => format!(
             " → {}, t {}",
-            names::object(&state.prepared, hit.object),
+            names::object(&state.prepared, hit.object, language),
             language.short(hit.t, 3)
         ),
     };

@@ -5,6 +5,7 @@
 //! tagged enums, which lose line, column and path.
 
 use super::mesh_file::misplaced;
+pub use super::values::ByName;
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{DeserializeOwned, Deserializer, Error, MapAccess, Visitor};

@@ -33,7 +33,9 @@ pub use tessellation::{Tessellation, sphere as sphere_mesh};
 pub use validate::{LARGEST, Limits, ReadFile, SceneError, read};
 
 use crate::color::Rgb;
+use crate::language::Language;
 use glam::{DVec2, DVec3};
+use std::collections::BTreeMap;
 
 /// A scene that was found right: every index is in range, every number finite and within its bounds.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +51,8 @@ pub struct Scene {
     pub lights: Vec<Light>,
     /// What the file says without effect, whatever the method.
     pub notes: Vec<Note>,
+    /// Of lessons, which have texts in every language.
+    pub names: Names,
 }
 
 /// How a surface answers light. No coefficient is scaled by another.
@@ -135,7 +139,22 @@ impl Default for Scene {
             objects: Vec::new(),
             lights: Vec::new(),
             notes: Vec::new(),
+            names: Names::new(),
         }
+    }
+}
+
+/// What objects and materials are called, by their names in the file and by language.
+pub type Names = BTreeMap<String, [String; Language::ALL.len()]>;
+
+impl Scene {
+    /// What the object or material of that name is called: its name where nothing else is given.
+    pub fn called<'a>(&'a self, name: &'a str, language: Language) -> &'a str {
+        let place = Language::ALL.iter().position(|&known| known == language);
+        // The pseudo-language has the English names.
+        self.names
+            .get(name)
+            .map_or(name, |names| &names[place.unwrap_or_default()])
     }
 }
 

@@ -172,7 +172,7 @@ fn exactly<'de, A: SeqAccess<'de>, T: Deserialize<'de> + Copy, const N: usize>(
 
 /// Values under names of the author's choice, in the order of the file, each name once.
 #[derive(Clone, Debug)]
-pub(super) struct ByName<T>(pub Vec<(String, T)>);
+pub struct ByName<T>(pub Vec<(String, T)>);
 
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for ByName<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

@@ -2,6 +2,7 @@
 //! it done all the same, timed in turn and compared bit by bit.
 
 use super::form::{Setting, Values};
+use super::label::Label;
 use super::timing::{Patience, Timing, time};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::radiosity::RecordFilter;
@@ -142,7 +143,7 @@ pub fn both(setup: &Setup, method: Method, patience: Patience) -> Result<[Timing
 
 fn sweep_setting(setup: Arc<Setup>, method: Method) -> Setting {
     Setting {
-        setting: String::new(),
+        setting: Label::Plain(String::new()),
         size: 1.0,
         bytes: 0,
         operations: Vec::new(),

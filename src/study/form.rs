@@ -1,8 +1,9 @@
 //! The form that every study has: ladders of settings, each beside a reference that is trusted.
 
 use super::fit::Law;
+use super::label::Label;
 use crate::algorithms::frame::Frame;
-use crate::language::{Language, Message};
+use crate::language::{Language, Message, called_with};
 use crate::methods::Setup;
 use crate::render::Method;
 use crate::scene::Scene;
@@ -47,29 +48,9 @@ pub enum Axes {
     TimeOverSize,
 }
 
-/// What the settings of a sweep are called together: a message, where it has one with a value in it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Title {
-    pub message: Message,
-    pub value: String,
-}
-
-impl Title {
-    pub fn of(key: &'static str) -> Self {
-        Title {
-            message: Message(key),
-            value: String::new(),
-        }
-    }
-
-    pub fn text(&self, language: Language) -> String {
-        self.message.format(language, &[("value", &self.value)])
-    }
-}
-
 /// Settings that are compared with each other, curve by curve.
 pub struct Sweep {
-    pub title: Title,
+    pub title: Label,
     pub axes: Axes,
     /// What the size of a setting counts: `longitudes`.
     pub size: Message,
@@ -79,45 +60,41 @@ pub struct Sweep {
     pub law: Law,
     pub reference: Reference,
     /// What counts as memory, and how it was counted.
-    pub memory: &'static str,
+    pub memory: Message,
     pub curves: Vec<Curve>,
 }
 
 /// What errors are measured against.
 #[derive(Clone, Debug)]
 pub struct Reference {
-    pub what: String,
+    pub what: Label,
     /// How far it may be off itself (rms), and how that is known.
     pub error: f64,
-    pub known_by: String,
+    pub known_by: Label,
 }
 
 impl Reference {
     /// Where only time is measured.
     pub fn none() -> Self {
         Reference {
-            what: "none: only time and memory are measured".into(),
+            what: Label::of("reference-none"),
             error: 0.0,
-            known_by: String::new(),
+            known_by: Label::Plain(String::new()),
         }
     }
 }
 
 /// The settings of one method, from coarse to fine.
 pub struct Curve {
-    pub name: String,
+    pub name: Label,
     pub sweep_settings: Vec<Setting>,
 }
 
 impl Curve {
     /// Settings that are all meant to find the same.
-    pub fn against(
-        truth: &Rc<[f64]>,
-        name: impl Into<String>,
-        sweep_settings: Vec<Setting>,
-    ) -> Self {
+    pub fn against(truth: &Rc<[f64]>, name: Label, sweep_settings: Vec<Setting>) -> Self {
         let mut curve = Curve {
-            name: name.into(),
+            name,
             sweep_settings,
         };
         for sweep_setting in &mut curve.sweep_settings {
@@ -129,7 +106,7 @@ impl Curve {
 
 /// One setting.
 pub struct Setting {
-    pub setting: String,
+    pub setting: Label,
     /// As far as orders of convergence and growth refer to it.
     pub size: f64,
     pub bytes: u64,
@@ -151,11 +128,20 @@ pub struct Drawn {
 
 pub type Run = dyn Fn() -> Result<Values, String>;
 
-/// How often something was done: `rays`.
+/// How often something was done: `rays`, as files have it and the catalogues call it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Operations {
     pub of: &'static str,
     pub count: u64,
+}
+
+impl Operations {
+    /// `30000 pixels`
+    pub fn text(&self, language: Language) -> String {
+        let count = self.count.to_string();
+        called_with("operations", self.of, &[("count", &count)], language)
+            .unwrap_or_else(|| format!("{count} {}", self.of))
+    }
 }
 
 /// What a run brings forth.

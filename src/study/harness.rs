@@ -2,7 +2,8 @@
 
 use super::errors::Errors;
 use super::fit::{Fit, Law};
-use super::form::{Axes, Drawn, Operations, Reference, Request, Setting, Study, Sweep, Title};
+use super::form::{Axes, Drawn, Operations, Reference, Request, Setting, Study, Sweep};
+use super::label::Label;
 use super::pareto::front;
 use super::timing::{Patience, Progress, Timing, time};
 use crate::language::Message;
@@ -18,21 +19,28 @@ pub struct Findings {
 /// What one ladder came to.
 #[derive(Clone, Debug)]
 pub struct Part {
-    pub title: Title,
+    pub title: Label,
     pub axes: Axes,
     pub size: Message,
     pub quantity: Message,
     pub reference: Reference,
-    pub memory: &'static str,
+    pub memory: Message,
     pub lines: Vec<Line>,
-    /// Settings without a result: curve, setting, and why.
-    pub failed: Vec<[String; 3]>,
+    pub failed: Vec<Failed>,
+}
+
+/// A setting without a result.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Failed {
+    pub curve: Label,
+    pub setting: Label,
+    pub why: String,
 }
 
 /// What one curve came to.
 #[derive(Clone, Debug)]
 pub struct Line {
-    pub name: String,
+    pub name: Label,
     pub points: Vec<Point>,
     /// Of the error, over the size; settings whose error is that of the reference itself are left out. As all laws here it is
     /// that of the larger half of the sizes, three at least: what small ones do is not yet the order.
@@ -46,7 +54,7 @@ pub struct Line {
 /// What one setting came to.
 #[derive(Clone, Debug)]
 pub struct Point {
-    pub setting: String,
+    pub setting: Label,
     pub size: f64,
     pub errors: Option<Errors>,
     pub seconds: Timing,
@@ -122,7 +130,11 @@ impl Sweep {
             let mut points = Vec::new();
             for (sweep_setting, timed) in curve.sweep_settings.into_iter().zip(&mut timed) {
                 match timed {
-                    Err(why) => failed.push([curve.name.clone(), sweep_setting.setting, why]),
+                    Err(why) => failed.push(Failed {
+                        curve: curve.name.clone(),
+                        setting: sweep_setting.setting,
+                        why,
+                    }),
                     Ok((values, seconds)) => {
                         let truth = sweep_setting.truth.as_deref();
                         let errors = truth.and_then(|truth| Errors::of(&values.numbers(), truth));
@@ -173,7 +185,7 @@ impl Sweep {
 const ABOVE_REFERENCE: f64 = 3.0;
 
 impl Line {
-    pub fn of(name: String, points: Vec<Point>, law: Law, own_error: f64) -> Line {
+    pub fn of(name: Label, points: Vec<Point>, law: Law, own_error: f64) -> Line {
         let errors = points.iter().filter_map(|point| {
             let rms = point.errors?.rms;
             (rms > ABOVE_REFERENCE * own_error).then_some((point.size, rms))
@@ -237,7 +249,7 @@ mod tests {
     fn sweep(own_error: f64) -> Sweep {
         let truth: Rc<[f64]> = Rc::new([1.0, 2.0]);
         let sweep_settings = [1.0, 2.0, 4.0, 8.0, 16.0].map(|n: f64| Setting {
-            setting: format!("n = {n}"),
+            setting: Label::Plain(format!("n = {n}")),
             size: n,
             bytes: 8 * n as u64,
             operations: Vec::new(),
@@ -250,18 +262,22 @@ mod tests {
             }),
         });
         Sweep {
-            title: Title::of("part-steps"),
+            title: Label::of("part-steps"),
             axes: Axes::ErrorOverTime,
             size: Message("measure-samples"),
             quantity: Message("measure-samples"),
             law: Law::Power,
             reference: Reference {
-                what: "what is right".into(),
+                what: Label::Plain("what is right".into()),
                 error: own_error,
-                known_by: "it is made up".into(),
+                known_by: Label::Plain("it is made up".into()),
             },
-            memory: "made up",
-            curves: vec![Curve::against(&truth, "curve", sweep_settings.into())],
+            memory: Message("memory-rays"),
+            curves: vec![Curve::against(
+                &truth,
+                Label::Plain("curve".into()),
+                sweep_settings.into(),
+            )],
         }
     }
 
@@ -286,7 +302,7 @@ mod tests {
         // The most exact one is not beaten.
         assert!(line.points[4].on_front);
         let (best, _) = part.pick(1e-3).unwrap();
-        assert!(best.1.size >= 8.0, "{}", best.1.setting);
+        assert!(best.1.size >= 8.0, "{:?}", best.1.setting);
         assert!(part.pick(1e-9).is_none());
     }
 

@@ -14,6 +14,7 @@ pub mod families;
 pub mod fit;
 pub mod form;
 pub mod harness;
+pub mod label;
 pub mod machine;
 pub mod pareto;
 pub mod plot;

@@ -2,8 +2,9 @@
 
 use super::errors::Errors;
 use super::fit::Law;
-use super::form::{Axes, Reference, Study, Sweep, Title};
+use super::form::{Axes, Reference, Study, Sweep};
 use super::harness::{Findings, Line, Part, Point};
+use super::label::Label;
 use super::timing::Timing;
 use crate::language::Message;
 
@@ -16,7 +17,7 @@ static STUDY: Study = Study {
 
 fn point(size: f64, rms: f64, median: f64) -> Point {
     Point {
-        setting: format!("n = {size}"),
+        setting: Label::Plain(format!("n = {size}")),
         size,
         errors: Some(Errors {
             rms,
@@ -40,19 +41,24 @@ fn point(size: f64, rms: f64, median: f64) -> Point {
 pub fn findings() -> Findings {
     let curve = |name: &str, order: i32, cost: f64| {
         let points = [2.0_f64, 4.0, 8.0].map(|n| point(n, n.powi(-order), cost * n));
-        Line::of(name.into(), points.to_vec(), Law::Power, 1e-16)
+        Line::of(
+            Label::Plain(name.into()),
+            points.to_vec(),
+            Law::Power,
+            1e-16,
+        )
     };
     let part = Part {
-        title: Title::of("part-steps"),
+        title: Label::of("part-steps"),
         axes: Axes::ErrorOverTime,
         size: Message("measure-samples"),
         quantity: Message("measure-samples"),
         reference: Reference {
-            what: "what is known".into(),
+            what: Label::Plain("what is known".into()),
             error: 1e-16,
-            known_by: "rounding".into(),
+            known_by: Label::of("reference-rounding"),
         },
-        memory: "made up",
+        memory: Message("memory-rays"),
         lines: vec![curve("rough", 2, 1e-3), curve("fine", 7, 1e-2)],
         failed: Vec::new(),
     };

@@ -166,6 +166,7 @@ fn order(round: usize, count: usize) -> impl Iterator<Item = usize> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::label::Label;
     use super::*;
     use std::cell::RefCell;
     use std::rc::Rc;
@@ -203,7 +204,7 @@ mod tests {
         let sweep_setting = |which: usize, fails: bool| {
             let runs = runs.clone();
             Setting {
-                setting: String::new(),
+                setting: Label::Plain(String::new()),
                 size: 1.0,
                 bytes: 0,
                 operations: Vec::new(),

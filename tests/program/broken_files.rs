@@ -39,7 +39,7 @@ fn every_broken_scene_is_refused_without_a_file() {
 /// A right lesson, to be broken in one place.
 const LESSON: &str = r#"{ "schema": 1, "id": "my-lesson", "number": 1,
   "title": { "en": "A title", "id": "Judul" }, "summary": { "en": "Why", "id": "Mengapa" }, "topics": ["gouraud"],
-  "scene_file": "scene.json", "method": "gouraud", "size": [64, 48], "focus": { "polygon": 0 },
+  "scene_file": "scene.json", "names": { "pot": { "en": "the pot", "id": "panci" } }, "method": "gouraud", "size": [64, 48], "focus": { "polygon": 0 },
   "parameters": [{ "light": 0 }], "panels": ["image", "scan-line"],
   "steps": [
     { "at": { "kind": "VertexLit" }, "say": { "en": "It has {I_v:2}.", "id": "Nilainya {I_v:2}." },
@@ -62,6 +62,9 @@ const BROKEN_LESSONS: &[(&str, &str, &[&str])] = &[
     ("scene.json", "/etc/passwd", &["scene_file"]),
     ("scene.json", "none.json", &["scene_file", "none.json"]),
     ("\"method\": \"gouraud\"", "\"method\": \"gouraud\", \"texture_mapping\": \"bent\"", &["texture_mapping: found \"bent\"; allowed are perspective, linear"]),
+    ("\"pot\": {", "\"pan\": {", &["names.pan: there is no object or material of this name; allowed are ball, blue,"]),
+    ("\"panci\"", "\"\"", &["names.pot.id: found an empty text"]),
+    ("\"id\": \"panci\"", "\"de\": \"Topf\"", &["names.pot", "unknown field `de`"]),
     ("\"method\": \"gouraud\"", "\"method\": \"goraud\"", &["method: found \"goraud\"; allowed are wireframe, flat, gouraud"]),
     ("[64, 48]", "[0, 48]", &["size: found 0×48"]),
     ("[64, 48]", "[64000000, 48]", &["size: found 64000000×48"]),

@@ -8,6 +8,7 @@ mod play;
 mod playing;
 mod preview;
 mod question;
+mod search;
 mod study;
 mod study_commands;
 mod update;

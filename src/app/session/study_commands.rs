@@ -3,8 +3,8 @@
 use super::Session;
 use super::command::{PointAt, Refused, StudyCommand};
 use super::study::Studying;
-use crate::app::strings;
-use crate::language::Message;
+use crate::app::{strings, study_words};
+use crate::language::{Language, Message};
 use crate::lesson::Lesson;
 use crate::study::families;
 
@@ -58,9 +58,9 @@ impl Session {
         let found = self.studying.point(at);
         let (_, line, point) = found.ok_or(strings::NO_SUCH_POINT)?;
         let lesson = point.drawn.as_ref().map(|drawn| {
-            let name = format!("{}, {}", line.name, point.setting);
-            let localize = strings::said_of_a_point(point);
-            Lesson::of_picture(name, localize, &drawn.setup, drawn.method)
+            let title = Language::ALL.map(|language| study_words::name(line, point, language));
+            let say = strings::said_of_a_point(point);
+            Lesson::of_picture(title, say, &drawn.setup, drawn.method)
         });
         self.studying.picked = Some(at);
         if let Some(lesson) = lesson {

@@ -1,9 +1,10 @@
 mod focus;
 mod questions;
 
-use super::{Command, Direction, Guess, Refused, Session, Standing};
+use super::{Command, Direction, Guess, Session, Standing};
 use crate::algorithms::focus::Focus;
 use crate::app::strings;
+use crate::language::Language;
 use crate::lesson::{Answer, builtin};
 use crate::panels::{Panel, draw};
 use crate::picture::Tag;
@@ -159,10 +160,36 @@ fn a_search_goes_around_and_says_when_it_fails() {
         session.update(Command::Find("Nonsense".into())),
         Err(strings::NOT_FOUND.into())
     );
-    assert!(matches!(
+    assert_eq!(
         session.update(Command::Find("y=".into())),
-        Err(Refused::Error(_))
-    ));
+        Err(strings::NOT_A_SEARCH.into())
+    );
+}
+
+#[test]
+fn a_search_takes_names_of_the_readers_language_and_those_of_the_program() {
+    let mut session = triangle();
+    session.look.language = Language::Indonesian;
+    let mut step_of = |text: &str| {
+        go(&mut session, Command::Seek(0));
+        go(&mut session, Command::Find(text.into()));
+        session.step()
+    };
+    for (written, named) in [
+        ("Garis scan", "ScanLine"),
+        ("garis scan y=5", "ScanLine y=5"),
+        (
+            "Sisi diinterpolasi y=5 sisi=2",
+            "EdgeInterpolated y=5 edge=2",
+        ),
+        (
+            "EdgeInterpolated sisi=2 I_4<0,82",
+            "EdgeInterpolated edge=2 I_4<0.82",
+        ),
+        ("lebih dekat=ya", "nearer=true"),
+    ] {
+        assert_eq!(step_of(written), step_of(named), "{written}");
+    }
 }
 
 #[test]

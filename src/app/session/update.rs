@@ -1,5 +1,6 @@
 //! What each command does.
 
+use super::search::in_program_names;
 use super::{Command, Direction, Guess, Refused, Session, TEXT_SIZES};
 use crate::app::strings;
 use crate::language::{Language, Message};
@@ -148,9 +149,8 @@ impl Session {
     }
 
     fn find(&mut self, text: String, forward: bool) -> Result<(), Refused> {
-        let query: Query = text
-            .parse()
-            .map_err(|error| Refused::Error(format!("{error}")))?;
+        let query = in_program_names(&text, self.walk(), self.look.language);
+        let query: Query = query.parse().map_err(|_| strings::NOT_A_SEARCH)?;
         let (walk, here) = (self.walk(), self.step());
         let found = if forward {
             query::next(walk, &query, here)

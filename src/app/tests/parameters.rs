@@ -84,11 +84,7 @@ fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
     let mut screen = ball();
     let step = screen.session().step();
     let before = lights(&screen);
-    let name = format!(
-        "{} 0, {}",
-        strings::LIGHT.text(Language::English),
-        strings::DISTANCE.text(Language::English)
-    );
+    let name = strings::DISTANCE.format(Language::English, &[("thing", "light 0")]);
     let slider = screen.harness.get_by_role_and_label(Role::Slider, &name);
     slider.focus();
     screen.harness.run();

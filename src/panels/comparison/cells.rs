@@ -3,7 +3,6 @@
 use super::cursor::Cursor;
 use crate::algorithms::frame::Frame;
 use crate::figure::elided;
-use crate::methods::Method;
 use crate::picture::{Ink, Picture, Rect, Style};
 use glam::Vec2;
 
@@ -74,10 +73,10 @@ pub fn cells(like: &Frame, count: usize, lines: usize, size: Vec2) -> Vec<Cell> 
 
 impl Cell {
     /// The method's name; that of the run that is walked through stands out.
-    pub fn title(&self, picture: &mut Picture, method: Method, walked: bool) {
+    pub fn title(&self, picture: &mut Picture, name: &str, walked: bool) {
         let ink = if walked { Ink::This } else { Ink::Text };
         let style = Style::Bold.size(TEXT).ink(ink);
-        elided(picture, self.title, method.name(), style);
+        elided(picture, self.title, name, style);
     }
 
     /// Lines under the image, as many as there is room for.

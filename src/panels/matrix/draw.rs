@@ -85,7 +85,8 @@ fn names(layout: &Layout) -> Vec<(String, Range<usize>)> {
     surfaces
         .map(|(surface, object)| {
             let count = (surface.grid[0] * surface.grid[1]) as usize;
-            let name = super::super::names::object(layout.prepared, object).to_string();
+            let name =
+                super::super::names::object(layout.prepared, object, layout.language).to_string();
             (name, surface.first..surface.first + count)
         })
         .collect()

@@ -92,7 +92,7 @@ impl Exchange {
         room: &Enclosure,
         language: Language,
     ) -> String {
-        let name = |patch| names::patch(prepared, room, patch);
+        let name = |patch| names::patch(prepared, room, patch, language);
         let mut strings = format!("i = {}", name(self.i));
         if let Some(j) = self.j {
             let way = if self.outward { "→" } else { "←" };
@@ -154,7 +154,10 @@ impl Exchange {
             let Some(at) = center(patch).filter(|&at| area.contains(at)) else {
                 continue;
             };
-            let name = format!("{letter} = {}", names::patch(prepared, room, patch));
+            let name = format!(
+                "{letter} = {}",
+                names::patch(prepared, room, patch, language)
+            );
             labels.put(&mut over, (at, 10.0), Vec2::Y, &name, style.ink(ink));
         }
         lay_over(picture, over);

@@ -27,7 +27,7 @@ pub(super) struct Describer<'a> {
 
 impl Describer<'_> {
     pub fn object(&self, object: u32) -> &str {
-        names::object(&self.state.prepared, object)
+        names::object(&self.state.prepared, object, self.language)
     }
 
     pub fn light(&self, light: u32) -> String {

@@ -138,8 +138,9 @@ impl Layout<'_> {
                 }
             };
             if self.view.shows(at, 4.0) {
+                let name = prepared.scene.called(&object.name, self.input.language);
                 self.labels
-                    .put(self.picture, (at, 0.0), toward, &object.name, style);
+                    .put(self.picture, (at, 0.0), toward, name, style);
             }
         }
     }
@@ -235,7 +236,7 @@ impl Layout<'_> {
                 let name = match tested.target {
                     Target::Object(object) => {
                         self.called = Some(object as usize);
-                        names::object(&self.state.prepared, object).to_string()
+                        names::object(&self.state.prepared, object, self.input.language).to_string()
                     }
                     Target::Light(light) => names::light(light, self.input.language),
                 };

@@ -3,6 +3,7 @@
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message, called};
+use crate::methods::Method;
 use crate::record::Value;
 use crate::replay::Walk;
 use crate::scene::Light;
@@ -48,15 +49,25 @@ pub fn symbol(reference: &Reference, language: Language) -> String {
 }
 
 /// The object of that number.
-pub fn object(prepared: &PreparedScene, number: u32) -> &str {
+pub fn object(prepared: &PreparedScene, number: u32, language: Language) -> &str {
     let object = prepared.scene.objects.get(number as usize);
-    object.map_or("", |object| object.name.as_str())
+    object.map_or("", |object| prepared.scene.called(&object.name, language))
+}
+
+/// A method, as people read it.
+pub fn method(method: Method, language: Language) -> String {
+    called("method", method.name(), language).unwrap_or_else(|| method.name().to_string())
 }
 
 /// A patch of the room: its object, and its cell where there is more than one.
-pub fn patch(prepared: &PreparedScene, room: &Enclosure, number: usize) -> String {
+pub fn patch(
+    prepared: &PreparedScene,
+    room: &Enclosure,
+    number: usize,
+    language: Language,
+) -> String {
     let patch = &room.patches[number];
-    let name = object(prepared, patch.object);
+    let name = object(prepared, patch.object, language);
     let [nu, nv] = room.patches.surfaces[patch.object as usize].grid;
     match patch.cell {
         _ if nu * nv == 1 => name.to_string(),
@@ -87,7 +98,9 @@ pub fn of_field<'a>(
     };
     let number = u32::try_from(number).ok()?;
     match field {
-        "object" | "blocker" => Some(object(prepared, number)).filter(|name| !name.is_empty()),
+        "object" | "blocker" => {
+            Some(object(prepared, number, language)).filter(|name| !name.is_empty())
+        }
         "light" => Some(match prepared.scene.lights.get(number as usize)? {
             Light::Point { .. } => Message("names-point-light").text(language),
             Light::Directional { .. } => Message("names-directional-light").text(language),
@@ -149,7 +162,7 @@ fn goal(
         _ => None,
     };
     match found.get("met")? {
-        Value::Word("object") => Some(object(prepared, number("object")?).to_string()),
+        Value::Word("object") => Some(object(prepared, number("object")?, language).to_string()),
         Value::Word("light") => Some(light(number("light")?, language)),
         _ => Some(Message("names-background").text(language).to_string()),
     }

@@ -115,8 +115,8 @@ impl Angles {
         rows.extend(lights(surface, language));
         Angles {
             lights: first_light,
-            name: surface.name().to_string(),
-            title: ANGLES.format(language, &[("surface", surface.name())]),
+            name: surface.name(language).to_string(),
+            title: ANGLES.format(language, &[("surface", surface.name(language))]),
             rows,
         }
     }
@@ -193,7 +193,7 @@ fn blocked(surface: &SurfaceInSight, verdict: &Verdict, language: Language) -> V
     let Some(hit) = verdict.by else {
         return vec![BLOCKED.text(language).to_string()];
     };
-    let name = names::object(&surface.state.prepared, hit.object);
+    let name = names::object(&surface.state.prepared, hit.object, language);
     let t = language.short(hit.t, 2);
     vec![
         BLOCKED_BY.format(language, &[("object", name), ("t", &t)]),

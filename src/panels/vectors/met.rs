@@ -118,8 +118,8 @@ impl<'a> SurfaceInSight<'a> {
             .find(|verdict| verdict.light == light)
     }
 
-    pub fn name(&self) -> &str {
-        names::object(&self.state.prepared, self.surface.object)
+    pub fn name(&self, language: Language) -> &str {
+        names::object(&self.state.prepared, self.surface.object, language)
     }
 
     /// Whether light passes the surface at all.
@@ -135,7 +135,7 @@ impl<'a> SurfaceInSight<'a> {
     /// What lies above and below the surface: names, and η where it is known.
     pub fn media(&self, language: Language) -> [String; 2] {
         let named = |object: Option<&u32>| match object {
-            Some(&object) => names::object(&self.state.prepared, object).to_string(),
+            Some(&object) => names::object(&self.state.prepared, object, language).to_string(),
             None => AIR.text(language).to_string(),
         };
         let around = self.state.media_around(self.index);

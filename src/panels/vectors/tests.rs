@@ -117,7 +117,7 @@ fn a_blocked_light_says_by_what() {
     };
     fixture.seek(blocked);
     let prepared = fixture.run.prepared();
-    let name = names::object(prepared, object as u32).to_string();
+    let name = names::object(prepared, object as u32, Language::English);
     let alt = draw(&fixture.input(), LARGE).alt;
     assert!(alt.contains(&format!("blocked by {name}")), "{alt}");
 }

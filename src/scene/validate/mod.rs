@@ -112,6 +112,7 @@ impl SceneFile {
             objects,
             lights,
             notes: check.notes,
+            names: Default::default(),
         })
     }
 }

@@ -13,7 +13,8 @@ use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep, Title};
+use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep};
+use crate::study::label::Label;
 use std::rc::Rc;
 use std::sync::Arc;
 use web_time::Instant;
@@ -79,26 +80,32 @@ fn sweep([a0, a1, a2]: [f64; 3], prepared: &Arc<PreparedScene>, longest: f64) ->
     let change = before.and_then(|before| Errors::of(&before, &truth));
     let sweep_settings = depths.iter().filter(|&&depth| depth < deepest);
     let sweep_settings = sweep_settings.map(|&depth| {
-        let setting = format!("depth {depth}");
+        let setting = Label::with("setting-depth", "depth", depth);
         let rays = settings(depth, 1);
         pictures::sweep_setting(setting, depth.into(), prepared, Method::RayTracing, rays)
     });
     Sweep {
-        title: Title {
-            message: Message("part-path-attenuation"),
-            value: format!("{a0}, {a1}, {a2}"),
-        },
+        title: Label::Message(
+            Message("part-path-attenuation"),
+            [("a0", a0), ("a1", a1), ("a2", a2)]
+                .map(|(name, value)| (name, value.to_string()))
+                .into(),
+        ),
         axes: Axes::ErrorOverTime,
         size: Message("measure-levels"),
         quantity: Message("measure-intensity"),
         law: Law::Geometric,
         reference: Reference {
-            what: format!("the same picture with rays of up to {deepest} levels"),
+            what: Label::with("reference-levels", "deepest", deepest),
             error: change.map_or(0.0, |change| change.rms),
-            known_by: "what the last step to it changed: an upper bound where each step changes half as much as the one before, or less".into(),
+            known_by: Label::of("reference-last-step"),
         },
         memory: MEMORY,
-        curves: vec![Curve::against(&truth, "ray-tracing", sweep_settings.collect())],
+        curves: vec![Curve::against(
+            &truth,
+            Label::method("ray-tracing"),
+            sweep_settings.collect(),
+        )],
     }
 }
 

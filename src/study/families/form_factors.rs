@@ -12,8 +12,9 @@ use crate::scene::patches::Patches;
 use crate::study::count::operations;
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
+use crate::study::label::Label;
 use crate::study::machine::SEED;
 use std::rc::Rc;
 
@@ -75,11 +76,11 @@ fn of_pair(
         )
     });
     Ok(sweep(
-        Title::of(title),
+        Label::of(title),
         Reference {
-            what: format!("F = {f:.15}, the closed form"),
+            what: Label::with("reference-closed-form", "f", format!("{f:.15}")),
             error: 1e-16,
-            known_by: "known to 17 digits; what is left is rounding".into(),
+            known_by: Label::of("reference-17-digits"),
         },
         curves,
         &truth,
@@ -109,21 +110,22 @@ fn whole_scene(scene: &Scene, request: &Request) -> Result<Sweep, String> {
         (vec![entries], bytes, Box::new(move || Ok(run())) as _)
     });
     let reference = Reference {
-        what: "the automatic choice at a tolerance of 1e-10".into(),
+        what: Label::of("reference-automatic-choice"),
         error: 1e-10,
-        known_by: "its tolerance".into(),
+        known_by: Label::of("reference-tolerance"),
     };
     Ok(sweep(
-        Title::of("part-all-form-factors"),
+        Label::of("part-all-form-factors"),
         reference,
         curves,
         &truth,
     ))
 }
 
-fn sweep(title: Title, reference: Reference, curves: Vec<Unfinished>, truth: &Rc<[f64]>) -> Sweep {
+fn sweep(title: Label, reference: Reference, curves: Vec<Unfinished>, truth: &Rc<[f64]>) -> Sweep {
     let curves = curves.into_iter();
-    let curves = curves.map(|(name, sweep_settings)| Curve::against(truth, name, sweep_settings));
+    let curves =
+        curves.map(|(key, sweep_settings)| Curve::against(truth, Label::of(key), sweep_settings));
     Sweep {
         title,
         axes: Axes::ErrorOverTime,
@@ -131,12 +133,12 @@ fn sweep(title: Title, reference: Reference, curves: Vec<Unfinished>, truth: &Rc
         quantity: Message("measure-form-factor"),
         law: Law::Power,
         reference,
-        memory: "the matrix where there is one, and the pixels of a hemicube; counted by their sizes",
+        memory: Message("memory-matrix-and-hemicube"),
         curves: curves.collect(),
     }
 }
 
-/// A curve without what is right.
+/// The key of a curve's name, and its settings without what is right.
 type Unfinished = (&'static str, Vec<Setting>);
 
 /// Operations, bytes, and the work.
@@ -149,7 +151,7 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
         request.either(&[2, 4, 6, 8, 10], &[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
     let rays: &[u32] = request.either(&[6, 8, 10, 12, 14], &[6, 8, 10, 12, 14, 16, 18]);
     let pixels: &[u32] = request.either(&[16, 32, 64, 128], &[16, 32, 64, 128, 256, 512]);
-    let sweep_setting = |setting: String, size: f64, method: Method| {
+    let sweep_setting = |setting: Label, size: f64, method: Method| {
         let (operations, bytes, run) = work(method);
         Setting {
             setting,
@@ -163,7 +165,7 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
     };
     let gauss = |n: usize| n as f64;
     let area = points.iter().map(|&points| {
-        let setting = format!("{points}⁴ pairs");
+        let setting = Label::with("setting-pairs", "points", points);
         sweep_setting(
             setting,
             gauss(points).powi(4),
@@ -171,7 +173,7 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
         )
     });
     let element = points.iter().map(|&points| {
-        let setting = format!("{points}² points");
+        let setting = Label::with("setting-points", "points", points);
         sweep_setting(
             setting,
             gauss(points).powi(2),
@@ -181,18 +183,18 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
     let tolerance = |exponent: i32| 10_f64.powi(-exponent);
     let contour = tolerances.iter().map(|&exponent| {
         let tolerance = tolerance(exponent);
-        let setting = format!("tolerance {tolerance:e}");
+        let setting = Label::with("setting-tolerance", "tolerance", format!("{tolerance:e}"));
         sweep_setting(setting, 1.0 / tolerance, Method::Contour { tolerance })
     });
     let auto = tolerances.iter().map(|&exponent| {
         let tolerance = tolerance(exponent);
-        let setting = format!("tolerance {tolerance:e}");
+        let setting = Label::with("setting-tolerance", "tolerance", format!("{tolerance:e}"));
         sweep_setting(setting, 1.0 / tolerance, Method::Auto { tolerance })
     });
     let monte_carlo = rays.iter().map(|&power| {
         let (rays, seed) = (1 << power, SEED);
         sweep_setting(
-            format!("{rays} rays"),
+            Label::with("setting-rays", "count", rays),
             rays.into(),
             Method::MonteCarlo { rays, seed },
         )
@@ -203,7 +205,7 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
             let hemicubes = Hemicubes { resolution, points };
             let size = 3.0 * f64::from(resolution * points).powi(2);
             sweep_setting(
-                format!("{resolution} pixels"),
+                Label::with("setting-pixels", "count", resolution),
                 size,
                 Method::Hemicube(hemicubes),
             )
@@ -211,13 +213,13 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
         sweep_settings.collect()
     };
     vec![
-        ("area to area", area.collect()),
-        ("element to polygon", element.collect()),
-        ("contour", contour.collect()),
-        ("auto", auto.collect()),
-        ("Monte Carlo", monte_carlo.collect()),
-        ("hemicube at the centre", hemicube(1)),
-        ("4×4 hemicubes", hemicube(4)),
+        ("value-area-to-area", area.collect()),
+        ("value-element-to-polygon", element.collect()),
+        ("value-contour", contour.collect()),
+        ("value-auto", auto.collect()),
+        ("value-monte-carlo", monte_carlo.collect()),
+        ("curve-hemicube-at-the-centre", hemicube(1)),
+        ("curve-4-by-4-hemicubes", hemicube(4)),
     ]
 }
 

@@ -17,8 +17,9 @@ use crate::scene::patches::Patches;
 use crate::scene::{Scene, Shape, sphere_mesh};
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
+use crate::study::label::Label;
 use glam::DVec3;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -36,7 +37,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
         let mut parts = vec![pixels(scene, request)?];
         parts.extend(
             sends_rays_on(scene)
-                .then(|| depth(&[("the scene", scene)], request))
+                .then(|| depth(&[("curve-the-scene", scene)], request))
                 .transpose()?,
         );
         return Ok(parts);
@@ -46,7 +47,10 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
         pixels(&balls, request)?,
         triangles(request)?,
         depth(
-            &[("two mirrors", &mirrors), ("a glass ball", &balls)],
+            &[
+                ("curve-two-mirrors", &mirrors),
+                ("curve-a-glass-ball", &balls),
+            ],
             request,
         )?,
         form_factors(request)?,
@@ -58,11 +62,11 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
 fn part(
     title: &'static str,
     size: Message,
-    memory: &'static str,
+    memory: Message,
     curves: impl IntoIterator<Item = Curve>,
 ) -> Sweep {
     Sweep {
-        title: Title::of(title),
+        title: Label::of(title),
         axes: Axes::TimeOverSize,
         size,
         quantity: Message("measure-nothing"),
@@ -94,11 +98,11 @@ fn pixels(scene: &Scene, request: &Request) -> Result<Sweep, String> {
     let curves = methods().map(|method| {
         let sweep_settings = stages.iter().map(|([width, height], prepared)| {
             let pixels = f64::from(width * height);
-            let setting = format!("{width}×{height}");
+            let setting = Label::Plain(format!("{width}×{height}"));
             pictures::sweep_setting(setting, pixels, prepared, method, Settings::default())
         });
         Curve {
-            name: method.name().into(),
+            name: Label::method(method.name()),
             sweep_settings: sweep_settings.collect(),
         }
     });
@@ -127,7 +131,7 @@ fn triangles(request: &Request) -> Result<Sweep, String> {
         let sweep_settings = stages.iter().map(|(longitudes, prepared)| {
             // Quadrilaterals, but for the triangles at the poles
             let triangles = longitudes * (longitudes - 2);
-            let setting = format!("{triangles} triangles");
+            let setting = Label::with("setting-triangles", "count", triangles);
             pictures::sweep_setting(
                 setting,
                 triangles.into(),
@@ -137,7 +141,7 @@ fn triangles(request: &Request) -> Result<Sweep, String> {
             )
         });
         Curve {
-            name: method.name().into(),
+            name: Label::method(method.name()),
             sweep_settings: sweep_settings.collect(),
         }
     });
@@ -149,16 +153,16 @@ fn triangles(request: &Request) -> Result<Sweep, String> {
     ))
 }
 
-fn depth(scenes: &[(&str, &Scene)], request: &Request) -> Result<Sweep, String> {
+fn depth(scenes: &[(&'static str, &Scene)], request: &Request) -> Result<Sweep, String> {
     let size = request.either([40, 30], [160, 120]);
     let deepest = request.either(8, 12);
     let mut curves = Vec::new();
-    for (name, scene) in scenes {
+    for &(key, scene) in scenes {
         let camera = scenes::camera(scene)?;
-        let prepared = scenes::prepared((*scene).clone(), &camera, size);
+        let prepared = scenes::prepared(scene.clone(), &camera, size);
         let prepared = Arc::new(prepared);
         let sweep_settings = (1..=deepest).map(|depth| {
-            let setting = format!("depth {depth}");
+            let setting = Label::with("setting-depth", "depth", depth);
             pictures::sweep_setting(
                 setting,
                 depth.into(),
@@ -168,7 +172,7 @@ fn depth(scenes: &[(&str, &Scene)], request: &Request) -> Result<Sweep, String> 
             )
         });
         curves.push(Curve {
-            name: (*name).into(),
+            name: Label::of(key),
             sweep_settings: sweep_settings.collect(),
         });
     }
@@ -205,14 +209,14 @@ fn form_factors(request: &Request) -> Result<Sweep, String> {
         };
         let sweep_settings = rooms.iter().map(|patches| matrix_rung(patches, method));
         Curve {
-            name: name.into(),
+            name: Label::Called("value", name),
             sweep_settings: sweep_settings.collect(),
         }
     });
     Ok(part(
         "part-form-factors-of-a-cube",
         Message("measure-patches"),
-        "the matrix",
+        Message("memory-matrix"),
         curves,
     ))
 }
@@ -221,7 +225,7 @@ fn matrix_rung(patches: &Rc<Patches>, method: form_factor::Method) -> Setting {
     let n = patches.len();
     let shared = patches.clone();
     Setting {
-        setting: format!("{n} patches"),
+        setting: Label::with("setting-patches", "count", n),
         size: n as f64,
         bytes: (n * n * size_of::<f64>()) as u64,
         operations: vec![Operations {
@@ -248,7 +252,7 @@ fn solving(request: &Request) -> Result<Sweep, String> {
             let n = problem.patches();
             let shared = problem.clone();
             Setting {
-                setting: format!("{n} patches"),
+                setting: Label::with("setting-patches", "count", n),
                 size: n as f64,
                 bytes: problem.bytes(),
                 operations: Vec::new(),
@@ -261,14 +265,14 @@ fn solving(request: &Request) -> Result<Sweep, String> {
             }
         });
         Curve {
-            name: solver.name().into(),
+            name: Label::Called("value", solver.name()),
             sweep_settings: sweep_settings.collect(),
         }
     });
     Ok(part(
         "part-solving-a-cube",
         Message("measure-patches"),
-        "the matrix and four numbers a patch",
+        Message("memory-one-matrix"),
         curves,
     ))
 }
@@ -292,7 +296,7 @@ fn events(request: &Request) -> Result<Sweep, String> {
         };
         let events = record();
         let sweep_setting = |bytes: u64, run: Box<crate::study::form::Run>| Setting {
-            setting: format!("{events} events"),
+            setting: Label::with("setting-events", "count", events),
             size: events as f64,
             bytes,
             operations: vec![Operations {
@@ -320,15 +324,18 @@ fn events(request: &Request) -> Result<Sweep, String> {
             }),
         ));
     }
-    let curves = [("recorded", recorded), ("unrecorded", unrecorded)];
-    let curves = curves.map(|(name, sweep_settings)| Curve {
-        name: name.into(),
+    let curves = [
+        ("curve-recorded", recorded),
+        ("curve-unrecorded", unrecorded),
+    ];
+    let curves = curves.map(|(key, sweep_settings)| Curve {
+        name: Label::of(key),
         sweep_settings,
     });
     Ok(part(
         "part-events",
         Message("measure-events"),
-        "colour and depth of every pixel; recorded, the events with their marks and outline",
+        Message("memory-events"),
         curves,
     ))
 }

@@ -4,8 +4,9 @@ use crate::language::Message;
 use crate::numeric::{Linear, Ramp, interpolate};
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
+use crate::study::label::Label;
 
 pub static STUDY: Study = Study {
     name: "interpolation",
@@ -37,16 +38,16 @@ impl Linear for Single {
 type Way = fn(u32) -> Vec<f64>;
 
 const WAYS: [(&str, Way); 4] = [
-    ("incremental, f32", |steps| {
+    ("curve-incremental-f32", |steps| {
         incremental(Single(0.0), Single(1.0), steps, |a| a.0.into())
     }),
-    ("direct, f32", |steps| {
+    ("curve-direct-f32", |steps| {
         direct(Single(0.0), Single(1.0), steps, |a| a.0.into())
     }),
-    ("incremental, f64", |steps| {
+    ("curve-incremental-f64", |steps| {
         incremental(0.0, 1.0, steps, |a| a)
     }),
-    ("direct, f64", |steps| direct(0.0, 1.0, steps, |a| a)),
+    ("curve-direct-f64", |steps| direct(0.0, 1.0, steps, |a| a)),
 ];
 
 fn incremental<A: Linear>(zero: A, one: A, steps: u32, number: fn(A) -> f64) -> Vec<f64> {
@@ -69,25 +70,25 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     }
     let powers = request.either(1..=5, 1..=6);
     let sizes: Vec<u32> = powers.map(|power| 10_u32.pow(power)).collect();
-    let curves = WAYS.map(|(name, way)| Curve {
-        name: name.into(),
+    let curves = WAYS.map(|(key, way)| Curve {
+        name: Label::of(key),
         sweep_settings: sizes
             .iter()
             .map(|&steps| sweep_setting(steps, way))
             .collect(),
     });
     Ok(vec![Sweep {
-        title: Title::of("part-steps"),
+        title: Label::of("part-steps"),
         axes: Axes::ErrorOverSize,
         size: Message("measure-steps"),
         quantity: Message("measure-the-values-from-0-to-1"),
         law: Law::Power,
         reference: Reference {
-            what: "i/n in f64, rounded once".into(),
+            what: Label::of("reference-rounded-once"),
             error: 0.5 * f64::EPSILON,
-            known_by: "half a unit in the last place".into(),
+            known_by: Label::of("reference-half-a-unit"),
         },
-        memory: "the values of the ramp, as f64",
+        memory: Message("memory-ramp"),
         curves: curves.into(),
     }])
 }
@@ -95,7 +96,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
 fn sweep_setting(steps: u32, way: Way) -> Setting {
     let right = (1..=steps).map(|i| f64::from(i) / f64::from(steps));
     Setting {
-        setting: format!("{steps} steps"),
+        setting: Label::with("setting-steps", "count", steps),
         size: steps.into(),
         bytes: u64::from(steps) * size_of::<f64>() as u64,
         operations: vec![Operations {

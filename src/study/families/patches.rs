@@ -12,8 +12,9 @@ use crate::scene::{Scene, Shape};
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
+use crate::study::label::Label;
 use std::rc::Rc;
 
 pub static STUDY: Study = Study {
@@ -62,9 +63,9 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let change = Errors::of(&coarse.solve()?, &means).map_or(0.0, |errors| errors.rms);
     let truth: Rc<[f64]> = fine.into();
     let methods = [
-        ("auto", right.form_factors),
+        (Label::of("value-auto"), right.form_factors),
         (
-            "hemicube of 64 pixels",
+            Label::of("curve-hemicube-of-64-pixels"),
             Method::Hemicube(Hemicubes {
                 resolution: 64,
                 points: 1,
@@ -83,21 +84,17 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
         Curve::against(&truth, name, sweep_settings.collect())
     });
     Ok(vec![Sweep {
-        title: Title::of("part-walls"),
+        title: Label::of("part-walls"),
         axes: Axes::ErrorOverTime,
         size: Message("measure-patches-along-a-wall"),
         quantity: Message("measure-radiosity-at-the-finest-centres"),
         law: Law::Power,
         reference: Reference {
-            what: format!(
-                "the same room of {finest}×{finest} patches a wall, by exact form factors"
-            ),
+            what: Label::with("reference-finest-patches", "finest", finest),
             error: change / 3.0,
-            known_by:
-                "a third of what the last halving of the patches changed (Richardson, second order)"
-                    .into(),
+            known_by: Label::of("reference-richardson"),
         },
-        memory: "the matrix of form factors",
+        memory: Message("memory-matrix-of-form-factors"),
         curves: curves.into(),
     }])
 }
@@ -136,7 +133,7 @@ impl Work {
         let walls = self.scene.objects.len() as u64;
         let patches = walls * u64::from(n).pow(2);
         Setting {
-            setting: format!("{n}×{n}"),
+            setting: Label::Plain(format!("{n}×{n}")),
             size: n.into(),
             bytes: patches * patches * size_of::<f64>() as u64,
             operations: vec![

@@ -4,10 +4,12 @@ use super::memory;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary;
 use crate::color::Rgb;
+use crate::language::Message;
 use crate::methods::{Method, Setup};
 use crate::render::{RayCounts, render, render_counted};
 use crate::scene::Scene;
 use crate::study::form::{Drawn, Operations, Setting, Values};
+use crate::study::label::Label;
 use std::num::{NonZeroU32, NonZeroUsize};
 use std::sync::Arc;
 
@@ -33,7 +35,7 @@ pub fn picture(
 
 /// A setting that draws a whole picture on one thread. Its rays are counted at once.
 pub fn sweep_setting(
-    setting: String,
+    setting: Label,
     size: f64,
     prepared: &Arc<PreparedScene>,
     method: Method,
@@ -106,4 +108,4 @@ pub fn sends_rays_on(scene: &Scene) -> bool {
 }
 
 /// What counts as memory of these rungs.
-pub const MEMORY: &str = "colour and depth of every pixel, the polygons with their vertices, and for rays the objects with their hierarchies, counted by their sizes";
+pub const MEMORY: Message = Message("memory-pictures");

@@ -4,8 +4,9 @@ use crate::language::Message;
 use crate::numeric::sphere_roots;
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
+use crate::study::label::Label;
 use glam::{DVec3, Vec3};
 use num_traits::Float;
 use std::rc::Rc;
@@ -29,9 +30,9 @@ type Way = fn(&Rays) -> Vec<f64>;
 type Roots<F> = fn([F; 3], [F; 3], F) -> Option<[F; 2]>;
 
 const WAYS: [(&str, Way); 3] = [
-    ("plain roots, f32", |rays| in_f32(rays, plain_roots)),
-    ("stable roots, f32", |rays| in_f32(rays, sphere_roots)),
-    ("plain roots, f64", |rays| in_f64(rays, plain_roots)),
+    ("curve-plain-roots-f32", |rays| in_f32(rays, plain_roots)),
+    ("curve-stable-roots-f32", |rays| in_f32(rays, sphere_roots)),
+    ("curve-plain-roots-f64", |rays| in_f64(rays, plain_roots)),
 ];
 
 fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
@@ -40,25 +41,25 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     }
     let farthest = request.either(5, 7);
     let bundles: Vec<(i32, Rays)> = (1..=farthest).map(|power| (power, rays(power))).collect();
-    let curves = WAYS.map(|(name, way)| Curve {
-        name: name.into(),
+    let curves = WAYS.map(|(key, way)| Curve {
+        name: Label::of(key),
         sweep_settings: bundles
             .iter()
             .map(|(power, rays)| sweep_setting(*power, rays, way))
             .collect(),
     });
     Ok(vec![Sweep {
-        title: Title::of("part-distances"),
+        title: Label::of("part-distances"),
         axes: Axes::ErrorOverSize,
         size: Message("measure-distance-in-radii"),
         quantity: Message("measure-t-a-share-of-the-distance"),
         law: Law::Power,
         reference: Reference {
-            what: "the stable roots in f64, for the same rays".into(),
+            what: Label::of("reference-stable-roots"),
             error: f64::EPSILON,
-            known_by: "rounding".into(),
+            known_by: Label::of("reference-rounding"),
         },
-        memory: "the rays",
+        memory: Message("memory-rays"),
         curves: curves.into(),
     }])
 }
@@ -71,7 +72,7 @@ fn sweep_setting(power: i32, rays: &Rays, way: Way) -> Setting {
         hits
     };
     Setting {
-        setting: format!("distance 1e{power}"),
+        setting: Label::with("setting-distance", "distance", format!("1e{power}")),
         size: distance,
         bytes: (rays.len() * size_of::<(Vec3, Vec3)>()) as u64,
         operations: vec![Operations {

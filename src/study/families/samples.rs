@@ -7,7 +7,8 @@ use crate::render::Method;
 use crate::scene::Scene;
 use crate::study::errors::Errors;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep, Title};
+use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep};
+use crate::study::label::Label;
 use std::rc::Rc;
 use std::sync::Arc;
 
@@ -35,25 +36,26 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
         let half = picture(&prepared, method, settings(DEPTH, finest / 2));
         let change = Errors::of(&half, &truth);
         let sweep_settings = sides.iter().map(|&n| {
-            let setting = format!("{n}×{n}");
+            let setting = Label::Plain(format!("{n}×{n}"));
             pictures::sweep_setting(setting, n.into(), &prepared, method, settings(DEPTH, n))
         });
         Sweep {
-            title: Title {
-                message: Message("part-method"),
-                value: method.name().into(),
-            },
+            title: Label::method(method.name()),
             axes: Axes::ErrorOverTime,
             size: Message("measure-rays-along-a-pixel-s-side"),
             quantity: Message("measure-intensity"),
             law: Law::Power,
             reference: Reference {
-                what: format!("the same picture with {finest}×{finest} rays a pixel"),
+                what: Label::with("reference-samples", "finest", finest),
                 error: change.map_or(0.0, |change| change.rms),
-                known_by: "how far it is from half as many along each side: right where errors halve with that, else too large".into(),
+                known_by: Label::of("reference-half-as-many"),
             },
             memory: MEMORY,
-            curves: vec![Curve::against(&truth, method.name(), sweep_settings.collect())],
+            curves: vec![Curve::against(
+                &truth,
+                Label::method(method.name()),
+                sweep_settings.collect(),
+            )],
         }
     };
     Ok(METHODS.map(sweep).into())

@@ -9,8 +9,9 @@ use crate::record::Unrecorded;
 use crate::scene::{Object, Scene, Shape};
 use crate::study::fit::Law;
 use crate::study::form::{
-    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Title, Values,
+    Axes, Curve, Operations, Reference, Request, Setting, Study, Sweep, Values,
 };
+use crate::study::label::Label;
 use glam::DVec3;
 use std::rc::Rc;
 
@@ -36,21 +37,21 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
         stages.push(Rc::new(scenes::setup(scene, &camera, size)));
     }
     Ok(vec![Sweep {
-        title: Title::of("part-objects"),
+        title: Label::of("part-objects"),
         axes: Axes::TimeOverSize,
         size: Message("measure-objects"),
         quantity: Message("measure-intensity"),
         law: Law::Power,
         reference: Reference::none(),
-        memory: "the objects with their hierarchy, and colour and depth of every pixel, counted by their sizes",
+        memory: Message("memory-objects"),
         curves: vec![
-            curve("every object in turn", &stages, BruteForce),
-            curve("hierarchy", &stages, Bvh),
+            curve("curve-brute-force", &stages, BruteForce),
+            curve("curve-hierarchy", &stages, Bvh),
         ],
     }])
 }
 
-fn curve<S: Search + 'static>(name: &str, stages: &[Rc<Setup>], search: S) -> Curve {
+fn curve<S: Search + 'static>(key: &'static str, stages: &[Rc<Setup>], search: S) -> Curve {
     let sweep_settings = stages.iter().map(|setup| {
         let prepared = &setup.prepared;
         let objects = prepared.scene.objects.len() as u64;
@@ -59,7 +60,7 @@ fn curve<S: Search + 'static>(name: &str, stages: &[Rc<Setup>], search: S) -> Cu
         let bytes = prepared.primitives().bytes() + memory::frame(size);
         let setup = setup.clone();
         Setting {
-            setting: format!("{objects} objects"),
+            setting: Label::with("setting-objects", "count", objects),
             size: objects as f64,
             bytes,
             operations: vec![Operations {
@@ -72,7 +73,7 @@ fn curve<S: Search + 'static>(name: &str, stages: &[Rc<Setup>], search: S) -> Cu
         }
     });
     Curve {
-        name: name.into(),
+        name: Label::of(key),
         sweep_settings: sweep_settings.collect(),
     }
 }

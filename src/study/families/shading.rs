@@ -16,7 +16,8 @@ use crate::render::Method;
 use crate::scene::primitives::Ray;
 use crate::scene::{Camera, Light, Scene, Shape, sphere_mesh};
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep, Title};
+use crate::study::form::{Axes, Curve, Reference, Request, Study, Sweep};
+use crate::study::label::Label;
 use std::num::NonZeroU32;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -58,22 +59,26 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
         .collect();
     let curves = methods().map(|method| {
         let sweep_settings = divided.iter().map(|(n, prepared)| {
-            let setting = format!("{n}×{}", n / 2);
+            let setting = Label::Plain(format!("{n}×{}", n / 2));
             let size = f64::from(*n);
             pictures::sweep_setting(setting, size, prepared, method, Settings::default())
         });
-        Curve::against(&truth, method.name(), sweep_settings.collect())
+        Curve::against(
+            &truth,
+            Label::method(method.name()),
+            sweep_settings.collect(),
+        )
     });
     Ok(vec![Sweep {
-        title: Title::of("part-spheres"),
+        title: Label::of("part-spheres"),
         axes: Axes::ErrorOverTime,
         size: Message("measure-longitudes-of-a-sphere"),
         quantity: Message("measure-intensity-toward-the-viewer"),
         law: Law::Power,
         reference: Reference {
-            what: "the true sphere, lit at each pixel with its true normal".into(),
+            what: Label::of("reference-true-sphere"),
             error: 1e-15,
-            known_by: "a closed form; what is left is rounding".into(),
+            known_by: Label::of("reference-form-and-rounding"),
         },
         memory: MEMORY,
         curves: curves.collect(),

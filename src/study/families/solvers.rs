@@ -13,7 +13,8 @@ use crate::scene::Parts;
 use crate::scene::Scene;
 use crate::study::count::operations;
 use crate::study::fit::Law;
-use crate::study::form::{Axes, Curve, Reference, Request, Setting, Study, Sweep, Title, Values};
+use crate::study::form::{Axes, Curve, Reference, Request, Setting, Study, Sweep, Values};
+use crate::study::label::Label;
 use std::rc::Rc;
 use web_time::Instant;
 
@@ -107,9 +108,9 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     };
     let right = problem.solve(Solver::Direct, 1e-13, &mut Unrecorded)?;
     let reference = Reference {
-        what: format!("elimination (LU) of {} patches, refined", problem.patches()),
+        what: Label::with("reference-elimination", "count", problem.patches()),
         error: right.error_bound.unwrap_or(1e-13),
-        known_by: "the bound ‖r‖_∞ / (1 − max ρ_i Σ F_ij) on its residual".into(),
+        known_by: Label::of("reference-bound"),
     };
     let truth: Rc<[f64]> = right.radiosity.into();
     let problem = Rc::new(problem);
@@ -118,18 +119,18 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let curves = solvers().map(|solver| {
         Curve::against(
             &truth,
-            solver.name(),
+            Label::Called("value", solver.name()),
             sweep_settings(&problem, solver, finest, longest),
         )
     });
     Ok(vec![Sweep {
-        title: Title::of("part-one-channel"),
+        title: Label::of("part-one-channel"),
         axes: Axes::ErrorOverTime,
         size: Message("measure-sweeps"),
         quantity: Message("measure-radiosity-in-the-unit-of-the-emission"),
         law: Law::Geometric,
         reference,
-        memory: "the matrix of form factors and four numbers a patch; elimination takes a second matrix of that size",
+        memory: Message("memory-two-matrices"),
         curves: curves.collect(),
     }])
 }
@@ -169,10 +170,9 @@ fn sweep_settings(
         let matrices = if solver == Solver::Direct { 2 } else { 1 };
         let shared = problem.clone();
         sweep_settings.push(Setting {
-            setting: match (solver.shoots(), solution.iterations) {
-                (true, shots) => format!("{shots} shots"),
-                (false, 1) => "1 iteration".into(),
-                (false, iterations) => format!("{iterations} iterations"),
+            setting: match solver.shoots() {
+                true => Label::with("setting-shots", "count", solution.iterations),
+                false => Label::with("setting-iterations", "count", solution.iterations),
             },
             size: sweeps,
             bytes: matrices * problem.bytes(),

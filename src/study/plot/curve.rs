@@ -2,6 +2,7 @@
 
 use super::{SMALL, TEXT};
 use crate::figure::{Labels, Series};
+use crate::language::Language;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::study::form::Axes;
 use crate::study::harness::{Line, Part, Point};
@@ -37,6 +38,7 @@ pub(super) fn names(
     picture: &mut Picture,
     labels: &mut Labels,
     part: &Part,
+    language: Language,
     at: &dyn Fn(&Point) -> Option<Vec2>,
 ) -> Vec<usize> {
     let mut nameless = Vec::new();
@@ -44,9 +46,10 @@ pub(super) fn names(
         let Some(end) = line.points.iter().rev().find_map(at) else {
             continue;
         };
-        let name = match law(part.axes, line) {
-            Some(law) => format!("{} {law}", line.name),
-            None => line.name.clone(),
+        let name = line.name.text(language);
+        let name = match law(part.axes, line, language) {
+            Some(law) => format!("{name} {law}"),
+            None => name,
         };
         let toward = Vec2::new(1.0, -0.4);
         let set = Style::LabelBold.size(TEXT);
@@ -62,6 +65,7 @@ pub(super) fn settings(
     picture: &mut Picture,
     labels: &mut Labels,
     part: &Part,
+    language: Language,
     at: &dyn Fn(&Point) -> Option<Vec2>,
 ) {
     let set = Style::Body.size(SMALL).ink(Ink::Muted);
@@ -70,16 +74,17 @@ pub(super) fn settings(
         let ends = [line.points.first(), last];
         for (point, toward) in ends.into_iter().flatten().zip([Vec2::Y, -Vec2::Y]) {
             if let Some(place) = at(point) {
-                labels.put(picture, (place, 8.0), toward, &point.setting, set);
+                let setting = point.setting.text(language);
+                labels.put(picture, (place, 8.0), toward, &setting, set);
             }
         }
     }
 }
 
-fn law(axes: Axes, line: &Line) -> Option<String> {
+fn law(axes: Axes, line: &Line, language: Language) -> Option<String> {
     let fit = match axes {
         Axes::TimeOverSize => line.growth,
         Axes::ErrorOverTime | Axes::ErrorOverSize => line.convergence,
     };
-    strings::law(&fit?)
+    strings::law(&fit?, language)
 }

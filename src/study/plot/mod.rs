@@ -26,19 +26,19 @@ const OWN_ERROR: Message = Message("study-own-error");
 const NO_RESULT: Message = Message("study-no-result");
 
 /// The plots of all parts, two side by side where there are several.
-pub fn plot(findings: &Findings) -> Picture {
+pub fn plot(findings: &Findings, language: Language) -> Picture {
     let plots: Vec<Picture> = findings
         .parts
         .iter()
         .map(|part| {
-            let title = findings.study.title.text(Language::English);
-            sheet(title, findings.parts.len() > 1, part)
+            let title = findings.study.title.text(language);
+            sheet(title, findings.parts.len() > 1, part, language)
         })
         .collect();
     let columns = plots.len().clamp(1, 2);
     let rows = plots.len().div_ceil(columns);
     let mut sheet = Picture::new(SIZE.x * columns as f32, SIZE.y * rows as f32);
-    sheet.alt = findings.study.title.text(Language::English).to_string();
+    sheet.alt = findings.study.title.text(language).to_string();
     sheet.rect(sheet.bounds(), Ink::Surface);
     for (place, plot) in plots.into_iter().enumerate() {
         sheet.alt += &format!(". {}", plot.alt);
@@ -49,17 +49,20 @@ pub fn plot(findings: &Findings) -> Picture {
 }
 
 /// A part as it stands in a file, under its title.
-fn sheet(title: &str, several: bool, part: &Part) -> Picture {
+fn sheet(title: &str, several: bool, part: &Part, language: Language) -> Picture {
     let mut picture = Picture::new(SIZE.x, SIZE.y);
     let title = match several {
-        true => format!("{title}: {}", part.title.text(Language::English)),
+        true => {
+            let arguments = [("name", title), ("what", &part.title.text(language))];
+            Message("common-named").format(language, &arguments)
+        }
         false => title.to_string(),
     };
-    heading(&mut picture, &title, part);
+    heading(&mut picture, &title, part, language);
     let size = SIZE - Vec2::new(2.0 * MARGIN, HEADING + 0.5 * MARGIN);
-    let plot = plot_part(part, Language::English, size, View::WHOLE);
+    let plot = plot_part(part, language, size, View::WHOLE);
     picture.place((MARGIN, HEADING), plot);
-    picture.alt = in_words(&title, part);
+    picture.alt = in_words(&title, part, language);
     picture
 }
 
@@ -116,13 +119,16 @@ pub fn plot_part(part: &Part, language: Language, size: Vec2, view: View) -> Pic
             }
         }
         let shown = |point: &Point| at(point).filter(|&at| plot.place.contains(at));
-        nameless = curve::names(picture, &mut labels, part, &shown);
+        nameless = curve::names(picture, &mut labels, part, language, &shown);
         if part.axes == Axes::ErrorOverTime {
-            curve::settings(picture, &mut labels, part, &shown);
+            curve::settings(picture, &mut labels, part, language, &shown);
         }
     });
     let names = nameless.into_iter();
-    let names = names.map(|n| (Series::of(n).stroke, part.lines[n].name.as_str()));
+    let names: Vec<_> = names
+        .map(|n| (Series::of(n).stroke, part.lines[n].name.text(language)))
+        .collect();
+    let names = names.iter().map(|(stroke, name)| (*stroke, name.as_str()));
     legend(&mut picture, names, plot.beside_name(), plot.place.x);
     picture
 }
@@ -168,19 +174,19 @@ fn quartiles(plot: &Plot, axes: Axes, point: &Point, at: Vec2) -> Option<[Vec2; 
     }
 }
 
-fn heading(picture: &mut Picture, title: &str, part: &Part) {
+fn heading(picture: &mut Picture, title: &str, part: &Part, language: Language) {
     picture.text((MARGIN, 28.0), title, Style::Bold.size(16.0));
-    let recorded = match part.axes {
-        Axes::TimeOverSize => {
-            "Bars: quartiles. Exponents are those of the larger half of the sizes.".to_string()
+    let reference = part.reference.what.text(language);
+    let about = match part.axes {
+        Axes::TimeOverSize => Message("study-heading-growth").text(language).to_string(),
+        Axes::ErrorOverSize => {
+            Message("study-heading-reference").format(language, &[("reference", &reference)])
         }
-        Axes::ErrorOverSize => format!("Reference: {}.", part.reference.what),
-        Axes::ErrorOverTime => format!(
-            "Reference: {}. Bars: quartiles. Ringed, on the grey line: the Pareto front; no other setting is as quick and as exact.",
-            part.reference.what
-        ),
+        Axes::ErrorOverTime => {
+            Message("study-heading-front").format(language, &[("reference", &reference)])
+        }
     };
-    let lines = wrap(&recorded, Style::Body, SMALL, SIZE.x - 2.0 * MARGIN);
+    let lines = wrap(&about, Style::Body, SMALL, SIZE.x - 2.0 * MARGIN);
     for (row, line) in lines.into_iter().take(2).enumerate() {
         let y = 46.0 + 14.0 * row as f32;
         picture.text((MARGIN, y), line, Style::Body.size(SMALL).ink(Ink::Muted));
@@ -222,22 +228,27 @@ fn front(picture: &mut Picture, part: &Part, at: &dyn Fn(&Point) -> Option<Vec2>
     }
 }
 
-fn in_words(title: &str, part: &Part) -> String {
+fn in_words(title: &str, part: &Part, language: Language) -> String {
     let lines = part.lines.iter().filter_map(|line| {
         let (first, last) = (line.points.first()?, line.points.last()?);
-        let recorded = |point: &Point| {
-            let time = strings::seconds(point.seconds.median, Language::English);
-            let error = point.errors.map(|errors| strings::error(errors.rms));
-            error.map_or(time.clone(), |error| format!("error {error} in {time}"))
+        let reached = |point: &Point| {
+            let time = strings::seconds(point.seconds.median, language);
+            let error = point
+                .errors
+                .map(|errors| language.significant(errors.rms, 2));
+            let setting = point.setting.text(language);
+            let (setting, time) = (("setting", &*setting), ("time", &*time));
+            match error {
+                Some(error) => Message("study-point-error")
+                    .format(language, &[setting, ("error", &error), time]),
+                None => Message("study-point-time").format(language, &[setting, time]),
+            }
         };
-        Some(format!(
-            "{}: {} {}, {} {}",
-            line.name,
-            first.setting,
-            recorded(first),
-            last.setting,
-            recorded(last)
-        ))
+        let arguments = [
+            ("name", &*line.name.text(language)),
+            ("what", &[reached(first), reached(last)].join(", ")),
+        ];
+        Some(Message("common-named").format(language, &arguments))
     });
     format!("{title}. {}", lines.collect::<Vec<_>>().join(". "))
 }
@@ -261,7 +272,7 @@ mod tests {
 
     #[test]
     fn no_text_covers_another_and_every_curve_has_its_name() {
-        let picture = plot(&findings());
+        let picture = plot(&findings(), Language::English);
         let texts = texts(&picture);
         for (i, (place, text)) in texts.iter().enumerate() {
             assert!(picture.bounds().encloses(place), "{text}");

@@ -1,6 +1,5 @@
 //! A study as comma-separated values (RFC 4180): one line a setting.
 
-use crate::language::Language;
 use crate::study::harness::{Findings, Part};
 
 const HEAD: [&str; 14] = [
@@ -40,9 +39,9 @@ fn rows(part: &Part, text: &mut String) {
             .map(|operations| format!("{}={}", operations.of, operations.count))
             .collect();
         text.push_str(&line([
-            part.title.text(Language::English),
-            curve.name.clone(),
-            point.setting.clone(),
+            part.title.name(),
+            curve.name.name(),
+            point.setting.name(),
             number(point.size),
             error(|errors| errors.rms),
             error(|errors| errors.largest),

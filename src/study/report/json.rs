@@ -23,17 +23,17 @@ fn part(part: &Part) -> Json {
     let failed = part
         .failed
         .iter()
-        .map(|[curve, setting, why]| json!({ "curve": curve, "setting": setting, "why": why }));
+        .map(|failed| json!({ "curve": failed.curve.name(), "setting": failed.setting.name(), "why": failed.why }));
     json!({
-        "title": part.title.text(Language::English),
+        "title": part.title.name(),
         "quantity": part.quantity.text(Language::English),
         "size": part.size.text(Language::English),
         "reference": {
-            "what": part.reference.what,
+            "what": part.reference.what.name(),
             "error": part.reference.error,
-            "known_by": part.reference.known_by,
+            "known_by": part.reference.known_by.name(),
         },
-        "memory": part.memory,
+        "memory": part.memory.text(Language::English),
         "curves": part.lines.iter().map(line).collect::<Vec<_>>(),
         "failed": failed.collect::<Vec<_>>(),
     })
@@ -41,7 +41,7 @@ fn part(part: &Part) -> Json {
 
 fn line(line: &Line) -> Json {
     json!({
-        "name": line.name,
+        "name": line.name.name(),
         "convergence": line.convergence.map(fit),
         "growth_of_time": line.growth.map(fit),
         "growth_of_memory": line.memory_growth.map(fit),
@@ -65,7 +65,7 @@ fn point(point: &Point) -> Json {
         .collect();
     let seconds = &point.seconds;
     json!({
-        "setting": point.setting,
+        "setting": point.setting.name(),
         "size": point.size,
         "error": point.errors.map(|errors| json!({
             "rms": errors.rms, "largest": errors.largest, "relative": errors.relative,

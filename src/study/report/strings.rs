@@ -1,6 +1,6 @@
 //! Numbers as a report writes them.
 
-use crate::language::Language;
+use crate::language::{Language, Message};
 use crate::study::fit::{Fit, Law};
 
 /// `3.2 ms`, to two or three digits.
@@ -39,10 +39,13 @@ fn three_digits(value: f64, language: Language) -> String {
 }
 
 /// `∝ n^−2.0`, or `×0.52 a step`; where nothing changes, or the points lie on no line, nothing.
-pub fn law(fit: &Fit) -> Option<String> {
+pub fn law(fit: &Fit, language: Language) -> Option<String> {
     (fit.is_clean() && !fit.is_level()).then(|| match fit.law {
-        Law::Power => format!("∝ n^{{{}}}", format!("{:.1}", fit.rate).replace('-', "−")),
-        Law::Geometric => format!("×{:.2} a step", fit.rate),
+        Law::Power => format!("∝ n^{{{}}}", language.fixed(fit.rate, 1)),
+        Law::Geometric => {
+            let factor = language.fixed(fit.rate, 2);
+            Message("study-law-a-step").format(language, &[("factor", &factor)])
+        }
     })
 }
 
@@ -75,7 +78,12 @@ mod tests {
             r_squared,
             points: 4,
         };
-        assert_eq!(law(&fit(0.999)).as_deref(), Some("∝ n^{−2.0}"));
-        assert_eq!(law(&fit(0.5)), None);
+        let law = |r_squared, language| law(&fit(r_squared), language);
+        assert_eq!(law(0.999, Language::English).as_deref(), Some("∝ n^{−2.0}"));
+        assert_eq!(
+            law(0.999, Language::Indonesian).as_deref(),
+            Some("∝ n^{−2,0}")
+        );
+        assert_eq!(law(0.5, Language::English), None);
     }
 }

@@ -4,7 +4,7 @@ use super::strings::{bytes, error, seconds};
 use crate::language::Language;
 use crate::study::fit::{Fit, Law};
 use crate::study::form::Axes;
-use crate::study::harness::{Choice, Findings, Line, Part, Point};
+use crate::study::harness::{Choice, Failed, Findings, Line, Part, Point};
 use crate::study::machine::Machine;
 use std::fmt::Write;
 
@@ -40,7 +40,7 @@ fn study(text: &mut String, findings: &Findings) {
     *text += &format!("\n![{}]({name}.png)\n", study.title.text(Language::English));
     for part in &findings.parts {
         if findings.parts.len() > 1 {
-            *text += &format!("\n### {}\n", part.title.text(Language::English));
+            *text += &format!("\n### {}\n", part.title.name());
         }
         describe(text, part);
     }
@@ -51,12 +51,12 @@ fn describe(text: &mut String, part: &Part) {
     if part.axes != Axes::TimeOverSize {
         *text += &format!(
             "\nReference: {}; its own error is {} ({}).\n",
-            reference.what,
+            reference.what.name(),
             error(reference.error),
-            reference.known_by
+            reference.known_by.name()
         );
     }
-    *text += &format!("Memory: {}.\n\n", part.memory);
+    *text += &format!("Memory: {}.\n\n", part.memory.text(Language::English));
     match part.axes {
         Axes::ErrorOverTime => picks(text, part),
         Axes::ErrorOverSize => reached(text, part),
@@ -68,9 +68,10 @@ fn describe(text: &mut String, part: &Part) {
         }
     }
     // A curve's failures, where they have one reason, are one.
-    let alike = |a: &[String; 3], b: &[String; 3]| (&a[0], &a[2]) == (&b[0], &b[2]);
+    let alike = |a: &Failed, b: &Failed| (&a.curve, &a.why) == (&b.curve, &b.why);
     for failed in part.failed.chunk_by(alike) {
-        let [curve, setting, why] = &failed[0];
+        let first = &failed[0];
+        let (curve, setting, why) = (first.curve.name(), first.setting.name(), &first.why);
         let on = if failed.len() > 1 { " and finer" } else { "" };
         *text += &format!("- {curve}, {setting}{on}: no result: {why}.\n");
     }
@@ -125,8 +126,8 @@ fn picks(text: &mut String, part: &Part) {
 /// Which method to take down to which error; which setting, where there is one method.
 fn in_short(rows: &[Row], several: bool) -> String {
     let name = |&(line, point): &Choice| match several {
-        true => line.name.clone(),
-        false => point.setting.clone(),
+        true => line.name.name(),
+        false => point.setting.name(),
     };
     let same = |a: &Row, b: &Row| name(&a.1) == name(&b.1);
     let recorded = rows.chunk_by(same).filter_map(|rows| {
@@ -206,7 +207,7 @@ fn growth(text: &mut String, part: &Part) {
         let _ = writeln!(
             text,
             "| {} | {} | {} | {} | {} |",
-            line.name,
+            line.name.name(),
             end(first),
             end(last),
             exponent(line.growth),
@@ -237,7 +238,7 @@ fn exponent(fit: Option<Fit>) -> String {
 /// How a curve's error falls, where it falls at all.
 fn convergence(line: &Line, part: &Part) -> Option<String> {
     let fit = line.convergence?;
-    let name = &line.name;
+    let name = line.name.name();
     if fit.is_level() {
         let size = part.size.text(Language::English);
         return Some(format!(
@@ -270,7 +271,7 @@ fn convergence(line: &Line, part: &Part) -> Option<String> {
 }
 
 fn named(line: &Line, point: &Point) -> String {
-    format!("{}, {}", line.name, point.setting)
+    format!("{}, {}", line.name.name(), point.setting.name())
 }
 
 fn time(point: &Point) -> String {

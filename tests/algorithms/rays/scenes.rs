@@ -3,7 +3,7 @@
 use glam::DVec3;
 use lightwalk::color::Rgb;
 use lightwalk::scene::{
-    Camera, Highlight, Light, Material, Object, Scene, Shape, Texture, VertexNormals,
+    Camera, Highlight, Light, Material, Names, Object, Scene, Shape, Texture, VertexNormals,
 };
 use proptest::prelude::*;
 
@@ -111,6 +111,7 @@ pub fn scene() -> impl Strategy<Value = Scene> {
                 background,
                 ambient: Rgb::new(0.9, 1.0, 0.8),
                 path_attenuation,
+                names: Names::new(),
                 camera: Some(Camera {
                     eye: DVec3::new(0.1, 0.7, -5.0),
                     target: DVec3::new(0.05, 0.1, 0.0),

@@ -51,7 +51,7 @@ fn a_study_is_measured_in_the_background_and_every_part_comes() {
     let exact = studying.parts[0]
         .lines
         .iter()
-        .find(|l| l.name == "direct, f64");
+        .find(|line| line.name.name() == "direct, f64");
     assert!(
         exact
             .unwrap()
