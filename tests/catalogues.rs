@@ -94,7 +94,14 @@ fn quoted() -> BTreeMap<String, bool> {
             if text.contains('-') && is_key(text) {
                 *quoted.entry(text.to_string()).or_insert(false) |= named;
             }
-            for space in ["kind", "method", "operations", "quantity", "value"] {
+            for space in [
+                "kind",
+                "method",
+                "object",
+                "operations",
+                "quantity",
+                "value",
+            ] {
                 let key = format!("{space}-{}", hyphenated(text));
                 quoted.entry(key).or_insert(false);
             }

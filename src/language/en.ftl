@@ -144,10 +144,10 @@ app-focus-on = Look at
 app-the-lessons-part = the lesson's part
 app-at-the-start = This is the first step.
 app-at-the-end = This is the last step.
-app-no-scope-ahead = No further scope opens behind this step.
+app-no-scope-ahead = No scope opens after this step.
 app-no-scope-before = No scope opens before this step.
 app-nothing-around = This step lies in no scope that could be left.
-app-nothing-narrated-ahead = Nothing more is explained behind this step.
+app-nothing-narrated-ahead = That was the last explanation.
 app-nothing-narrated-before = Nothing is explained before this step.
 app-answer-first = Answer the question first, or skip it.
 app-no-question = No question waits at this step.
@@ -164,14 +164,14 @@ app-largest = The text is as large as it gets.
 app-smallest = The text is as small as it gets.
 app-no-such-lesson = There is no such lesson.
 app-stays = The lesson keeps this as it is.
-app-still-measuring = A study is being measured; call it off first.
+app-still-measuring = A study is being measured; cancel it first.
 app-nothing-is-measured = Nothing is being measured.
 app-no-such-study = There is no such study.
 app-no-such-point = There is no such point.
 app-share-no-study = A point of a study can only be opened from the study.
 app-too-far = That is too far away.
 app-no-view = From there, what is up in the picture would not be known.
-app-out-of-range = That value cannot be had.
+app-out-of-range = That value is out of range.
 app-share-unchanged-only = A parameter was changed: r puts it back, and then this step can be shared.
 app-share-lesson-only = Only steps of the lesson itself can be shared; r leads back to it.
 app-said-of-a-point = A point of a study: { $setting } came to an rms error of { $error } in { $time } on one thread. Here is the run behind it; the list of lessons leads back, and the menu to the study.
@@ -179,7 +179,7 @@ app-said-of-a-picture = A point of a study: { $setting } came to a picture in { 
 
 ## active-edges
 
-active-edges-no-edges = No edge table is at hand at this step: each polygon builds its own. There each edge gets a row, and the active ones stand out.
+active-edges-no-edges = At this step there is no edge table: each polygon builds its own. Within a polygon, every edge has a row here, and the active ones stand out.
 active-edges-no-table = A wireframe needs no edge table: its edges are drawn one by one. Open a flat or Gouraud lesson to see one.
 active-edges-edge = edge
 active-edges-from = y from
@@ -201,7 +201,7 @@ skipped-highlights-because = Nothing is shiny: no cosine is raised to a power.
 skipped-light-balls = Light balls
 skipped-light-balls-because = No light has a radius that a ray could meet.
 skipped-path-attenuation = Attenuation on the way
-skipped-path-attenuation-because = The scene asks for none.
+skipped-path-attenuation-because = The scene has none.
 skipped-shadow-rays = Shadow rays
 skipped-shadow-rays-because = Nothing can stand between these objects and the light.
 skipped-dark-channels = Dark channels
@@ -370,7 +370,7 @@ ray-tree-leaves-short = leaves
 ray-tree-light-met = meets a light
 ray-tree-searching = searching …
 ray-tree-not-traced = not traced yet
-ray-tree-asked = asked for
+ray-tree-asked = waiting
 ray-tree-no-transmitted = no transmitted ray
 ray-tree-depth-reached = depth reached
 ray-tree-no-coefficient = no coefficient
@@ -402,7 +402,7 @@ rays-plane = picture plane
 
 ## scan-line
 
-scan-line-no-polygon = No polygon is in hand at this step. Go on (→) to the next polygon: its edges, the scan line and the span stand here.
+scan-line-no-polygon = At this step no polygon is drawn. Go on (→) to the next one: its edges, the scan line and the span appear here.
 scan-line-no-weights = The weights of an interpolation stand here.
 scan-line-no-line = No edge is being drawn at this step. Go on (→) to the next edge: its line and the pixels that it takes stand here.
 scan-line-weights = weights
@@ -1465,6 +1465,15 @@ operations-pairs-of-points = { $count } pairs of points
 operations-edges-seen = { $count } edges seen
 operations-pairs-of-edges = { $count } pairs of edges
 operations-hemicube-pixels-of-the-patch = { $count } hemicube pixels of the patch
+
+## objects in the scenes of studies
+
+object-left = left mirror
+object-right = right mirror
+object-floor = floor
+object-ball = ball
+object-red-ball = red ball
+object-glass-ball = glass ball
 
 ## plots of studies
 

@@ -43,7 +43,7 @@ app-measure = Ukur
 app-call-off = Batalkan
 app-back-to-the-run = Kembali ke pelajaran
 app-measuring = mengukur { $percent } %
-app-called-off = Dibatalkan; yang sudah masuk tetap ada.
+app-called-off = Dibatalkan. Yang sudah diukur tetap ada.
 app-no-findings = Tidak ada hasil: { $why }
 app-nothing-measured = Pilih sebuah studi lalu ukur. Studi berjalan di latar belakang, pada satu utas.
 app-debug-build = Ini build debug: waktunya tidak mengatakan apa-apa tentang algoritme.
@@ -55,7 +55,7 @@ app-memory-is = memori { $bytes }
 app-no-law = tidak ada hukum yang jelas
 app-law-of-error = galat { $law }
 app-law-of-time = waktu { $law }
-app-click-opens-it = Klik membuka gambar dan jalannya.
+app-click-opens-it = Klik membuka gambar dan prosesnya.
 app-measured-again-by = Tidak menghasilkan gambar. Diukur lagi, dengan baris tersendiri di tabel, oleh { $command }
 app-reference = Acuan
 app-pareto = Berlingkar, pada garis abu-abu: front Pareto. Batang: kuartil.
@@ -144,10 +144,10 @@ app-focus-on = Lihat
 app-the-lessons-part = bagian pelajaran
 app-at-the-start = Ini langkah pertama.
 app-at-the-end = Ini langkah terakhir.
-app-no-scope-ahead = Tidak ada lingkup lagi sesudah langkah ini.
+app-no-scope-ahead = Tidak ada lingkup sesudah langkah ini.
 app-no-scope-before = Tidak ada lingkup sebelum langkah ini.
-app-nothing-around = Langkah ini tidak berada di dalam lingkup.
-app-nothing-narrated-ahead = Tidak ada penjelasan lagi sesudah langkah ini.
+app-nothing-around = Langkah ini tidak berada di dalam lingkup yang dapat ditinggalkan.
+app-nothing-narrated-ahead = Itu penjelasan terakhir.
 app-nothing-narrated-before = Tidak ada penjelasan sebelum langkah ini.
 app-answer-first = Jawab dahulu pertanyaannya, atau lewati.
 app-no-question = Tidak ada pertanyaan pada langkah ini.
@@ -174,8 +174,8 @@ app-no-view = Dari sana tidak diketahui mana yang atas pada gambar.
 app-out-of-range = Nilai itu tidak diperbolehkan.
 app-share-unchanged-only = Sebuah parameter diubah: r mengembalikannya, lalu langkah ini dapat dibagikan.
 app-share-lesson-only = Hanya langkah pelajaran yang dapat dibagikan; r kembali ke pelajaran.
-app-said-of-a-point = Sebuah titik studi: { $setting } mencapai galat rms { $error } dalam { $time } pada satu utas. Inilah jalannya; daftar pelajaran membawa kembali, dan menu membuka studi.
-app-said-of-a-picture = Sebuah titik studi: { $setting } mencapai satu gambar dalam { $time } pada satu utas. Inilah jalannya; daftar pelajaran membawa kembali, dan menu membuka studi.
+app-said-of-a-point = Sebuah titik studi: { $setting } mencapai galat rms { $error } dalam { $time } pada satu utas. Inilah prosesnya; daftar pelajaran membawa kembali, dan menu membuka studi.
+app-said-of-a-picture = Sebuah titik studi: { $setting } mencapai satu gambar dalam { $time } pada satu utas. Inilah prosesnya; daftar pelajaran membawa kembali, dan menu membuka studi.
 
 ## active-edges
 
@@ -193,15 +193,15 @@ active-edges-done = selesai
 skipped-reflected-rays = Sinar pantul
 skipped-reflected-rays-because = Tidak ada yang memantulkan.
 skipped-transmitted-rays = Sinar bias
-skipped-transmitted-rays-because = Tidak ada yang tembus cahaya.
+skipped-transmitted-rays-because = Tidak ada yang tembus pandang.
 skipped-texture-coordinates = Koordinat tekstur
 skipped-texture-coordinates-because = Tidak ada yang bertekstur.
 skipped-highlights = Sorotan
 skipped-highlights-because = Tidak ada yang mengilap: tidak ada kosinus yang dipangkatkan.
 skipped-light-balls = Bola cahaya
-skipped-light-balls-because = Tidak ada sumber cahaya berjari-jari yang dapat ditemui sinar.
-skipped-path-attenuation = Pelemahan di jalan
-skipped-path-attenuation-because = Adegan tidak memintanya.
+skipped-light-balls-because = Tidak ada sumber cahaya berjari-jari yang dapat dikenai sinar.
+skipped-path-attenuation = Atenuasi sepanjang lintasan
+skipped-path-attenuation-because = Adegan tidak memilikinya.
 skipped-shadow-rays = Sinar bayangan
 skipped-shadow-rays-because = Tidak ada yang dapat menghalangi objek-objek ini dari cahaya.
 skipped-dark-channels = Kanal gelap
@@ -214,7 +214,7 @@ skipped-facing-away = Integral pasangan yang membelakangi
 skipped-facing-away-because = Sebidang, atau yang satu di belakang yang lain: F = 0.
 skipped-sight-tests = Sinar antarpatch
 skipped-sight-tests-because = Tidak ada yang dapat menghalangi keduanya: semua cahaya lewat.
-app-skipped-plane = { $object }: bidang tak terhingga tidak punya poligon
+app-skipped-plane = { $object }: bidang tak berhingga tidak punya poligon
 app-skipped-objects = { $some } dari { $all } objek
 app-skipped-patches = { $some } dari { $all } patch
 app-skipped-pairs = { $some } dari { $all } pasang patch
@@ -341,11 +341,11 @@ race-iterations = iterasi (n tembakan dihitung satu)
 race-time = detik
 race-error = galat relatif B
 race-running = Para penyelesai masih berjalan.
-race-no-solution = Ruangan ini tidak punya solusi, jadi tidak ada pemenang.
+race-no-solution = Ruang ini tidak punya solusi, jadi tidak ada pemenang.
 race-not-begun = Para penyelesai menunggu di garis mulai. Melangkahlah sampai akhir sebuah iterasi.
 race-gave-up = menyerah
 race-gave-up-after = menyerah ({ $effort })
-race-on-the-way = di jalan
+race-on-the-way = masih berjalan
 race-patches = { $count } patch
 
 ## radiosity
@@ -355,7 +355,7 @@ radiosity-with-unshot = radiositas B + belum ditembakkan
 radiosity-unshot = radiositas belum ditembakkan, { $channel }
 radiosity-emission = emisi E
 radiosity-reflectance = reflektansi ρ
-radiosity-patches = Patch ruangan: { $patches }, terlihat dari depan, menembus punggung patch yang membelakangi: { $seen }.
+radiosity-patches = Patch ruang: { $patches }, terlihat dari depan, menembus punggung patch yang membelakangi: { $seen }.
 radiosity-current = Patch saat ini: { $exchange }
 radiosity-no-room = Adegan ini tidak dapat dibagi menjadi patch: ada permukaan tanpa batas, tanpa luas, atau jumlahnya terlalu banyak.
 
@@ -369,8 +369,8 @@ ray-tree-leaves = keluar dari adegan
 ray-tree-leaves-short = keluar
 ray-tree-light-met = mengenai cahaya
 ray-tree-searching = mencari …
-ray-tree-not-traced = belum ditelusuri
-ray-tree-asked = diminta
+ray-tree-not-traced = belum dilacak
+ray-tree-asked = menunggu
 ray-tree-no-transmitted = tanpa sinar bias
 ray-tree-depth-reached = batas kedalaman
 ray-tree-no-coefficient = tanpa koefisien
@@ -399,7 +399,7 @@ rays-plane = bidang gambar
 
 ## scan-line
 
-scan-line-no-polygon = Tidak ada poligon pada langkah ini. Lanjutkan (→) ke poligon berikutnya: sisi, garis scan, dan rentangnya tampil di sini.
+scan-line-no-polygon = Tidak ada poligon pada langkah ini. Lanjutkan (→) ke poligon berikutnya: sisi, garis scan, dan bentangnya tampil di sini.
 scan-line-no-weights = Bobot interpolasi tampil di sini.
 scan-line-no-line = Tidak ada sisi yang digambar pada langkah ini. Lanjutkan (→) ke sisi berikutnya: garis dan pikselnya tampil di sini.
 scan-line-weights = bobot
@@ -442,7 +442,7 @@ event-viewer-turned = Mata melihat sisi sebaliknya: N dibalik ke arahnya.
 event-viewer = Vektor satuan dari titik ke mata; N sudah di sisi yang sama.
 event-ambient = Suku ambien: cahaya dari segala arah.
 event-light = Cahaya { $light } pada jarak d, dilemahkan oleh atenuasi f_{"{"}att{"}"}.
-event-light-infinitely-far = Cahaya { $light } jauh tak berhingga: tidak ada pelemahan.
+event-light-infinitely-far = Cahaya { $light } jauh tak berhingga: tidak ada atenuasi.
 event-to-light = Vektor satuan ke cahaya, dan kosinusnya dengan normal.
 event-diffuse = Suku difus: sebanding dengan kosinus antara normal dan cahaya.
 event-mirrored = Arah cahaya dicerminkan pada normal, dan kosinusnya dengan arah mata (Phong).
@@ -798,8 +798,8 @@ kind-triangle = Segitiga
 kind-normal-at-middle = Normal di pusat
 kind-normal-slopes = Kemiringan normal
 kind-series = Deret
-kind-light-expanded = Cahaya diuraikan
-kind-expanded = Penguraian selesai
+kind-light-expanded = Cahaya dikembangkan
+kind-expanded = Pengembangan selesai
 kind-differences-started = Selisih dimulai
 kind-cosine-evaluated = Kosinus dihitung
 kind-light-summed = Cahaya dijumlahkan
@@ -1345,7 +1345,7 @@ study-ray-depth-about = Seberapa dalam sinar harus diikuti, dan berapa biaya tia
 
 ## parts of studies
 
-part-path-attenuation = pelemahan di jalan [{ $a0 }; { $a1 }; { $a2 }]
+part-path-attenuation = atenuasi sepanjang lintasan [{ $a0 }; { $a1 }; { $a2 }]
 part-all-form-factors = Semua faktor bentuk adegan, tanpa penghalang
 part-pixels = piksel
 part-triangles = segitiga sebuah bola, dalam 160×120 piksel
@@ -1457,9 +1457,18 @@ operations-edges-seen = { $count } sisi terlihat
 operations-pairs-of-edges = { $count } pasang sisi
 operations-hemicube-pixels-of-the-patch = { $count } piksel hemicube milik patch
 
+## objects in the scenes of studies
+
+object-left = cermin kiri
+object-right = cermin kanan
+object-floor = lantai
+object-ball = bola
+object-red-ball = bola merah
+object-glass-ball = bola kaca
+
 ## plots of studies
 
-study-time = waktu satu kali jalan (median)
+study-time = waktu eksekusi (median)
 study-rms-error = galat rms dari { $quantity }
 study-own-error = galat acuan itu sendiri
 study-law-a-step = ×{ $factor } per langkah

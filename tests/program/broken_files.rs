@@ -80,7 +80,7 @@ const BROKEN_LESSONS: &[(&str, &str, &[&str])] = &[
     ("{ \"light\": 0 }", "{ \"specular\": \"glass\" }", &["parameters[0]: found \"glass\", which is no material of the scene; it has"]),
     ("{ \"light\": 0 }", "{ \"divisions\": \"glass\" }", &["parameters[0]: found \"glass\", which is no object"]),
     ("[{ \"light\": 0 }]", "null", &["parameters", "null"]),
-    ("\"scan-line\"", "\"scanline\"", &["panels[1]: found \"scanline\"; allowed are image"]),
+    ("\"scan-line\"", "\"scanline\"", &["panels[1]: found \"scanline\"; allowed are active-edges"]),
     ("[\"image\", \"scan-line\"]", "[]", &["panels: found an empty list"]),
     ("\"kind\": \"EdgeTable\"", "\"kind\": \"EdgeTabel\"", &["steps[1].at: no step from", "EdgeTable"]),
     ("\"kind\": \"EdgeTable\"", "\"kind\": \"Frame\"", &["steps[1].at: no step from"]),

@@ -1,6 +1,7 @@
 //! The scenes that studies bring, and pictures of scenes.
 
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::language::{Language, called};
 use crate::methods::{Settings, Setup};
 use crate::scene::{self, Camera, Limits, Object, Scene, Shape, View};
 use glam::DVec3;
@@ -8,8 +9,15 @@ use glam::DVec3;
 /// A scene that is written in the program itself.
 pub fn own(json: &str) -> Scene {
     let no_files = &mut |_: &str| Err("none is needed".to_string());
-    scene::read(json.as_bytes(), &Limits::default(), no_files)
-        .expect("the scenes of the program are right")
+    let mut scene = scene::read(json.as_bytes(), &Limits::default(), no_files)
+        .expect("the scenes of the program are right");
+    let names = scene.objects.iter().map(|Object { name, .. }| {
+        let in_language = |language| called("object", name, language);
+        let names = Language::ALL.map(|language| in_language(language).unwrap_or(name.clone()));
+        (name.clone(), names)
+    });
+    scene.names = names.collect();
+    scene
 }
 
 /// The camera of a scene. Errors: there is none.
@@ -105,7 +113,12 @@ mod tests {
     #[test]
     fn the_scenes_are_right_and_the_cube_is_closed() {
         assert_eq!(own(MIRRORS).objects.len(), 4);
-        assert_eq!(own(BALLS).objects.len(), 3);
+        let balls = own(BALLS);
+        assert_eq!(balls.objects.len(), 3);
+        assert_eq!(
+            balls.called("glass ball", Language::Indonesian),
+            "bola kaca"
+        );
         let enclosure =
             Enclosure::of(&cube(2), enclosure::Settings::default(), Parts::NONE).unwrap();
         let matrix = enclosure.form_factors().matrix();
