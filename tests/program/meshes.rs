@@ -57,6 +57,44 @@ fn a_file_of_another_kind_is_called_by_its_name() {
     );
 }
 
+/// A triangle in three positions of 12 bytes.
+const GLTF: &str = r#"{ "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
+  "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 } }] }],
+  "accessors": [{ "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3" }],
+  "bufferViews": [{ "buffer": 0, "byteLength": 36 }],
+  "materials": [{ "pbrMetallicRoughness": { "baseColorFactor": [0.5, 0.25, 0.125, 1] } }],
+  "buffers": [{ "byteLength": 36, "uri": "BUFFER" }] }"#;
+
+#[test]
+fn a_gltf_file_holds_its_buffers_itself() {
+    // (0, 0, 0), (1, 0, 0), (0, 1, 0): 1.0 is 0x3f800000.
+    let embedded =
+        "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+    let folder = folder_with(b"");
+    let check = |buffer: &str| {
+        let scene = SCENE.replace("mesh.obj", "mesh.gltf");
+        fs::write(folder.path().join("scene.json"), scene).unwrap();
+        fs::write(
+            folder.path().join("mesh.gltf"),
+            GLTF.replace("BUFFER", buffer),
+        )
+        .unwrap();
+        fs::write(folder.path().join("mesh.bin"), [0; 36]).unwrap();
+        lightwalk(folder.path(), "check scene.json")
+    };
+    let whole = check(embedded);
+    assert_eq!(whole.status.code(), Some(0), "{}", text(&whole.stderr));
+    let base_color = "materials (0 of base colour [0.5, 0.25, 0.125])";
+    assert!(text(&whole.stderr).contains(base_color));
+    let apart = check("mesh.bin");
+    assert_eq!(apart.status.code(), Some(2));
+    let message = text(&apart.stderr);
+    assert!(
+        message.contains("buffers[0] is in another file, \"mesh.bin\""),
+        "{message}"
+    );
+}
+
 /// The pixels of a picture that are not of the background's colour.
 fn drawn(folder: &TempDir, scene: &str, method: &str) -> Vec<bool> {
     let render = format!("render {scene} --method {method} --size 80x60 --out a.pfm");

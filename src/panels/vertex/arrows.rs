@@ -180,7 +180,7 @@ impl Drawing {
             let named = (name.as_str(), newest, Tag::Step(step));
             self.arrow(picture, middle, normal, stroke, named);
         }
-        let here = kind == "VertexNormal" || kind == "NormalVanished";
+        let here = ["VertexNormal", "FileNormal", "NormalVanished"].contains(&kind);
         if let Some(normal) = vertex.normal {
             let (stroke, named) = (Ink::Text.stroke(4.0), ("N_v", here, Tag::Field("N_v")));
             self.arrow(picture, at, normal * LONGER, stroke, named);
