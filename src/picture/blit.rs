@@ -48,9 +48,10 @@ impl PixelRect {
         )
     }
 
-    /// The common part; one without pixels where there is none.
+    /// The common part, always within this one; where there is none, one without pixels.
     pub(super) fn intersection(self, other: Self) -> Self {
-        let (left, top) = (self.left.max(other.left), self.top.max(other.top));
+        let left = other.left.clamp(self.left, self.right);
+        let top = other.top.clamp(self.top, self.bottom);
         PixelRect {
             left,
             top,
@@ -247,6 +248,30 @@ pub(super) fn straight(pixmap: &Pixmap) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_common_part_lies_within_the_first_rectangle_wherever_the_other_is() {
+        let rect = |left, top, right, bottom| PixelRect {
+            left,
+            top,
+            right,
+            bottom,
+        };
+        let clip = rect(0, 0, 64, 48);
+        for x in [-200, -10, 0, 30, 63, 64, 65, 151] {
+            for y in [-200, 0, 47, 48, 300] {
+                let common = clip.intersection(rect(x, y, x + 20, y + 30));
+                assert!(common.left >= 0 && common.right <= 64 && common.width() >= 0);
+                assert!(common.top >= 0 && common.bottom <= 48 && common.height() >= 0);
+                let mut pixmap = Pixmap::new(64, 48).unwrap();
+                fill(&mut pixmap, common, [255; 4]);
+            }
+        }
+        assert_eq!(
+            clip.intersection(rect(60, 40, 90, 90)),
+            rect(60, 40, 64, 48)
+        );
+    }
 
     #[test]
     fn division_by_255_rounds() {
