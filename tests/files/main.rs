@@ -4,5 +4,6 @@
 mod broken;
 mod broken_lessons;
 mod broken_scenes;
+mod hostile;
 mod lessons;
 mod typography;
