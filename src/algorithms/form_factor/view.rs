@@ -168,7 +168,6 @@ impl View {
             let mut before = blocker.corners[blocker.corners.len() - 1] - x;
             let mut length_before = span(before);
             let mut is_outside = false;
-            let mut is_inside = true;
             for &corner in &blocker.corners {
                 let corner = corner - x;
                 let length = span(corner);
@@ -184,13 +183,15 @@ impl View {
                 if is_outside {
                     break;
                 }
-                is_inside &= lowest >= -slack;
-                sides.push(side);
+                // A side that holds all of the polygon divides nothing.
+                if lowest < -slack {
+                    sides.push(side);
+                }
                 (before, length_before) = (corner, length);
             }
             if is_outside {
                 sides.truncate(start);
-            } else if is_inside {
+            } else if sides.len() == start {
                 return true;
             } else {
                 cones.push(sides.len());
