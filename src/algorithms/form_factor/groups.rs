@@ -1,7 +1,7 @@
 //! Patches that stand in the way together: those of one object in one plane, or in a surface that is almost one.
 
-use crate::scene::Scene;
 use crate::scene::patches::Patches;
+use crate::scene::{Mesh, Scene, Shape};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -123,4 +123,25 @@ pub fn groups(scene: &Scene, patches: &Patches, slack: f64) -> Vec<Group> {
         }
     }
     groups
+}
+
+/// The groups as a scene: every object a mesh of those of its patches that stand in the way.
+pub fn facets(scene: &Scene, patches: &Patches, groups: &[Group]) -> Scene {
+    let mut scene = scene.clone();
+    let mut meshes: Vec<(Vec<DVec3>, Vec<Vec<u32>>)> =
+        vec![Default::default(); scene.objects.len()];
+    for group in groups {
+        let (positions, faces) = &mut meshes[group.object as usize];
+        let pieces = (group.patches.clone()).flat_map(|patch| patches.pieces(patch).enumerate());
+        for (_, piece) in pieces.filter(|&(number, _)| group.piece.is_none_or(|one| one == number))
+        {
+            let first = positions.len() as u32;
+            positions.extend(piece.corners);
+            faces.push((first..positions.len() as u32).collect());
+        }
+    }
+    for (object, (positions, faces)) in scene.objects.iter_mut().zip(meshes) {
+        object.shape = Shape::Mesh(Mesh::new(&positions, faces, &[]));
+    }
+    scene
 }

@@ -24,11 +24,11 @@ pub static PSEUDOCODE: Listing = Listing {
 };
 
 /// Rays for a form factor of 1: a pair gets its share of them, so that a row takes no more, within [`LEAST_RAYS`] and [`MOST_RAYS`].
-const RAYS_A_ROW: f64 = 131_072.0;
-const LEAST_RAYS: u32 = 256;
+const RAYS_A_ROW: f64 = 65_536.0;
+const LEAST_RAYS: u32 = 16;
 const MOST_RAYS: u32 = 16_384;
 /// So many of them leave from each point.
-const RAYS_A_POINT: u32 = 16;
+const RAYS_A_POINT: u32 = 8;
 
 /// The share of what i and j would exchange that nothing blocks, and its standard error. `f` is the larger of their form factors if
 /// nothing did.
@@ -45,13 +45,15 @@ pub fn share<R: Recorder<Event>>(
     let rays = ((f * RAYS_A_ROW) as u32)
         .clamp(LEAST_RAYS, MOST_RAYS)
         .next_power_of_two();
-    let sobol = Sobol::new(((i as u64) << 32) | j as u64);
+    // One sequence for the points of i and one for those of j: every eighth point of a sequence covers a part of the square only.
+    let seed = ((i as u64) << 32) | j as u64;
+    let [of_i, of_j] = [seed, !seed].map(Sobol::new);
     let others = blockers.polygons(patches, j);
     // By point: its weight, and the part of it that arrives.
     let mut points: Vec<[f64; 2]> = Vec::new();
     let (mut whole, mut passing) = (0.0, 0.0);
     for number in 0..rays / RAYS_A_POINT {
-        let [s, t, ..] = sobol.point(number * RAYS_A_POINT);
+        let [s, t, ..] = of_i.point(number);
         let x = sample::at(patches, i, [s, t]);
         if !blockers.is_exposed(i, x.point) {
             continue;
@@ -59,7 +61,7 @@ pub fn share<R: Recorder<Event>>(
         let weight: f64 = others.iter().map(|other| from_element(&x, other)).sum();
         let (mut of_all, mut of_free) = (0.0, 0.0);
         for ray in 0..RAYS_A_POINT {
-            let [.., u, v] = sobol.point(number * RAYS_A_POINT + ray);
+            let [u, v, ..] = of_j.point(number * RAYS_A_POINT + ray);
             let y = sample::at(patches, j, [u, v]);
             let [cos_x, cos_y, r2] = cosines(x.point, x.normal, y.point, y.normal);
             let exchanged = kernel(cos_x, cos_y, r2);

@@ -8,7 +8,7 @@
 use super::Event;
 use super::coincident::{self, Exposed};
 use super::faces::{self, Face};
-use super::groups::{Group, groups};
+use super::groups::{Group, facets, groups};
 use super::occlusion::{self, Passing};
 use super::polygon::Polygon;
 use super::sample::Sample;
@@ -18,7 +18,7 @@ use super::{facing, sampled};
 use crate::record::{Listing, Recorder};
 use crate::scene::patches::Patches;
 use crate::scene::primitives::{Primitives, Ray};
-use crate::scene::{Mesh, Scene, Shape, Tessellation};
+use crate::scene::{Scene, Tessellation};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -42,6 +42,9 @@ const MOST_GROUPS: usize = 4096;
 /// How far from a plane counts as in it, as a share of the scene's extent: as far as rounding may have moved a corner.
 const SLACK: f64 = 64.0 * f64::EPSILON;
 
+/// How far from their patches rays begin and end, as a share of the scene's extent: so that they do not meet what they leave.
+const LIFT: f64 = 4e-9;
+
 /// Above so many faces between two patches, rays are cheaper than exact clipping.
 const MOST_FACES: usize = 512;
 
@@ -64,6 +67,8 @@ pub struct Blockers {
     has_too_many: bool,
     exposed: Exposed,
     slack: f64,
+    /// How far rays begin and end above the patches.
+    lift: f64,
 }
 
 impl Blockers {
@@ -125,6 +130,7 @@ impl Blockers {
             has_too_many,
             exposed,
             slack,
+            lift: LIFT * extent,
         };
         blockers.take_sides(patches.len());
         blockers
@@ -225,7 +231,6 @@ impl Blockers {
         }
         match between.len() {
             0 => Between::Nothing,
-            n if n > MOST_FACES => Between::TooMany,
             _ => Between::Faces(between),
         }
     }
@@ -252,7 +257,7 @@ impl Blockers {
 
     /// Whether a surface lies between two points of patches.
     pub fn stand_between(&self, x: &Sample, y: &Sample) -> bool {
-        let [from, to] = [x, y].map(|sample| sample.point + 4.0 * self.slack * sample.normal);
+        let [from, to] = [x, y].map(|sample| sample.point + self.lift * sample.normal);
         let distance = from.distance(to);
         distance > 0.0
             && self.primitives.blocked(
@@ -265,7 +270,7 @@ impl Blockers {
     }
 
     /// The share of what i and j would exchange that nothing blocks, and an estimate of its error. `f` is the larger of their form factors if
-    /// nothing did. With `forced`, also where nothing can.
+    /// nothing did. With `forced`, it is looked for where nothing can, too.
     pub fn share<R: Recorder<Event>>(
         &self,
         patches: &Patches,
@@ -287,17 +292,28 @@ impl Blockers {
             Between::Faces(faces) => faces,
             Between::TooMany => return sampled::share(self, patches, [i, j], f, recorder),
         };
-        let mut sum = Passing::default();
+        let mut pairs = Vec::new();
         for piece_i in self.polygons(patches, i) {
             for piece_j in self.polygons(patches, j) {
                 if let Some([a, b]) = facing(piece_i.clone(), piece_j) {
-                    let passing = self.passing(a, b, &faces, recorder);
-                    sum.whole += passing.whole;
-                    sum.visible += passing.visible;
-                    sum.error += passing.error;
-                    sum.points += passing.points;
+                    let blockers = self.in_front(&a, &b, &faces);
+                    pairs.push((a, b, blockers));
                 }
             }
+        }
+        let most = pairs.iter().map(|(.., blockers)| blockers.len()).max();
+        match most.unwrap_or(0) {
+            0 if !forced => return [1.0, 0.0],
+            n if n > MOST_FACES => return sampled::share(self, patches, [i, j], f, recorder),
+            _ => {}
+        }
+        let mut sum = Passing::default();
+        for (a, b, blockers) in pairs {
+            let passing = self.passing(a, b, &blockers, recorder);
+            sum.whole += passing.whole;
+            sum.visible += passing.visible;
+            sum.error += passing.error;
+            sum.points += passing.points;
         }
         let [share, error] = match sum.whole > 0.0 {
             true => [sum.visible / sum.whole, sum.error / sum.whole],
@@ -310,36 +326,41 @@ impl Blockers {
         [share, error]
     }
 
-    /// What passes between two polygons that lie in front of each other.
-    fn passing<R: Recorder<Event>>(
-        &self,
-        a: Polygon,
-        b: Polygon,
-        faces: &[usize],
-        recorder: &mut R,
-    ) -> Passing {
-        let in_front = |&face: &usize| {
+    /// What of the faces lies in front of two polygons that lie in front of each other.
+    fn in_front(&self, a: &Polygon, b: &Polygon, faces: &[usize]) -> Vec<Blocker> {
+        let part = |&face: &usize| {
             let Blocker { corners, normal } = &self.faces[face].outline;
             let whole = Polygon::new(corners.into(), *normal)?;
             let part = whole
-                .in_front_of(&a, self.slack)?
-                .in_front_of(&b, self.slack)?;
+                .in_front_of(a, self.slack)?
+                .in_front_of(b, self.slack)?;
             Some(Blocker {
                 corners: part.corners.into_owned(),
                 normal: *normal,
             })
         };
-        let mut blockers: Vec<Blocker> = faces.iter().filter_map(in_front).collect();
+        let mut blockers: Vec<Blocker> = faces.iter().filter_map(part).collect();
         // What stands between the centres hides the most. It comes first, so that little is left to be divided.
         blockers.sort_by_key(|blocker| !blocker.is_met(a.center, b.center));
-        let spreads = shaft::spreads(&a, &b, &blockers);
+        blockers
+    }
+
+    /// What passes between two polygons that lie in front of each other, the blockers in front of both.
+    fn passing<R: Recorder<Event>>(
+        &self,
+        a: Polygon,
+        b: Polygon,
+        blockers: &[Blocker],
+        recorder: &mut R,
+    ) -> Passing {
+        let spreads = shaft::spreads(&a, &b, blockers);
         let (receiver, source, spread) = match spreads[0] >= spreads[1] {
             true => (a, b, spreads[0]),
             false => (b, a, spreads[1]),
         };
         let grid = (1.0 / spread).clamp(1.0, 6.0).ceil() as u32;
-        let parts = shaft::divided(receiver, &blockers, self.slack);
-        occlusion::passing(&parts, &source, &blockers, grid, self.slack, recorder)
+        let parts = shaft::divided(receiver, blockers, self.slack);
+        occlusion::passing(&parts, &source, blockers, grid, self.slack, recorder)
     }
 }
 
@@ -350,6 +371,7 @@ enum Between {
     Everything,
     /// These faces, by number.
     Faces(Vec<usize>),
+    /// More groups than are looked at one by one.
     TooMany,
 }
 
@@ -357,25 +379,4 @@ enum Between {
 pub fn polygons(patches: &Patches, patch: usize) -> impl Iterator<Item = Polygon<'_>> {
     let pieces = patches.pieces(patch);
     pieces.filter_map(|piece| Polygon::new(piece.corners.into(), piece.normal))
-}
-
-/// The groups as a scene: every object a mesh of those of its patches that stand in the way.
-fn facets(scene: &Scene, patches: &Patches, groups: &[Group]) -> Scene {
-    let mut scene = scene.clone();
-    let mut meshes: Vec<(Vec<DVec3>, Vec<Vec<u32>>)> =
-        vec![Default::default(); scene.objects.len()];
-    for group in groups {
-        let (positions, faces) = &mut meshes[group.object as usize];
-        let pieces = (group.patches.clone()).flat_map(|patch| patches.pieces(patch).enumerate());
-        for (_, piece) in pieces.filter(|&(number, _)| group.piece.is_none_or(|one| one == number))
-        {
-            let first = positions.len() as u32;
-            positions.extend(piece.corners);
-            faces.push((first..positions.len() as u32).collect());
-        }
-    }
-    for (object, (positions, faces)) in scene.objects.iter_mut().zip(meshes) {
-        object.shape = Shape::Mesh(Mesh::new(&positions, faces, &[]));
-    }
-    scene
 }

@@ -1,6 +1,7 @@
 //! Form factors against closed forms, against each other, and against the laws of closed scenes.
 
 mod closed_forms;
+mod coincident;
 mod ends;
 mod occluded;
 mod pairs;
