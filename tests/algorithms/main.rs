@@ -7,4 +7,5 @@ mod laws;
 mod needs;
 mod rays;
 mod rooms;
+mod runs;
 mod shading;
