@@ -122,7 +122,7 @@ pub enum AnswerFile {
     Number { field: String, tolerance: f64 },
     /// The one option whose condition holds at the step of the answer.
     Choice(Vec<OptionFile>),
-    /// The pixel whose column and row the step tells as `x` and `y`, give or take `tolerance` pixels.
+    /// The pixel whose column and row the step records as `x` and `y`, give or take `tolerance` pixels.
     Pixel { tolerance: u32 },
 }
 

@@ -118,7 +118,7 @@ fn read_answer(question: &QuestionFile, walk: &dyn Walk, step: usize) -> Result<
             }
             let value = query::number_of(&fields, field).ok_or_else(|| {
                 format!(
-                    "`{field}` is no number told at the step of the answer, which is {}",
+                    "`{field}` is no number recorded at the step of the answer, which is {}",
                     walk.kind(step)
                 )
             })?;
@@ -159,7 +159,7 @@ fn read_answer(question: &QuestionFile, walk: &dyn Walk, step: usize) -> Result<
                 })
             }
             _ => Err(format!(
-                "the step of the answer, {}, does not tell a pixel's x and y",
+                "the step of the answer, {}, does not record a pixel's x and y",
                 walk.kind(step)
             )),
         },

@@ -1,4 +1,4 @@
-//! Numbers in narration: `{I_4}` becomes the value that the run told, so that no text can contradict the picture.
+//! Numbers in narration: `{I_4}` becomes the value that the run recorded, so that no text can contradict the picture.
 
 use crate::language::{Language, called};
 use crate::record::{Fields, Value};
@@ -50,7 +50,7 @@ fn field(inside: &str) -> Result<Piece<'_>, String> {
     }
 }
 
-/// The text with its values. Errors: what [`pieces`] refuses, and names that were not told.
+/// The text with its values. Errors: what [`pieces`] refuses, and names that were not recorded.
 pub fn fill(text: &str, fields: &Fields, language: Language) -> Result<String, String> {
     pieces(text)?
         .into_iter()
@@ -61,7 +61,7 @@ pub fn fill(text: &str, fields: &Fields, language: Language) -> Result<String, S
                 None => {
                     let recorded: Vec<&str> = fields.iter().map(|field| field.name).collect();
                     Err(format!(
-                        "found `{{{name}}}`, which is not told at this step; told are {}",
+                        "found `{{{name}}}`, which is not recorded at this step; recorded are {}",
                         recorded.join(", ")
                     ))
                 }
@@ -113,7 +113,7 @@ mod tests {
         assert!(
             fill("{I_6}", &fields, Language::English)
                 .unwrap_err()
-                .contains("told are y, I_4, I_5, channel")
+                .contains("recorded are y, I_4, I_5, channel")
         );
         for broken in ["{", "}", "a {y", "{}", "{y:x}", "{y:99}"] {
             assert!(

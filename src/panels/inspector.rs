@@ -85,7 +85,7 @@ fn title(picture: &mut Picture, input: &PanelInput, size: Vec2) {
     picture.line((MARGIN, y), (size.x - MARGIN, y), Ink::Rule.stroke(1.0));
 }
 
-/// What is known at `step`, each name once, the latest teller first.
+/// What is known at `step`, each name once, the innermost first.
 fn known(walk: &dyn Walk, step: usize) -> Vec<RecordedField> {
     let recorded = walk.recorded(step);
     let mut known: Vec<RecordedField> = Vec::new();

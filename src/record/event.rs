@@ -1,4 +1,4 @@
-//! What every event can say of itself: its kind, its line in the pseudocode, its values by name.
+//! What every event provides: its kind, its line in the pseudocode, its values by name.
 
 use crate::color::Rgb;
 use crate::language::{Language, Message};

@@ -81,7 +81,7 @@ pub trait Walk {
     /// The line of pseudocode that `step` carries out.
     fn line(&self, step: usize) -> Line;
     /// Appends the own values of the event at `step`.
-    fn tell(&self, step: usize, fields: &mut Fields);
+    fn push_fields(&self, step: usize, fields: &mut Fields);
     /// See [`Timeline::heading`].
     fn heading(&self, scope: usize, step: usize) -> Range<usize>;
     /// All values known at `step`, each with where it came from; see [`Timeline::recorded`].
@@ -94,7 +94,7 @@ pub trait Walk {
     /// The own values of the event at `step`.
     fn own_fields(&self, step: usize) -> Fields {
         let mut fields = Fields::default();
-        self.tell(step, &mut fields);
+        self.push_fields(step, &mut fields);
         fields
     }
 
@@ -142,7 +142,7 @@ impl<E: Event + Declared, S: Fold<E>> Walk for Replay<E, S> {
     fn line(&self, step: usize) -> Line {
         self.timeline.event(step).line()
     }
-    fn tell(&self, step: usize, fields: &mut Fields) {
+    fn push_fields(&self, step: usize, fields: &mut Fields) {
         self.timeline.event(step).fields(fields);
     }
     fn heading(&self, scope: usize, step: usize) -> Range<usize> {
@@ -156,7 +156,7 @@ impl<E: Event + Declared, S: Fold<E>> Walk for Replay<E, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::replay::generators::{Heard, Note, Trace, trace};
+    use crate::replay::generators::{History, Note, Trace, trace};
     use crate::replay::moves;
     use proptest::prelude::*;
     use proptest::sample::Index;
@@ -168,7 +168,7 @@ mod tests {
             steps in prop::collection::vec(any::<Index>(), 0..60),
             interval in 1_usize..20,
         ) {
-            let timeline = Timeline::with_checkpoints(trace.recording(), Heard::default(), interval, usize::MAX);
+            let timeline = Timeline::with_checkpoints(trace.recording(), History::default(), interval, usize::MAX);
             let mut replay = Replay::new(timeline);
             for step in steps {
                 let len = replay.timeline().len();
@@ -176,7 +176,7 @@ mod tests {
                 replay.seek(step);
                 prop_assert_eq!(replay.position(), step.min(len.saturating_sub(1)));
                 if len == 0 {
-                    prop_assert_eq!(replay.state(), &Heard::default());
+                    prop_assert_eq!(replay.state(), &History::default());
                 } else {
                     prop_assert_eq!(replay.state(), &replay.timeline().state_at(replay.position()));
                 }
@@ -185,7 +185,7 @@ mod tests {
 
         #[test]
         fn a_walk_knows_what_the_timeline_knows(trace in trace()) {
-            let replay = Replay::new(Timeline::new(trace.recording(), Heard::default()));
+            let replay = Replay::new(Timeline::new(trace.recording(), History::default()));
             let walk: &dyn Walk = &replay;
             prop_assert_eq!(walk.truncated(), trace.recording().truncated());
             for step in 0..walk.len() {
@@ -228,7 +228,7 @@ mod tests {
     fn moves_lead_through_a_run() {
         let mut replay = Replay::new(Timeline::new(
             Trace::parse("(.(.).)").recording(),
-            Heard::default(),
+            History::default(),
         ));
         let walk: &mut dyn Walk = &mut replay;
         for (step, go, target) in [
@@ -246,7 +246,7 @@ mod tests {
     fn nothing_recorded_can_be_stood_at() {
         let mut replay = Replay::new(Timeline::new(
             Trace::parse("").recording(),
-            Heard::default(),
+            History::default(),
         ));
         let walk: &mut dyn Walk = &mut replay;
         walk.seek(7);

@@ -167,11 +167,11 @@ impl<E: Event, S> Timeline<E, S> {
             .flat_map(|scope| self.heading(scope, step));
         let mut recorded = Vec::new();
         let mut fields = Fields::default();
-        for teller in headings.chain([step]) {
+        for source in headings.chain([step]) {
             fields.0.clear();
-            self.event(teller).fields(&mut fields);
+            self.event(source).fields(&mut fields);
             recorded.extend(fields.iter().map(|&field| RecordedField {
-                step: teller,
+                step: source,
                 field,
             }));
         }
@@ -193,19 +193,19 @@ impl<E: Event, S> Timeline<E, S> {
 mod tests {
     use super::*;
     use crate::record::{Recorder, RecordingLimit};
-    use crate::replay::generators::{Heard, Note, Trace, trace};
+    use crate::replay::generators::{History, Note, Trace, trace};
     use proptest::prelude::*;
 
-    fn plain_fold(recording: &Recording<Note>, step: usize) -> Heard {
-        Heard((0..=step).map(|i| (i, *recording.event(i))).collect())
+    fn plain_fold(recording: &Recording<Note>, step: usize) -> History {
+        History((0..=step).map(|i| (i, *recording.event(i))).collect())
     }
 
     proptest! {
         #[test]
         fn a_state_is_the_fold_of_all_events_up_to_it(trace in trace(), interval in 1_usize..9, limit in 0_usize..2000) {
             let recording = trace.recording();
-            let timeline = Timeline::with_checkpoints(trace.recording(), Heard::default(), interval, limit);
-            prop_assert_eq!(timeline.initial(), &Heard::default());
+            let timeline = Timeline::with_checkpoints(trace.recording(), History::default(), interval, limit);
+            prop_assert_eq!(timeline.initial(), &History::default());
             for step in 0..recording.len() {
                 prop_assert_eq!(timeline.state_at(step), plain_fold(&recording, step));
             }
@@ -215,7 +215,7 @@ mod tests {
 
         #[test]
         fn scopes_balance_and_contain_each_other(trace in trace()) {
-            let timeline = Timeline::new(trace.recording(), Heard::default());
+            let timeline = Timeline::new(trace.recording(), History::default());
             let outline = timeline.outline();
             for step in 0..timeline.len() {
                 prop_assert!(outline.last(step) >= step);
@@ -228,20 +228,20 @@ mod tests {
 
         #[test]
         fn what_is_recorded_comes_from_the_step_and_the_headings_around_it(trace in trace()) {
-            let timeline = Timeline::new(trace.recording(), Heard::default());
+            let timeline = Timeline::new(trace.recording(), History::default());
             let mark = |step| timeline.recording.mark(step);
             for step in 0..timeline.len() {
                 let recorded = timeline.recorded(step);
                 prop_assert!(recorded.iter().all(|recorded| recorded.step <= step));
                 prop_assert!(recorded.is_sorted_by_key(|recorded| recorded.step));
                 // A step's values hold at `step` when it is that step, or heads a scope that is still open there.
-                let mut tellers = Vec::new();
+                let mut sources = Vec::new();
                 let mut open: Vec<Vec<usize>> = Vec::new();
                 let mut heads = false;
                 for i in 0..=step {
                     if i == step {
-                        tellers = open.concat();
-                        tellers.push(i);
+                        sources = open.concat();
+                        sources.push(i);
                     }
                     match mark(i) {
                         Mark::Step if heads => open.last_mut().expect("a scope").push(i),
@@ -252,7 +252,7 @@ mod tests {
                     heads = mark(i) == Mark::Enter || mark(i) == Mark::Step && heads;
                 }
                 let mut expected = Vec::new();
-                for i in tellers {
+                for i in sources {
                     let mut fields = Fields::default();
                     timeline.event(i).fields(&mut fields);
                     expected.extend(fields.0.into_iter().map(|field| RecordedField { step: i, field }));
@@ -265,8 +265,8 @@ mod tests {
     #[test]
     fn a_leave_and_a_late_step_know_the_heading_but_not_what_came_between() {
         //                                   0123456789
-        let timeline = Timeline::new(Trace::parse("(.(..).)").recording(), Heard::default());
-        let tellers = |step| {
+        let timeline = Timeline::new(Trace::parse("(.(..).)").recording(), History::default());
+        let sources = |step| {
             let mut steps: Vec<usize> = timeline
                 .recorded(step)
                 .iter()
@@ -276,26 +276,26 @@ mod tests {
             steps
         };
         // Note(0) has no values, so step 0 is silent.
-        assert_eq!(tellers(4), [1, 2, 3, 4]);
-        assert_eq!(tellers(5), [1, 2, 3, 4, 5]);
-        assert_eq!(tellers(6), [1, 6]);
-        assert_eq!(tellers(7), [1, 7]);
-        assert_eq!(tellers(1), [1]);
+        assert_eq!(sources(4), [1, 2, 3, 4]);
+        assert_eq!(sources(5), [1, 2, 3, 4, 5]);
+        assert_eq!(sources(6), [1, 6]);
+        assert_eq!(sources(7), [1, 7]);
+        assert_eq!(sources(1), [1]);
     }
 
     #[test]
     fn a_long_heading_is_cut() {
         let text = format!("({})", ".".repeat(200));
-        let timeline = Timeline::new(Trace::parse(&text).recording(), Heard::default());
+        let timeline = Timeline::new(Trace::parse(&text).recording(), History::default());
         assert_eq!(timeline.heading(0, 10), 0..10);
         assert_eq!(timeline.heading(0, 150), 0..65);
     }
 
     #[test]
     fn nothing_recorded_is_a_timeline_too() {
-        let timeline = Timeline::new(Trace::parse("").recording(), Heard::default());
+        let timeline = Timeline::new(Trace::parse("").recording(), History::default());
         assert!(timeline.is_empty() && !timeline.truncated());
-        assert_eq!(timeline.initial(), &Heard::default());
+        assert_eq!(timeline.initial(), &History::default());
     }
 
     #[test]

@@ -121,12 +121,12 @@ impl Query {
 /// The value known at `step` under `name`: what `walk.fields(step).get(name)` says, without gathering the rest.
 fn known(walk: &dyn Walk, step: usize, name: &str, fields: &mut Fields) -> Option<Value> {
     fields.0.clear();
-    walk.tell(step, fields);
+    walk.push_fields(step, fields);
     fields.get(name).or_else(|| {
         walk.outline().scopes(step).find_map(|scope| {
             fields.0.clear();
             walk.heading(scope, step)
-                .for_each(|step| walk.tell(step, fields));
+                .for_each(|step| walk.push_fields(step, fields));
             fields.get(name)
         })
     })
@@ -217,7 +217,7 @@ fn is_name(text: &str) -> bool {
 mod tests {
     use super::*;
     use crate::color::Rgb;
-    use crate::replay::generators::{Heard, trace};
+    use crate::replay::generators::{History, trace};
     use crate::replay::{Replay, Timeline};
     use glam::DVec3;
     use proptest::prelude::*;
@@ -279,7 +279,7 @@ mod tests {
         #[test]
         fn a_search_finds_what_a_linear_scan_finds(trace in trace(), query in prop::sample::select(&QUERIES)) {
             let query: Query = query.parse().expect("a query");
-            let replay = Replay::new(Timeline::new(trace.recording(), Heard::default()));
+            let replay = Replay::new(Timeline::new(trace.recording(), History::default()));
             let hits: Vec<usize> = (0..replay.timeline().len())
                 .filter(|&step| {
                     let fields = replay.timeline().fields(step);
@@ -301,7 +301,7 @@ mod tests {
 
         #[test]
         fn kinds_count_every_step_once(trace in trace()) {
-            let replay = Replay::new(Timeline::new(trace.recording(), Heard::default()));
+            let replay = Replay::new(Timeline::new(trace.recording(), History::default()));
             let kinds = kinds(&replay);
             prop_assert_eq!(kinds.iter().map(|(_, count)| count).sum::<usize>(), replay.timeline().len());
             for (kind, steps) in kinds {
