@@ -96,8 +96,8 @@ pub fn fast_phong<R: Recorder<Event>>(
         // Beside the eye, the middle of a piece would be far outside the picture, and another for each piece
         let common = is_cut.then(|| Middle::of_pieces(&pieces, view)).flatten();
 
-        for (piece, &corners) in pieces.iter().zip(&numbers) {
-            recorder.enter(|| Event::Triangle { corners });
+        for ((piece, &corners), triangle) in pieces.iter().zip(&numbers).zip(0..) {
+            recorder.enter(|| Event::Triangle { triangle, corners });
             let with_normals = piece.map(|corner| corner.map(|(normal, _)| normal));
             let middle = common.unwrap_or_else(|| Middle::of(piece, view));
             expansion.expand(&with_normals, middle, &polygon, prepared, recorder);

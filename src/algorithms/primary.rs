@@ -70,7 +70,8 @@ pub fn pixel<E: From<Event>, R: Recorder<E>>(
         for column in 0..n {
             let cell = DVec2::new(column.into(), row.into()) + 0.5;
             let place = DVec2::new(x.into(), y.into()) + cell / f64::from(n);
-            recorder.step(|| Event::Through { place }.into());
+            let sample = (n > 1).then_some(row * n + column);
+            recorder.step(|| Event::Through { place, sample }.into());
             sum += trace(&ray_through(view, place), recorder);
         }
     }
@@ -94,8 +95,9 @@ fn ray_through(view: &View, place: DVec2) -> Ray {
 pub enum Event {
     /// Opens a pixel; `samples` is n of its n×n samples.
     Pixel { x: u32, y: u32, samples: u32 },
-    /// The point of the screen through which the next primary ray goes, in pixels.
-    Through { place: DVec2 },
+    /// The point of the screen through which the next primary ray goes, in pixels; `sample` counts the rays of the pixel, row by
+    /// row, where there is more than one.
+    Through { place: DVec2, sample: Option<u32> },
     /// Closes `Pixel`.
     PixelColored { color: Rgb },
 }

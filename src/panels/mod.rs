@@ -10,7 +10,9 @@ pub use list::ray_tree::{area as tree_area, middle as tree_middle};
 pub use list::rays::{Grip, grip};
 pub use list::time_line::step_at;
 pub use list::vectors::{Held, PlaneGrip, grip as vector_grip};
-pub use shared::names::{kind as kind_name, meaning, quantity as quantity_name};
+pub use shared::names::{
+    kind as kind_name, meaning, quantity as quantity_name, scope as scope_names,
+};
 pub use shared::strings;
 
 use crate::algorithms::focus::Focus;

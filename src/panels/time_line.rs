@@ -12,7 +12,6 @@ use super::values::sentence;
 use super::{PanelInput, Properties};
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
-use crate::record::Value;
 use crate::replay::Walk;
 use crate::vocabulary::Kind;
 use glam::Vec2;
@@ -71,8 +70,13 @@ impl Row {
 
     fn draw(&self, picture: &mut Picture, input: &PanelInput) {
         let walk = input.run.walk();
-        let mut kinds: Vec<&'static Kind> = Vec::new();
+        let kinds = self.kinds(walk);
+        // Numbers alone are those of one kind, the most frequent one.
+        let most = kinds.iter().map(|&(_, count)| count).max();
+        let counted = kinds.iter().find(|&&(_, count)| Some(count) == most);
+        let counted = counted.map_or("", |(kind, _)| kind.name);
         let mut before = "";
+        let mut current_is_named = false;
         for bar in &self.bars {
             let current = self.is_current(bar);
             let rect = self.bar(bar);
@@ -86,41 +90,84 @@ impl Row {
             if bar.several {
                 continue;
             }
-            let kind = walk.declared(scope);
-            if kinds.iter().all(|known| known.name != kind.name) {
-                kinds.push(kind);
+            let kind = walk.kind(scope);
+            let mut names = names::scope(input.run, scope, input.language);
+            if !walk.declared(scope).numbers.is_empty() && kind != "Ray" {
+                match kind == counted {
+                    // The first of its kind says what the numbers count.
+                    true if !current && kind == before => drop(names.remove(0)),
+                    true => {}
+                    false => names.truncate(1),
+                }
             }
-            // The first of its kind says what the numbers count.
-            let long = current || kind.name != before;
-            before = kind.name;
+            before = kind;
             let cursor = current.then(|| self.span.middle(walk.position()));
             picture.tagged(tag(scope), |picture| {
-                label(picture, rect, input, scope, (cursor, long));
+                let fits = label(picture, rect, names, cursor);
+                current_is_named |= current && fits;
             });
         }
-        self.draw_name(picture, walk, kinds, input.language);
+        match self.current.filter(|_| !current_is_named) {
+            Some(scope) => self.draw_current(picture, input, scope),
+            None => self.draw_kinds(picture, walk, kinds, input.language),
+        }
     }
 
-    /// The kinds of scope in the row, the current one first, as many as fit.
-    fn draw_name(
-        &self,
-        picture: &mut Picture,
-        walk: &dyn Walk,
-        mut kinds: Vec<&'static Kind>,
-        language: Language,
-    ) {
-        if let Some(current) = self.current.map(|scope| walk.kind(scope)) {
-            kinds.sort_by_key(|kind| kind.name != current);
+    /// The kinds of scope that have bars of their own, each with how many.
+    fn kinds(&self, walk: &dyn Walk) -> Vec<(&'static Kind, usize)> {
+        let mut kinds: Vec<(&'static Kind, usize)> = Vec::new();
+        for bar in self.bars.iter().filter(|bar| !bar.several) {
+            let kind = walk.declared(bar.steps.start);
+            match kinds.iter_mut().find(|(known, _)| known.name == kind.name) {
+                Some((_, count)) => *count += 1,
+                None => kinds.push((kind, 1)),
+            }
         }
-        let style = Style::Body.size(TEXT).ink(Ink::Muted);
-        let place = Rect {
+        kinds
+    }
+
+    /// The current scope, whose bar is too narrow to name it.
+    fn draw_current(&self, picture: &mut Picture, input: &PanelInput, scope: usize) {
+        let style = Style::Bold.size(TEXT);
+        let place = self.place_of_name();
+        let mut names = names::scope(input.run, scope, input.language);
+        let fitting = names
+            .iter()
+            .position(|name| style.width(name) <= place.width);
+        let name = match fitting {
+            Some(fitting) => names.swap_remove(fitting),
+            None => elide(&names[0], Style::Bold, TEXT, place.width),
+        };
+        picture.tagged(Tag::Scope(scope), |picture| {
+            picture.text_in(place, name, style);
+        });
+    }
+
+    /// To the left of the bars.
+    fn place_of_name(&self) -> Rect {
+        Rect {
             x: MARGIN,
             width: self.place.x - MARGIN - 8.0,
             ..self.place
-        };
+        }
+    }
+
+    /// The kinds of scope in the row, the current one first, as many as fit.
+    fn draw_kinds(
+        &self,
+        picture: &mut Picture,
+        walk: &dyn Walk,
+        mut kinds: Vec<(&'static Kind, usize)>,
+        language: Language,
+    ) {
+        if let Some(current) = self.current.map(|scope| walk.kind(scope)) {
+            kinds.sort_by_key(|(kind, _)| kind.name != current);
+        }
+        let style = Style::Body.size(TEXT).ink(Ink::Muted);
+        let place = self.place_of_name();
         let names: Vec<String> = kinds
             .into_iter()
-            .map(|kind| in_text(kind, language))
+            .map(|(kind, _)| names::scope_kind(kind, language))
             .collect();
         let name = (1..=names.len())
             .rev()
@@ -133,34 +180,17 @@ impl Row {
     }
 }
 
-/// What a bar is called, if it fits: its number, where it is `long` after its kind; of a ray, its kind and where it goes.
-/// Beside the cursor, where there is room.
-fn label(
-    picture: &mut Picture,
-    rect: Rect,
-    input: &PanelInput,
-    scope: usize,
-    (cursor, long): (Option<f32>, bool),
-) {
-    let walk = input.run.walk();
+/// The first of the names that fits into a bar, beside the cursor where there is room. Returns whether one does.
+fn label(picture: &mut Picture, rect: Rect, names: Vec<String>, cursor: Option<f32>) -> bool {
     let style = if cursor.is_some() {
         Style::Bold.size(TEXT)
     } else {
         Style::Body.size(TEXT).ink(Ink::Muted)
     };
-    let kind = in_text(walk.declared(scope), input.language);
-    let ray = names::ray(walk, scope, input.run.prepared(), input.language);
-    let names = match (ray, number_of(walk, scope, input.language)) {
-        (Some(names), _) => names.to_vec(),
-        (None, Some(number)) if long => {
-            vec![names::numbered(&kind, &number, input.language), number]
-        }
-        (None, Some(number)) => vec![number],
-        (None, None) => vec![kind],
-    };
     let fitting = names
         .into_iter()
         .find(|name| style.width(name) + 6.0 <= rect.width);
+    let fits = fitting.is_some();
     if let Some(name) = fitting {
         let half = 0.5 * style.width(&name) + 4.0;
         let covered = |x: f32| cursor.is_some_and(|cursor| (cursor - x).abs() < half);
@@ -172,24 +202,7 @@ fn label(
         let rect = rect.shifted(Vec2::new(place - rect.center().x, 0.0));
         picture.text_in(rect, name, style.middle());
     }
-}
-
-/// What tells a scope from its neighbours, by the declaration of its kind: a number, or a word.
-fn number_of(walk: &dyn Walk, scope: usize, language: Language) -> Option<String> {
-    let name = walk.declared(scope).number?;
-    match walk.own_fields(scope).get(name)? {
-        Value::Integer(number) => Some(number.to_string()),
-        Value::Word(word) => Some(names::word(word, language)),
-        _ => None,
-    }
-}
-
-/// What the scope is called that an event of `kind` opens.
-fn in_text(kind: &Kind, language: Language) -> String {
-    match kind.scope {
-        Some(scope) => scope.text(language).to_string(),
-        None => names::kind(kind.name, language),
-    }
+    fits
 }
 
 /// From the current bar to the row below, which shows the inside of it.
@@ -265,12 +278,11 @@ fn in_words(input: &PanelInput, rows: &[Row]) -> String {
         .iter()
         .filter_map(|row| {
             let scope = row.current?;
-            let kind = in_text(walk.declared(scope), input.language);
-            let ray = names::ray(walk, scope, input.run.prepared(), input.language);
-            Some(match (ray, number_of(walk, scope, input.language)) {
-                (Some([ray, ..]), _) => labelled(&kind, &ray, input.language),
-                (None, Some(number)) => names::numbered(&kind, &number, input.language),
-                (None, None) => kind,
+            let name = names::scope(input.run, scope, input.language).swap_remove(0);
+            let kind = || names::scope_kind(walk.declared(scope), input.language);
+            Some(match walk.kind(scope) {
+                "Ray" => labelled(&kind(), &name, input.language),
+                _ => name,
             })
         })
         .collect();

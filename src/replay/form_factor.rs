@@ -129,7 +129,7 @@ impl Fold<Event> for State {
                 self.add(x, Way::Ray { direction, met }, step);
                 self.running.push((Running::Hits(hits), step));
             }
-            Event::Hemicube { x, resolution } => {
+            Event::Hemicube { x, resolution, .. } => {
                 self.points.push((x, step));
                 self.pixels = CowVec::default();
                 self.resolution = Some(resolution);

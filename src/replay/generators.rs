@@ -42,33 +42,30 @@ impl Event for Note {
 }
 
 impl Declared for Note {
-    fn kind(&self) -> &'static Kind {
+    fn declaration(&self, fields: Option<&mut Fields>) -> (&'static Kind, &'static str) {
         const fn kind(name: &'static str) -> Kind {
             Kind {
                 name,
                 quantities: &[],
                 labels: &[],
                 scope: None,
-                number: None,
+                numbers: &[],
                 entries: &[],
             }
         }
         static KINDS: [Kind; 3] = [kind("Red"), kind("Green"), kind("Blue")];
-        &KINDS[self.0 as usize % 3]
-    }
-    fn label(&self) -> &'static str {
-        ""
-    }
-    fn push_fields(&self, fields: &mut Fields) {
-        self.fields(fields);
+        if let Some(fields) = fields {
+            self.fields(fields);
+        }
+        (&KINDS[self.0 as usize % 3], "")
     }
 }
 
 /// All events so far: a state that forgets nothing shows every wrong, missing or repeated event.
 #[derive(Clone, PartialEq, Debug, Default)]
-pub struct Heard(pub Vec<(usize, Note)>);
+pub struct History(pub Vec<(usize, Note)>);
 
-impl Fold<Note> for Heard {
+impl Fold<Note> for History {
     fn apply(&mut self, step: usize, event: &Note) {
         self.0.push((step, *event));
     }

@@ -127,7 +127,7 @@ impl State {
                 self.rays = CowVec::default();
                 self.current = None;
             }
-            primary::Event::Through { place } => self.through = Some(place),
+            primary::Event::Through { place, .. } => self.through = Some(place),
             primary::Event::PixelColored { color } => {
                 if let Some((x, y)) = self.pixel {
                     let step = Some(step as u32);

@@ -8,10 +8,20 @@ use glam::DVec3;
 
 /// An event whose kind is declared.
 pub trait Declared: Copy {
-    fn kind(&self) -> &'static Kind;
-    /// The label of the line of pseudocode that this event carries out.
-    fn label(&self) -> &'static str;
-    fn push_fields(&self, fields: &mut Fields);
+    /// Its kind, and the label of the line of pseudocode that it carries out; its values are appended to `fields`, if any.
+    fn declaration(&self, fields: Option<&mut Fields>) -> (&'static Kind, &'static str);
+
+    fn kind(&self) -> &'static Kind {
+        self.declaration(None).0
+    }
+
+    fn label(&self) -> &'static str {
+        self.declaration(None).1
+    }
+
+    fn push_fields(&self, fields: &mut Fields) {
+        self.declaration(Some(fields));
+    }
 }
 
 /// What an event gives under the name of a quantity.
@@ -53,7 +63,7 @@ impl<A: Named> Recorded for Interpolated<A> {
 /// Declares the kinds of an event type:
 ///
 /// ```text
-/// pattern => "Name" at "label" [or "label" if condition,] [number "field"] [scope "key of its name"]
+/// pattern => "Name" at "label" [or "label" if condition,] [number "field", …] [scope "key of its name"]
 ///     { "quantity" = value, … }
 ///     [ entry, … ];
 /// ```
@@ -61,7 +71,7 @@ impl<A: Named> Recorded for Interpolated<A> {
 /// Where several quantities stand before a value (`"I_4" | "N_4"`), the value chooses its name. Events that wrap others
 /// delegate to them.
 macro_rules! vocabulary {
-    (@kind $name:literal, $label:literal, [$($other:literal)?], [$($number:literal)?], [$($scope:expr)?],
+    (@kind $name:literal, $label:literal, [$($other:literal)?], [$($number:literal)*], [$($scope:expr)?],
         [$($field:literal)*], [$($entry:expr),*]
     ) => {
         $crate::vocabulary::Kind {
@@ -69,7 +79,7 @@ macro_rules! vocabulary {
             quantities: &[$($crate::vocabulary::quantity($field)),*],
             labels: &[$label $(, $other)?],
             scope: vocabulary!(@option $($scope)?),
-            number: vocabulary!(@option $($number)?),
+            numbers: &[$($number),*],
             entries: &[$($entry),*],
         }
     };
@@ -83,46 +93,34 @@ macro_rules! vocabulary {
         [$($generics:tt)*] $event:ty { $($outer:pat => $inner:ident,)* };
         $(
             $pattern:pat $(if $guard:expr)? => $name:literal at $label:literal $(or $other:literal if $condition:expr,)?
-                $(number $number:literal)? $(scope $scope:literal)?
+                $(number $($number:literal),+)? $(scope $scope:literal)?
                 { $($($field:literal)|+ = $value:expr),* $(,)? }
                 [ $($entry:expr),* $(,)? ];
         )*
     ) => {
         /// All kinds that are declared here.
         pub const KINDS: &[$crate::vocabulary::Kind] = &[$(
-            vocabulary!(@kind $name, $label, [$($other)?], [$($number)?],
+            vocabulary!(@kind $name, $label, [$($other)?], [$($($number)+)?],
                 [$($crate::language::Message($scope))?], [$($($field)+)*], [$($entry),*])
         ),*];
 
-        // A declaration binds its values once, and each of the three functions uses some of them only.
         impl<$($generics)*> $crate::vocabulary::Declared for $event {
-            #[allow(unused_variables)]
-            fn kind(&self) -> &'static $crate::vocabulary::Kind {
+            fn declaration(
+                &self,
+                fields: Option<&mut $crate::record::Fields>,
+            ) -> (&'static $crate::vocabulary::Kind, &'static str) {
                 match *self {
-                    $($outer => $inner.kind(),)*
+                    $($outer => $inner.declaration(fields),)*
                     $($pattern $(if $guard)? => {
                         const KIND: $crate::vocabulary::Kind =
-                            vocabulary!(@kind $name, $label, [$($other)?], [$($number)?],
+                            vocabulary!(@kind $name, $label, [$($other)?], [$($($number)+)?],
                                 [$($crate::language::Message($scope))?], [$($($field)+)*], [$($entry),*]);
-                        &KIND
-                    })*
-                }
-            }
-
-            #[allow(unused_variables)]
-            fn label(&self) -> &'static str {
-                match *self {
-                    $($outer => $inner.label(),)*
-                    $($pattern $(if $guard)? => vocabulary!(@label $label $(or $other if $condition)?),)*
-                }
-            }
-
-            #[allow(unused_variables)]
-            fn push_fields(&self, fields: &mut $crate::record::Fields) {
-                match *self {
-                    $($outer => $inner.push_fields(fields),)*
-                    $($pattern $(if $guard)? => {
-                        $($crate::vocabulary::declare::Recorded::push($value, [$($field),+][0], fields);)*
+                        if let Some(fields) = fields {
+                            $($crate::vocabulary::declare::Recorded::push($value, [$($field),+][0], fields);)*
+                            // A kind without values leaves it untouched.
+                            let _ = fields;
+                        }
+                        (&KIND, vocabulary!(@label $label $(or $other if $condition)?))
                     })*
                 }
             }

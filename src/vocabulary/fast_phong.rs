@@ -12,8 +12,9 @@ vocabulary! {
     [] Event {
         Event::Shading(event) => event,
     };
-    Event::Triangle { corners: [a, b, c] } => "Triangle" at "triangle" scope "scope-triangle"
+    Event::Triangle { triangle, corners: [a, b, c] } => "Triangle" at "triangle" number "triangle" scope "scope-triangle"
         {
+            "triangle" = triangle,
             "a" = a,
             "b" = b,
             "c" = c,

@@ -92,8 +92,9 @@ vocabulary! {
                     ],
             ),
         ];
-    Event::Element { x, weight } => "Element" at "element" scope "scope-element"
+    Event::Element { element, x, weight } => "Element" at "element" number "element" scope "scope-element"
         {
+            "element" = element,
             "x" = x,
             "w" = weight,
         }
@@ -166,8 +167,9 @@ vocabulary! {
             only(When::True("met"), "event-ray-met", RAY),
             only(When::Recorded("hits"), "event-ray-missed", RAY),
         ];
-    Event::Hemicube { x, resolution } => "Hemicube" at "hemicube" scope "scope-hemicube"
+    Event::Hemicube { hemicube, x, resolution } => "Hemicube" at "hemicube" number "hemicube" scope "scope-hemicube"
         {
+            "hemicube" = hemicube,
             "x" = x,
             "resolution" = resolution,
         }
@@ -328,7 +330,7 @@ impl record::Event for Event {
         line.unwrap_or_else(|| PSEUDOCODE.line(label))
     }
 
-    /// One point of many tells nothing of the next.
+    /// The values of one point do not hold for the next.
     fn holds_on(&self) -> bool {
         !matches!(
             self,

@@ -14,8 +14,9 @@ pub struct Kind {
     pub labels: &'static [&'static str],
     /// What the scope is called that such an event opens.
     pub scope: Option<Message>,
-    /// The value that tells the scope from its neighbours.
-    pub number: Option<&'static str>,
+    /// The values that distinguish the scope from others of its kind in the same scope: usually its number. None where there is
+    /// only one.
+    pub numbers: &'static [&'static str],
     /// The first that fits says what the step does.
     pub entries: &'static [Entry],
 }

@@ -6,7 +6,7 @@ use crate::algorithms::primary::Event;
 vocabulary! {
     [] Event {
     };
-    Event::Pixel { x, y, samples } => "Pixel" at "pixel" number "x" scope "scope-pixel"
+    Event::Pixel { x, y, samples } => "Pixel" at "pixel" number "x", "y" scope "scope-pixel"
         {
             "x" = x,
             "y" = y,
@@ -15,8 +15,9 @@ vocabulary! {
         [
             only(When::Unrecorded("x_P"), "event-primary-pixel", &[]),
         ];
-    Event::Through { place } => "Through" at "through"
+    Event::Through { place, sample } => "Through" at "through"
         {
+            "sample" = sample,
             "x_P" = place.x,
             "y_P" = place.y,
         }

@@ -47,7 +47,7 @@ const fn equal(a: &str, b: &str) -> bool {
     i == a.len() && i == b.len()
 }
 
-pub(super) const QUANTITIES: [(&str, &str, Unit); 214] = [
+pub(super) const QUANTITIES: [(&str, &str, Unit); 218] = [
     ("width", "width", Unit::Pixels),
     ("height", "height", Unit::Pixels),
     ("A", "A", Unit::None),
@@ -136,6 +136,7 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 214] = [
     ("vertex", "vertex", Unit::None),
     ("P_v", "P_v", Unit::None),
     ("I_v", "I_v", Unit::None),
+    ("triangle", "triangle", Unit::None),
     ("a", "a", Unit::None),
     ("b", "b", Unit::None),
     ("c", "c", Unit::None),
@@ -166,6 +167,7 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 214] = [
     ("x_exact", "x_{exact}", Unit::Pixels),
     ("y_exact", "y_{exact}", Unit::Pixels),
     ("samples", "samples", Unit::None),
+    ("sample", "sample", Unit::None),
     ("y_P", "y_P", Unit::Pixels),
     ("objects", "objects", Unit::None),
     ("NearestT", "NearestT", Unit::None),
@@ -217,6 +219,7 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 214] = [
     ("r", "r", Unit::None),
     ("term", "term", Unit::None),
     ("sum", "sum", Unit::None),
+    ("element", "element", Unit::None),
     ("w", "w", Unit::None),
     ("R_k", "R_k", Unit::None),
     ("Gamma_k", "Γ_k", Unit::None),
@@ -227,6 +230,7 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 214] = [
     ("way", "way", Unit::None),
     ("direction", "direction", Unit::None),
     ("hits", "hits", Unit::None),
+    ("hemicube", "hemicube", Unit::None),
     ("resolution", "resolution", Unit::None),
     ("pixel_x", "pixel x", Unit::None),
     ("pixel_y", "pixel y", Unit::None),

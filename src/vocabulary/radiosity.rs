@@ -8,7 +8,7 @@ use crate::record::{self, Fields, Line};
 vocabulary! {
     [] Event {
     };
-    Event { recorded: S::Enclosure { patches }, solver } => "Room" at "start" scope "scope-enclosure"
+    Event { recorded: S::Enclosure { patches }, .. } => "Room" at "start" scope "scope-enclosure"
         {
             "n" = patches,
         }
@@ -18,20 +18,20 @@ vocabulary! {
                 &[is("'B_i' = 'E_i' + 'ρ_i Σ_j F_{ij} B_j'").unevaluated(UNKNOWNS)],
             ),
         ];
-    Event { recorded: S::RoomDone, solver } => "RoomDone" at "start"
+    Event { recorded: S::RoomDone, .. } => "RoomDone" at "start"
         {
         }
         [
             entry("event-room-done", &[]),
         ];
-    Event { recorded: S::Channel { channel }, solver } => "Channel" at "start" number "channel" scope "scope-channel"
+    Event { recorded: S::Channel { channel }, .. } => "Channel" at "start" number "channel" scope "scope-channel"
         {
             "channel" = channel,
         }
         [
             entry("event-channel", &[]),
         ];
-    Event { recorded: S::ChannelLeftOut { channel, why, like }, solver } => "ChannelLeftOut" at "start"
+    Event { recorded: S::ChannelLeftOut { channel, why, like }, .. } => "ChannelLeftOut" at "start"
         {
             "channel" = channel,
             "why" = why,
@@ -41,7 +41,7 @@ vocabulary! {
             only(When::Recorded("like"), "event-channel-left-out-like-another", &[]),
             entry("event-channel-left-out-dark", &[]),
         ];
-    Event { recorded: S::ChannelDone { channel }, solver } => "ChannelDone" at "start"
+    Event { recorded: S::ChannelDone { channel }, .. } => "ChannelDone" at "start"
         {
             "channel" = channel,
         }
@@ -65,7 +65,7 @@ vocabulary! {
                     ],
             ),
         ];
-    Event { recorded: S::Started { i, b, unshot }, solver } => "Started" at "started"
+    Event { recorded: S::Started { i, b, unshot }, .. } => "Started" at "started"
         {
             "i" = i,
             "B_i" = b,
@@ -74,14 +74,14 @@ vocabulary! {
         [
             entry("event-started", &[is("B_i"), is("{r_i=unshot_i}")]),
         ];
-    Event { recorded: S::Iteration { k }, solver } => "Iteration" at "iteration" number "k" scope "scope-iteration"
+    Event { recorded: S::Iteration { k }, .. } => "Iteration" at "iteration" number "k" scope "scope-iteration"
         {
             "k" = k,
         }
         [
             entry("event-iteration", &[]),
         ];
-    Event { recorded: S::Weighted { omega }, solver } => "Weighted" at "weight"
+    Event { recorded: S::Weighted { omega }, .. } => "Weighted" at "weight"
         {
             "omega" = omega,
         }
@@ -103,7 +103,7 @@ vocabulary! {
                 ],
             ),
         ];
-    Event { recorded: S::StepLengths { alpha, beta }, solver } => "StepLengths" at "step-lengths"
+    Event { recorded: S::StepLengths { alpha, beta }, .. } => "StepLengths" at "step-lengths"
         {
             "alpha" = alpha,
             "beta" = beta,
@@ -117,7 +117,7 @@ vocabulary! {
                     ],
             ),
         ];
-    Event { recorded: S::Gathering { i, e_i, rho_i, b_old }, solver } => "Gathering" at "gathering" number "i" scope "scope-patch"
+    Event { recorded: S::Gathering { i, e_i, rho_i, b_old }, .. } => "Gathering" at "gathering" number "i" scope "scope-patch"
         {
             "i" = i,
             "E_i" = e_i,
@@ -127,7 +127,7 @@ vocabulary! {
         [
             entry("event-gathering", &[is("E_i"), is("rho_i"), is("B_old")]),
         ];
-    Event { recorded: S::Exchanged { j, f_ij, b_j, product, sum }, solver } => "Exchanged" at "exchange"
+    Event { recorded: S::Exchanged { j, f_ij, b_j, product, sum }, .. } => "Exchanged" at "exchange"
         {
             "j" = j,
             "F_ij" = f_ij,
@@ -138,7 +138,7 @@ vocabulary! {
         [
             entry("event-exchanged", &[is("sum = {sum′=sum<0} + F_ij · B_j")]),
         ];
-    Event { recorded: S::Gathered { i, b_new, change }, solver } => "Gathered" at "gathered"
+    Event { recorded: S::Gathered { i, b_new, change }, .. } => "Gathered" at "gathered"
         {
             "i" = i,
             "B_i" = b_new,
@@ -162,7 +162,7 @@ vocabulary! {
                     ],
             ),
         ];
-    Event { recorded: S::Ambient { ambient }, solver } => "Ambient" at "ambient"
+    Event { recorded: S::Ambient { ambient }, .. } => "Ambient" at "ambient"
         {
             "ambient" = ambient,
         }
@@ -173,7 +173,7 @@ vocabulary! {
                 &[is("ambient = ['⟨ρ⟩ ⟨ΔB⟩'; 1 − '⟨ρ⟩']").unevaluated(ALL_PATCHES)],
             ),
         ];
-    Event { recorded: S::Shooting { i, unshot, shot, a_i }, solver } => "Shooting" at "shooting" number "i" scope "scope-patch"
+    Event { recorded: S::Shooting { i, unshot, shot, a_i }, .. } => "Shooting" at "shooting" number "i" scope "scope-patch"
         {
             "i" = i,
             "unshot_i" = unshot,
@@ -188,7 +188,7 @@ vocabulary! {
             ),
             entry("event-shooting", &[is("{ΔB_i=unshot_i}"), is("A_i")]),
         ];
-    Event { recorded: S::Received { j, f_ji, rho_j, delta, b_j, unshot_j }, solver } => "Received" at "received"
+    Event { recorded: S::Received { j, f_ji, rho_j, delta, b_j, unshot_j }, .. } => "Received" at "received"
         {
             "j" = j,
             "F_ji" = f_ji,
@@ -215,7 +215,7 @@ vocabulary! {
                     ],
             ),
         ];
-    Event { recorded: S::ShotDone { i, b_i, unshot }, solver } => "ShotDone" at "shot"
+    Event { recorded: S::ShotDone { i, b_i, unshot }, .. } => "ShotDone" at "shot"
         {
             "i" = i,
             "B_i" = b_i,
@@ -231,7 +231,7 @@ vocabulary! {
                 ],
             ),
         ];
-    Event { recorded: S::Updated { i, b_old, b_new }, solver } => "Updated" at "updated"
+    Event { recorded: S::Updated { i, b_old, b_new }, .. } => "Updated" at "updated"
         {
             "i" = i,
             "B_old" = b_old,
@@ -254,7 +254,7 @@ vocabulary! {
                 &[is("B_i = B_old + 'α p_i'").unevaluated("the direction p is not recorded")],
             ),
         ];
-    Event { recorded: S::IterationDone { residual, error_bound }, solver } => "IterationDone" at "iteration"
+    Event { recorded: S::IterationDone { residual, error_bound }, .. } => "IterationDone" at "iteration"
         {
             "residual" = residual,
             "error_bound" = Bound(error_bound),
@@ -262,7 +262,7 @@ vocabulary! {
         [
             entry("event-iteration-done", RESIDUAL),
         ];
-    Event { recorded: S::Converged { iterations, residual, error_bound }, solver } => "Converged" at "iteration"
+    Event { recorded: S::Converged { iterations, residual, error_bound }, .. } => "Converged" at "iteration"
         {
             "iterations" = iterations,
             "residual" = residual,
@@ -271,7 +271,7 @@ vocabulary! {
         [
             entry("event-converged", RESIDUAL),
         ];
-    Event { recorded: S::NotConverged { iterations, residual }, solver } => "NotConverged" at "iteration"
+    Event { recorded: S::NotConverged { iterations, residual }, .. } => "NotConverged" at "iteration"
         {
             "iterations" = iterations,
             "residual" = residual,

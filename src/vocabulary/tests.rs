@@ -32,7 +32,7 @@ fn every_value_has_a_symbol_and_a_meaning_and_every_kind_a_sentence_in_every_lan
 #[test]
 fn a_scope_is_numbered_by_a_value_of_its_own_and_has_a_name() {
     for kind in FAMILIES.into_iter().flatten() {
-        if let Some(number) = kind.number {
+        for number in kind.numbers {
             assert!(kind.quantity(number).is_some(), "{}: {number}", kind.name);
             assert!(kind.scope.is_some(), "{} has no name", kind.name);
         }

@@ -8,4 +8,5 @@ mod needs;
 mod rays;
 mod rooms;
 mod runs;
+mod scopes;
 mod shading;

@@ -132,14 +132,14 @@ impl Event for Drawn {
 }
 
 impl Declared for Drawn {
-    fn kind(&self) -> &'static Kind {
+    fn declaration(&self, fields: Option<&mut Fields>) -> (&'static Kind, &'static str) {
         const fn kind(name: &'static str) -> Kind {
             Kind {
                 name,
                 quantities: &[],
                 labels: &[],
                 scope: None,
-                number: None,
+                numbers: &[],
                 entries: &[],
             }
         }
@@ -149,18 +149,16 @@ impl Declared for Drawn {
             kind("DepthTested"),
             kind("Pixel"),
         ];
-        match self {
+        if let Some(fields) = fields {
+            self.fields(fields);
+        }
+        let kind = match self {
             Drawn::Span { .. } => &KINDS[0],
             Drawn::Interpolated { .. } => &KINDS[1],
             Drawn::DepthTested { .. } => &KINDS[2],
             Drawn::Pixel { .. } => &KINDS[3],
-        }
-    }
-    fn label(&self) -> &'static str {
-        "draw"
-    }
-    fn push_fields(&self, fields: &mut Fields) {
-        self.fields(fields);
+        };
+        (kind, "draw")
     }
 }
 

@@ -32,8 +32,10 @@ impl Cosine {
 pub enum Event {
     /// An event that every method has; of the illumination model, the directions at the point of expansion.
     Shading(shading::Event<FastPhong>),
-    /// Opens a triangle between three corners of the polygon, or what the near plane leaves of it.
+    /// Opens a triangle between three corners of the polygon, or what the near plane leaves of it; `triangle` counts within the
+    /// polygon.
     Triangle {
+        triangle: u32,
         corners: [u32; 3],
     },
     /// The point of expansion on the screen, and N there, on the side of the eye; where the vertex normals cancel out it is

@@ -25,11 +25,13 @@ const SAFETY: f64 = 0.1;
 const EDGE_COST: f64 = 6.0;
 const CONTOUR_COST: f64 = 15.0 * 6.0;
 
-/// A_i F_ij of two convex polygons, each in front of the other, to a relative `tolerance`.
+/// A_i F_ij of two convex polygons, each in front of the other, to a relative `tolerance`. `elements` counts as in
+/// [`element_to_polygon::exchange`].
 pub fn exchange<R: Recorder<Event>>(
     i: &Polygon,
     j: &Polygon,
     tolerance: f64,
+    elements: &mut u32,
     recorder: &mut R,
 ) -> f64 {
     // The smaller sees the other more evenly.
@@ -62,15 +64,18 @@ pub fn exchange<R: Recorder<Event>>(
     }
     if edges <= contours {
         recorder.step(|| chosen("element_to_polygon", n_small * n_small));
-        return element_to_polygon::exchange(small, large, n_small as usize, recorder);
+        let n = n_small as usize;
+        return element_to_polygon::exchange(small, large, n, elements, recorder);
     }
     // A first idea of the sum, so that its error can be a share of it; what rounding does to the contour integral is known.
-    let estimate = element_to_polygon::exchange(small, large, 2, &mut crate::record::Unrecorded);
+    let unrecorded = &mut crate::record::Unrecorded;
+    let estimate = element_to_polygon::exchange(small, large, 2, &mut 0, unrecorded);
     let perimeters = small.radius * large.radius * 16.0;
     let rounding = 4.0 * f64::EPSILON * perimeters;
     if rounding > tolerance.max(1e-5) * estimate {
         recorder.step(|| chosen("element_to_polygon", 0.0));
-        return element_to_polygon::adaptive_exchange(small, large, tolerance.max(1e-7), recorder);
+        let tolerance = tolerance.max(1e-7);
+        return element_to_polygon::adaptive_exchange(small, large, tolerance, elements, recorder);
     }
     recorder.step(|| chosen("contour", 0.0));
     contour::exchange(small, large, 0.2 * tolerance * estimate, recorder)

@@ -22,11 +22,19 @@ pub static PSEUDOCODE: Listing = Listing {
     ],
 };
 
-/// A_i F_ij, at n × n Gauss points of `i`. Each lies in front of the other.
-pub fn exchange<R: Recorder<Event>>(i: &Polygon, j: &Polygon, n: usize, recorder: &mut R) -> f64 {
+/// A_i F_ij, at n × n Gauss points of `i`. Each lies in front of the other. `elements` counts those of the whole form factor.
+pub fn exchange<R: Recorder<Event>>(
+    i: &Polygon,
+    j: &Polygon,
+    n: usize,
+    elements: &mut u32,
+    recorder: &mut R,
+) -> f64 {
     let mut sum = 0.0;
     i.points(n, |x, weight| {
-        recorder.enter(|| Event::Element { x, weight });
+        let element = *elements;
+        *elements = element.wrapping_add(1);
+        recorder.enter(|| Event::Element { element, x, weight });
         let f = from_element(x, i.normal, j, recorder);
         sum += weight * f;
         recorder.leave(|| Event::ElementSeen { f, sum });
@@ -66,11 +74,12 @@ fn from_element<R: Recorder<Event>>(x: DVec3, n: DVec3, j: &Polygon, recorder: &
 }
 
 /// A_i F_ij to about `tolerance`, however near the two are: the parts of `i` where the sums at three and at four Gauss points differ
-/// are halved across their longest edge, as far as rounding lets the sums agree.
+/// are halved across their longest edge, as far as rounding lets the sums agree. `elements` counts as in [`exchange`].
 pub fn adaptive_exchange<R: Recorder<Event>>(
     i: &Polygon,
     j: &Polygon,
     tolerance: f64,
+    elements: &mut u32,
     recorder: &mut R,
 ) -> f64 {
     const DEEPEST: u32 = 60;
@@ -87,14 +96,14 @@ pub fn adaptive_exchange<R: Recorder<Event>>(
         .map(|pair| ([first, pair[0], pair[1]], 0))
         .collect();
     // Every part is held to a share of what is known of the sum so far, and all are positive.
-    let mut whole = exchange(i, j, 3, recorder);
+    let mut whole = exchange(i, j, 3, elements, recorder);
     let mut sum = 0.0;
     while let Some((corners, depth)) = parts.pop() {
         let Some(part) = Polygon::new(corners.as_slice().into(), i.normal) else {
             continue;
         };
-        let coarse = exchange(&part, j, 3, recorder);
-        let fine = exchange(&part, j, 4, recorder);
+        let coarse = exchange(&part, j, 3, elements, recorder);
+        let fine = exchange(&part, j, 4, elements, recorder);
         let share = (part.area / i.area).sqrt();
         count += 1;
         let difference = (fine - coarse).abs();

@@ -35,8 +35,8 @@ pub enum Event {
         term: f64,
         sum: f64,
     },
-    /// Opens the form factor of an element.
-    Element { x: DVec3, weight: f64 },
+    /// Opens the form factor of an element; `element` counts within the form factor between the patches.
+    Element { element: u32, x: DVec3, weight: f64 },
     /// An edge of the polygon that the element sees: from `corner` to the next. `sum` is F of the element.
     Edge {
         edge: u32,
@@ -62,8 +62,12 @@ pub enum Event {
         met: bool,
         hits: u32,
     },
-    /// Opens a hemicube over a point of `i`.
-    Hemicube { x: DVec3, resolution: u32 },
+    /// Opens a hemicube over a point of `i`; `hemicube` counts them, row by row.
+    Hemicube {
+        hemicube: u32,
+        x: DVec3,
+        resolution: u32,
+    },
     /// A pixel that shows `j`; `sum` is F of the point.
     Pixel {
         face: u32,

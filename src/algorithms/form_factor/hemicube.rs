@@ -59,11 +59,14 @@ impl Hemicubes {
         recorder: &mut R,
     ) -> f64 {
         let mut mean = 0.0;
+        let mut number = 0;
         self.each_point(patches, i, blockers, |x, faces, depths, share| {
             recorder.enter(|| Event::Hemicube {
+                hemicube: number,
                 x,
                 resolution: self.resolution,
             });
+            number += 1;
             let f = self.seen(patches, j, x, (faces, depths), blockers, recorder);
             mean += share * f;
             recorder.leave(|| Event::HemicubeSeen { f, mean });

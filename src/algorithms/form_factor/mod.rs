@@ -325,6 +325,7 @@ impl<'a> FormFactors<'a> {
     fn unblocked<R: Recorder<Event>>(&self, i: usize, j: usize, recorder: &mut R) -> f64 {
         let mut sum = 0.0;
         let others = self.polygons(j);
+        let mut elements = 0;
         for piece_i in self.polygons(i) {
             for piece_j in &others {
                 let Some([a, b]) = facing(piece_i.clone(), piece_j.clone()) else {
@@ -340,25 +341,31 @@ impl<'a> FormFactors<'a> {
                     corners: [a.corners.len() as u32, b.corners.len() as u32],
                     areas: [a.area, b.area],
                 });
-                sum += self.exchange(&a, &b, recorder);
+                sum += self.exchange(&a, &b, &mut elements, recorder);
             }
         }
         sum
     }
 
-    fn exchange<R: Recorder<Event>>(&self, a: &Polygon, b: &Polygon, recorder: &mut R) -> f64 {
+    fn exchange<R: Recorder<Event>>(
+        &self,
+        a: &Polygon,
+        b: &Polygon,
+        elements: &mut u32,
+        recorder: &mut R,
+    ) -> f64 {
         let (small, large) = if a.area <= b.area { (a, b) } else { (b, a) };
         match self.method {
             Method::AreaToArea { points } => {
                 area_to_area::exchange(a, b, [points, points], recorder)
             }
             Method::ElementToPolygon { points } => {
-                element_to_polygon::exchange(small, large, points, recorder)
+                element_to_polygon::exchange(small, large, points, elements, recorder)
             }
             Method::Contour { tolerance } => {
                 contour::exchange(a, b, tolerance * small.area, recorder)
             }
-            Method::Auto { tolerance } => auto::exchange(a, b, tolerance, recorder),
+            Method::Auto { tolerance } => auto::exchange(a, b, tolerance, elements, recorder),
             Method::MonteCarlo { .. } | Method::Hemicube(_) => 0.0,
         }
     }

@@ -103,7 +103,7 @@ fn operand(written: &str, walk: &dyn Walk, language: Language) -> String {
     let mut fields = Fields::default();
     let word = (0..walk.len()).find_map(|step| {
         fields.0.clear();
-        walk.tell(step, &mut fields);
+        walk.push_fields(step, &mut fields);
         fields.iter().find_map(|field| match field.value {
             Value::Word(word) if same(&called("value", word, language)?, plain) => Some(word),
             _ => None,

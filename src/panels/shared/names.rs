@@ -1,14 +1,15 @@
 //! What objects, lights and rays are called.
 
+use super::message::labelled;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message, called};
 use crate::methods::Method;
 use crate::record::Value;
-use crate::replay::Walk;
+use crate::replay::{Run, Walk};
 use crate::scene::Light;
 use crate::vocabulary::expression::Reference;
-use crate::vocabulary::{Quantity, find};
+use crate::vocabulary::{Kind, Quantity, find};
 
 /// A word that an event records, as people read it.
 pub fn word(word: &'static str, language: Language) -> String {
@@ -36,7 +37,8 @@ pub fn meaning(walk: &dyn Walk, step: usize, name: &str, language: Language) -> 
     let recorded = recorded.iter().rfind(|value| value.field.name == name)?;
     let kind = walk.declared(recorded.step);
     let symbol = quantity(kind.quantity(name)?, language);
-    Some(format!("{symbol}: {}", kind.meaning(name, language)?))
+    let meaning = kind.meaning(name, language)?;
+    Some(labelled(&symbol, &meaning, language))
 }
 
 /// What a formula writes for a value: the quantity's own symbol, in words where it is one, or the symbol chosen there.
@@ -120,15 +122,59 @@ pub fn ray_kind(name: &'static str, language: Language) -> (String, &'static str
     (word(name, language), letters)
 }
 
+/// What the scope is called that an event of `kind` opens.
+pub fn scope_kind(kind: &Kind, language: Language) -> String {
+    match kind.scope {
+        Some(scope) => scope.text(language).to_string(),
+        None => self::kind(kind.name, language),
+    }
+}
+
+/// What the scope is called that `step` opens, from the longest form to the shortest: of a ray, its kind and what it meets; of
+/// others, their kind with their number, and the number alone.
+pub fn scope(run: &Run, step: usize, language: Language) -> Vec<String> {
+    let walk = run.walk();
+    if let Some(ray) = ray(walk, step, run.prepared(), language) {
+        return ray.to_vec();
+    }
+    let kind = scope_kind(walk.declared(step), language);
+    match scope_number(walk, step, language) {
+        Some(number) => vec![numbered(&kind, &number, language), number],
+        None => vec![kind],
+    }
+}
+
+/// What distinguishes a scope from others of its kind, by the declaration of the kind: a number, a word, or two numbers.
+pub fn scope_number(walk: &dyn Walk, scope: usize, language: Language) -> Option<String> {
+    let own = walk.own_fields(scope);
+    let number = |&name: &&str| match own.get(name)? {
+        Value::Integer(number) => Some(number.to_string()),
+        Value::Word(value) => Some(word(value, language)),
+        _ => None,
+    };
+    let numbers: Vec<String> = walk
+        .declared(scope)
+        .numbers
+        .iter()
+        .filter_map(number)
+        .collect();
+    match &numbers[..] {
+        [] => None,
+        [number] => Some(number.clone()),
+        _ => Some(format!("({})", numbers.join(", "))),
+    }
+}
+
 /// What the ray is called that `scope` opens, from the longest form to the shortest: its kind and what it meets, its kind,
-/// its letters.
+/// its letters. Of several rays of a pixel each has its number.
 pub fn ray(
     walk: &dyn Walk,
     scope: usize,
     prepared: &PreparedScene,
     language: Language,
 ) -> Option<[String; 3]> {
-    if walk.kind(scope) != "Ray" {
+    // A ray of the Monte Carlo method is no scope.
+    if walk.kind(scope) != "Ray" || !walk.outline().opens(scope) {
         return None;
     }
     // Ray casting follows primary rays alone, and does not say so of each.
@@ -136,13 +182,27 @@ pub fn ray(
         Some(Value::Word(kind)) => ray_kind(kind, language),
         _ => ray_kind("primary", language),
     };
+    let sample = scope
+        .checked_sub(1)
+        .filter(|&step| walk.kind(step) == "Through");
+    let sample = sample.and_then(|step| walk.own_fields(step).get("sample"));
+    let (kind, letters) = match sample {
+        Some(Value::Integer(sample)) => {
+            let number = sample.to_string();
+            (
+                numbered(&kind, &number, language),
+                format!("{letters}{number}"),
+            )
+        }
+        _ => (kind, letters.to_string()),
+    };
     let goes = match goal(walk, scope, prepared, language) {
         Some(goal) => {
             Message("names-ray-meets").format(language, &[("ray", &kind), ("thing", &goal)])
         }
         None => kind.clone(),
     };
-    Some([goes, kind, letters.to_string()])
+    Some([goes, kind, letters])
 }
 
 /// What the ray meets that `scope` opens: its search says so at its end.

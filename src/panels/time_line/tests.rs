@@ -1,9 +1,10 @@
 use super::super::fixture::Fixture;
-use super::super::fixtures::{self, SIZES, assert_legible};
+use super::super::fixtures::{self, SIZES, assert_legible, texts};
 use super::rows::{NARROWEST, bars};
 use super::*;
-use crate::record::{Outline, Recorder, Recording, RecordingLimit};
+use crate::record::{Outline, Recorder, Recording, RecordingLimit, Value};
 use crate::render::Method;
+use std::collections::HashSet;
 
 #[test]
 fn every_step_is_legible_and_bars_never_overlap() {
@@ -46,6 +47,54 @@ fn every_scope_lies_in_exactly_one_bar_of_its_row() {
                     within == 1 || !wide && within == 0,
                     "{scope} at depth {depth}"
                 );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_current_scope_of_each_row_is_named_and_no_two_bars_of_a_scope_read_the_same() {
+    let lit = Method::ALL.map(fixtures::fixtures);
+    let others = [fixtures::rays(Method::RayTracing, 2), fixtures::hinge()];
+    for mut fixture in lit.into_iter().chain(others).chain(fixtures::solvers()) {
+        for step in fixture.some_steps(997) {
+            fixture.seek(step);
+            for (size, language) in SIZES
+                .into_iter()
+                .flat_map(|size| Language::ALL.map(|l| (size, l)))
+            {
+                let what = format!("{} {step} at {size}", fixture.walk().kind(step));
+                let picture = draw(&fixture.show_in(language), size);
+                let texts = texts(&picture);
+                for row in rows(fixture.walk(), size) {
+                    let within =
+                        |rect: &Rect| row.place.y <= rect.y && rect.bottom() <= row.place.bottom();
+                    let here = texts.iter().filter(|(_, rect)| within(rect));
+                    let mut seen = HashSet::new();
+                    let mut named = false;
+                    for (text, rect) in here {
+                        let bar = row
+                            .bars
+                            .iter()
+                            .find(|bar| row.bar(bar).contains(rect.center()));
+                        let scope = bar.map(|bar| bar.steps.start);
+                        if let Some(scope) = scope {
+                            let around = fixture.walk().outline().parent(scope);
+                            assert!(seen.insert((around, *text)), "{what}: a second {text}");
+                        }
+                        // A long word may be shortened to the left of the bars.
+                        let begins = text.trim_end_matches('…');
+                        named |= row.current.is_some_and(|current| {
+                            let names = names::scope(&fixture.run, current, language);
+                            scope.is_none_or(|scope| scope == current)
+                                && names.iter().any(|name| name.starts_with(begins))
+                        });
+                    }
+                    assert!(
+                        named || row.current.is_none(),
+                        "{what}: the current scope has no name"
+                    );
+                }
             }
         }
     }
@@ -114,9 +163,12 @@ fn iterations_and_gathering_patches_show_their_numbers() {
             let Some(Value::Integer(number)) = walk.own_fields(step).get(field) else {
                 panic!("{kind} has {field}");
             };
-            let shown = number_of(walk, step, Language::English);
+            let shown = names::scope_number(walk, step, Language::English);
             assert_eq!(shown, Some(number.to_string()));
-            assert_eq!(in_text(walk.declared(step), Language::English), kind);
+            assert_eq!(
+                names::scope_kind(walk.declared(step), Language::English),
+                kind
+            );
         }
     }
 }

@@ -270,7 +270,7 @@ pub const CASES: &[Case] = &[
         because: "the element's view changes without bounds toward the edge",
         run: || {
             by(30.0, |i, j| {
-                element_to_polygon::exchange(i, j, 8, &mut Unrecorded)
+                element_to_polygon::exchange(i, j, 8, &mut 0, &mut Unrecorded)
             })
         },
         recorded: degrades(1e-6, 1e-3),

@@ -78,7 +78,7 @@ fn facing_parts(
 /// F from the first polygon to the second, by the method that chooses by itself.
 pub fn between(i: &[DVec3], j: &[DVec3], tolerance: f64) -> f64 {
     let found = facing_parts(i, j, |i, j| {
-        auto::exchange(i, j, tolerance, &mut Unrecorded)
+        auto::exchange(i, j, tolerance, &mut 0, &mut Unrecorded)
     });
     found.map_or(0.0, |[exchange, area]| exchange / area)
 }

@@ -92,9 +92,9 @@ fn each_method_converges_on_squares_at_distance_1() {
     let none = &mut Unrecorded;
     for (found, most) in [
         (area_to_area::exchange(&i, &j, [8, 8], none), 1e-9),
-        (element_to_polygon::exchange(&i, &j, 8, none), 1e-9),
+        (element_to_polygon::exchange(&i, &j, 8, &mut 0, none), 1e-9),
         (
-            element_to_polygon::adaptive_exchange(&i, &j, 1e-8, none),
+            element_to_polygon::adaptive_exchange(&i, &j, 1e-8, &mut 0, none),
             1e-8,
         ),
         (contour::exchange(&i, &j, 1e-13, none), 1e-12),

@@ -9,9 +9,9 @@ fn factors(corners: [Vec<DVec3>; 2]) -> [f64; 3] {
         return [0.0; 3];
     };
     [
-        auto::exchange(&i, &j, 1e-6, none),
+        auto::exchange(&i, &j, 1e-6, &mut 0, none),
         contour::exchange(&i, &j, 1e-9 * i.area.min(j.area), none),
-        element_to_polygon::adaptive_exchange(&i, &j, 1e-7, none),
+        element_to_polygon::adaptive_exchange(&i, &j, 1e-7, &mut 0, none),
     ]
 }
 

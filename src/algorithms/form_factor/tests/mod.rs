@@ -33,6 +33,6 @@ fn automatic(i: &[DVec3], j: &[DVec3], tolerance: f64) -> f64 {
     let (i, j) = (polygon(i), polygon(j));
     let area = i.area;
     facing(i, j).map_or(0.0, |[i, j]| {
-        auto::exchange(&i, &j, tolerance, &mut Unrecorded) / area
+        auto::exchange(&i, &j, tolerance, &mut 0, &mut Unrecorded) / area
     })
 }

@@ -139,14 +139,14 @@ fn pairs_in_every_position_are_exact_to_the_tolerance() {
             };
             // One of the two sees the other evenly enough to be trusted: what the two orders agree on.
             let none = &mut Unrecorded;
-            let reference = element_to_polygon::adaptive_exchange(&i, &j, 1e-7, none);
-            let other = element_to_polygon::adaptive_exchange(&j, &i, 1e-7, none);
+            let reference = element_to_polygon::adaptive_exchange(&i, &j, 1e-7, &mut 0, none);
+            let other = element_to_polygon::adaptive_exchange(&j, &i, 1e-7, &mut 0, none);
             if (reference / other - 1.0).abs() > 1e-6 {
                 continue;
             }
             seen += 1;
             for (worst, tolerance) in worst.iter_mut().zip([1e-3, 1e-6]) {
-                let found = auto::exchange(&i, &j, tolerance, none);
+                let found = auto::exchange(&i, &j, tolerance, &mut 0, none);
                 let error = (found / other - 1.0).abs();
                 *worst = worst.max(error);
                 // The reference itself is no better than some 1e-6.
@@ -171,8 +171,11 @@ fn what_is_recorded_is_what_ran() {
             continue;
         };
         let mut recording = Recording::new(RecordingLimit::default());
-        let recorded = auto::exchange(&i, &j, 1e-6, &mut recording);
-        assert_eq!(recorded, auto::exchange(&i, &j, 1e-6, &mut Unrecorded));
+        let recorded = auto::exchange(&i, &j, 1e-6, &mut 0, &mut recording);
+        assert_eq!(
+            recorded,
+            auto::exchange(&i, &j, 1e-6, &mut 0, &mut Unrecorded)
+        );
         assert!(!recording.is_empty());
     }
 }
