@@ -199,7 +199,7 @@ fn points(
     for (number, line) in part.lines.iter().enumerate() {
         let color = style::color(session.look.theme, Series::of(number).ink);
         let language = session.look.language;
-        ui.label(style::strong(&line.name.text(language), 13.0).color(color));
+        ui.label(style::strong(line.name.text(language), 13.0).color(color));
         let small = TextStyle::Small.resolve(ui.style());
         ui.label(prose::set(
             session,
