@@ -51,10 +51,8 @@ pub fn correct(areas: &[f64], matrix: &mut [f64]) -> Option<Correction> {
             break;
         }
         let multipliers = multipliers(&exchange, &error);
-        let largest = multipliers
-            .iter()
-            .fold(0.0, |most: f64, l| most.max(l.abs()));
-        if !(2.0 * largest <= LARGEST_CHANGE) {
+        let is_small = |multiplier: &f64| 2.0 * multiplier.abs() <= LARGEST_CHANGE;
+        if !multipliers.iter().all(is_small) {
             return None;
         }
         for i in 0..n {

@@ -333,7 +333,7 @@ impl<'a> FormFactors<'a> {
                     if !self.shortcuts.facing_away {
                         // At every pair of points one of the cosines is 0.
                         let points = [POINTS_AWAY; 2];
-                        sum += area_to_area::exchange(&piece_i, &piece_j, points, recorder);
+                        sum += area_to_area::exchange(&piece_i, piece_j, points, recorder);
                     }
                     continue;
                 };
