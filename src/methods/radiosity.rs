@@ -3,6 +3,7 @@
 use super::{Family, Properties, Visitor};
 use crate::algorithms::enclosure::{Enclosure, Light};
 use crate::algorithms::focus::Focus;
+use crate::algorithms::form_factor::through::blocked_share;
 use crate::algorithms::form_factor::{self, FormFactors};
 use crate::algorithms::radiosity::{ChannelUnsolved, Event, RecordFilter};
 use crate::record::{Recorder, Unrecorded};
@@ -43,8 +44,23 @@ pub fn solve<R: Recorder<Event>>(
     enclosure.solve(matrix, &filter, recorder)
 }
 
-/// How exact the form factor is that others are compared with.
+/// How exact the form factor is that others are compared with: unblocked, and what is blocked of it, as a share.
 const REFERENCE: form_factor::Method = form_factor::Method::Contour { tolerance: 1e-10 };
+const BLOCKED: f64 = 1e-7;
+
+/// F_ij, found in another way than by the methods that are compared with it, unless too much stands between the two.
+fn reference(enclosure: &Enclosure, [i, j]: [usize; 2]) -> f64 {
+    let patches = &enclosure.patches;
+    let of = |blockers| FormFactors::new(patches, REFERENCE, blockers).pair(i, j, &mut Unrecorded);
+    let Some(blockers) = enclosure.visibility() else {
+        return of(None);
+    };
+    let unblocked = of(None);
+    match blocked_share(patches, blockers, [i, j], BLOCKED * unblocked) {
+        Some(blocked) => unblocked - blocked,
+        None => of(Some(blockers)),
+    }
+}
 
 /// Finds the form factor from patch i to patch j, after the one that it is compared with.
 pub fn form_factor<R: Recorder<form_factor::Event>>(
@@ -53,8 +69,7 @@ pub fn form_factor<R: Recorder<form_factor::Event>>(
     recorder: &mut R,
 ) {
     let [i, j] = [i as usize, j as usize];
-    let reference = FormFactors::new(&enclosure.patches, REFERENCE, enclosure.visibility());
-    let f = reference.pair(i, j, &mut Unrecorded);
+    let f = reference(enclosure, [i, j]);
     recorder.step(|| form_factor::Event::Reference { f });
     enclosure.form_factors().pair(i, j, recorder);
 }

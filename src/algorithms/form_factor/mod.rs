@@ -35,6 +35,7 @@ pub mod sampled;
 mod shaft;
 mod shortcuts;
 pub mod sobol;
+pub mod through;
 mod view;
 pub mod visibility;
 

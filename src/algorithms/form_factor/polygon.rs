@@ -104,7 +104,7 @@ impl<'a> Polygon<'a> {
 }
 
 /// The part of a convex polygon where `height` ≥ 0 (Sutherland & Hodgman 1974, for one plane).
-fn cut(corners: &[DVec3], height: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
+pub(super) fn cut(corners: &[DVec3], height: impl Fn(DVec3) -> f64) -> Vec<DVec3> {
     let mut part = Vec::with_capacity(corners.len() + 1);
     let mut before = *corners.last().unwrap_or(&DVec3::ZERO);
     let mut height_before = height(before);
