@@ -971,6 +971,7 @@ meaning-x-of-Element = the point of the patch that stands for the element
 meaning-x-of-Ray = the point of patch i from which the ray starts
 meaning-x-of-Hemicube = the point of patch i at the centre of the hemicube
 meaning-x-of-Sight = the point at one end of the line of sight
+meaning-x-of-Seen = the point of one patch from which the other is seen
 meaning-y = the row of pixels, counted from the top
 meaning-y-of-CornerPlaced = the vertical position of the corner on the screen
 meaning-y-of-Points = a point of the other patch

@@ -968,6 +968,7 @@ meaning-x-of-Element = titik pada patch yang mewakili elemen
 meaning-x-of-Ray = titik pada patch i tempat sinar bermula
 meaning-x-of-Hemicube = titik pada patch i di pusat hemicube
 meaning-x-of-Sight = titik di satu ujung garis pandang
+meaning-x-of-Seen = titik pada patch yang satu tempat patch lain dilihat
 meaning-y = baris piksel, dihitung dari atas
 meaning-y-of-CornerPlaced = posisi tegak sudut pada layar
 meaning-y-of-Points = sebuah titik pada patch yang lain
