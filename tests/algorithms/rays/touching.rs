@@ -16,7 +16,7 @@ use lightwalk::record::{Recording, RecordingLimit};
 fn cuboid([x0, y0, z0]: [f64; 3], [x1, y1, z1]: [f64; 3]) -> String {
     let corner = |i: usize| [[x0, x1][i & 1], [y0, y1][i >> 1 & 1], [z0, z1][i >> 2]];
     let vertices: String = (0..8)
-        .map(|i| corner(i))
+        .map(corner)
         .map(|[x, y, z]| format!("v {x:?} {y:?} {z:?}\n"))
         .collect();
     vertices + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
@@ -84,7 +84,7 @@ fn of_bodies_that_share_a_face_the_ray_leaves_one_and_enters_the_other() {
     let (near, far) = (mesh("near", "glass"), mesh("far", "water"));
     let wall = object("wall", "wall", WALL);
     for (objects, near, far) in [([near.clone(), far.clone()], 0, 1), ([far, near], 1, 0)] {
-        let objects = [&objects[..], &[wall.clone()]].concat();
+        let objects = [&objects[..], std::slice::from_ref(&wall)].concat();
         let expected = [
             (near, Some(GLASS)),
             (near, out(GLASS)),

@@ -205,9 +205,10 @@ fn eliminated(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
         rows.swap(k, largest.unwrap());
         for i in 0..n {
             if i != k {
-                let factor = rows[i][k] / rows[k][k];
-                for j in k..=n {
-                    rows[i][j] -= factor * rows[k][j];
+                let pivot = rows[k].clone();
+                let factor = rows[i][k] / pivot[k];
+                for (value, pivot) in rows[i].iter_mut().zip(&pivot).skip(k) {
+                    *value -= factor * pivot;
                 }
             }
         }

@@ -52,11 +52,8 @@ pub fn exchange(i: &Rectangle, j: &Rectangle) -> f64 {
 /// Σ over the ends of four intervals, of the sign of their number times `g`.
 fn alternating(intervals: [[f64; 2]; 4], g: impl Fn([f64; 4]) -> f64) -> f64 {
     let corner = |bits: usize| {
-        let sign = if bits.count_ones() % 2 == 0 {
-            1.0
-        } else {
-            -1.0
-        };
+        let is_even = bits.count_ones().is_multiple_of(2);
+        let sign = if is_even { 1.0 } else { -1.0 };
         sign * g(std::array::from_fn(|k| intervals[k][bits >> k & 1]))
     };
     (0..16).map(corner).sum()
