@@ -160,7 +160,11 @@ mod tests {
     #[test]
     fn without_a_polygon_a_sentence_says_so() {
         let picture = draw(&nothing().input(), Vec2::new(260.0, 180.0));
-        assert!(picture.alt.contains("No polygon"));
+        assert!(
+            picture.alt.contains("no polygon is drawn"),
+            "{}",
+            picture.alt
+        );
         assert_apart(&picture, "nothing");
     }
 }

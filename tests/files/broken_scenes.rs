@@ -85,7 +85,10 @@ fn broken_meshes_are_refused_with_file_and_line() {
         ("v 0 0 0\nf 1 1 1", "three corners at different places"),
         ("v 0 0 0\nf 1 2 3", "line 2: a face refers to `v` number 3"),
         ("v 0 0 inf", "line 1: found inf"),
-        ("v 9e75 0 0", "line 1: found 9e75"),
+        (
+            "v 9e75 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3",
+            "line 1: found 9e75",
+        ),
     ] {
         let message = message(GOOD.as_bytes(), mesh);
         assert!(message.starts_with("objects[3].mesh.file: "), "{message}");

@@ -90,7 +90,7 @@ const BROKEN_LESSONS: &[(&str, &str, &[&str])] = &[
     ("\"I_v.r\"", "\"I_7\"", &["steps[0].question.answer: `I_7` is no number recorded"]),
     ("\"tolerance\": 0.01", "\"tolerance\": -1", &["steps[0].question.answer", "tolerance"]),
     ("\"tolerance\": 0.01", "\"tolerance\": 1e400", &["line", "finite"]),
-    ("{ \"number\": { \"field\": \"I_v.r\", \"tolerance\": 0.01 } }", "{ \"pixel\": { \"tolerance\": 0 } }", &["does not tell a pixel"]),
+    ("{ \"number\": { \"field\": \"I_v.r\", \"tolerance\": 0.01 } }", "{ \"pixel\": { \"tolerance\": 0 } }", &["does not record a pixel"]),
     ("{ \"number\": { \"field\": \"I_v.r\", \"tolerance\": 0.01 } }", "{ \"choice\": [] }", &["0 of the 0 options hold"]),
     ("\"ask\": ", "\"aks\": ", &["steps[0].question", "unknown field `aks`"]),
     ("] }", "]", &["the file ends here"]),

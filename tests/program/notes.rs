@@ -41,6 +41,7 @@ const TEXTURE: &str = "objects[0].material: the texture of the material \"checke
 const BLACK: &str = "lights[0].point.color: a black light";
 const POINT: &str = "lights[0]: a point light";
 const BEHIND: &str = "objects[1]: the object \"behind\"";
+const ROUND: &str = "objects[1]: a sphere";
 const DARK: &str = "objects: no surface has an `emission` other than 0";
 
 #[test]
@@ -52,26 +53,27 @@ fn every_command_notes_what_has_no_effect_for_it() {
     let of_radiosity = [BLACK, POINT, DARK, TEXTURE];
 
     let check = run("check --json noted.json");
-    assert_eq!(notes(&json(&check)), of_radiosity);
+    let with_round = [BLACK, POINT, DARK, TEXTURE, ROUND];
+    assert_eq!(notes(&json(&check)), with_round);
     let lines = text(&check.stderr);
-    for note in of_radiosity {
+    for note in with_round {
         assert_eq!(lines.matches(note).count(), 1, "{note} in {lines}");
     }
 
     let draw = "render noted.json --size 8x8 --out picture.png --stats --method";
     assert_eq!(
         notes(&json(&run(&format!("{draw} flat")))),
-        [BLACK, TEXTURE, BEHIND]
+        [BLACK, TEXTURE, ROUND, BEHIND]
     );
     let stats = json(&run(&format!("{draw} radiosity")));
-    assert_eq!(notes(&stats), of_radiosity);
+    assert_eq!(notes(&stats), with_round);
 
     run("radiosity noted.json --out out.json");
     assert_eq!(notes(&out().unwrap()), of_radiosity);
     run("form-factors noted.json --out out.json");
     assert_eq!(notes(&out().unwrap()), [BLACK, TEXTURE]);
     let needs = run("needs noted.json --json --method radiosity");
-    assert_eq!(notes(&json(&needs)), of_radiosity);
+    assert_eq!(notes(&json(&needs)), with_round);
     let steps = run("steps noted.json --method flat --pixel 4,4");
     assert!(text(&steps.stderr).contains(BLACK));
 }

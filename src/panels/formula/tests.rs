@@ -12,6 +12,7 @@ use std::collections::{HashMap, HashSet};
 /// Every step of the crowd, by every method, of rays among spheres, of every solver and method of form factors.
 fn each_step(mut look: impl FnMut(&'static Kind, &mut Known, &PreparedScene)) {
     let crowds = Method::ALL.map(fixtures::fixtures);
+    let of_file = Fixture::pyramid_with_normals(Method::Gouraud);
     let rays = [
         fixtures::rays(Method::RayCasting, 2),
         fixtures::rays(Method::RayTracing, 1),
@@ -28,8 +29,8 @@ fn each_step(mut look: impl FnMut(&'static Kind, &mut Known, &PreparedScene)) {
     let light = fixtures::solvers()
         .into_iter()
         .chain(fixtures::form_factors())
-        .chain([fixtures::hinge(), iterated()]);
-    for fixture in crowds.into_iter().chain(rays).chain(light) {
+        .chain([fixtures::hinge(), fixtures::crowded(), iterated()]);
+    for fixture in crowds.into_iter().chain([of_file]).chain(rays).chain(light) {
         for step in 0..fixture.walk().len() {
             let prepared = fixture.run.prepared();
             let mut known = Known::at(&fixture.run, step);
@@ -116,6 +117,7 @@ fn the_result_is_printed_as_the_field_is() {
 #[test]
 fn every_step_is_legible_at_every_size() {
     let crowds = Method::ALL.map(fixtures::fixtures);
+    let of_file = Fixture::pyramid_with_normals(Method::Gouraud);
     let light = fixtures::solvers()
         .into_iter()
         .chain(fixtures::form_factors());

@@ -14,7 +14,8 @@ use crate::record::RecordingLimit;
 use crate::render::{Finished, Method, render};
 use crate::replay::Run;
 use crate::scene::{
-    self, Camera, Highlight, Light, Limits, Material, Mesh, Object, Scene, Shape, View,
+    self, Camera, Highlight, Light, Limits, Material, Mesh, Object, Scene, Shape, VertexNormals,
+    View,
 };
 use glam::{DVec2, DVec3};
 use std::num::{NonZeroU32, NonZeroUsize};
@@ -41,18 +42,13 @@ impl Fixture {
 
     /// A red pyramid of four faces around one vertex, 640×480 pixels, its first face recorded.
     pub fn pyramid(method: Method) -> Self {
-        let positions = [
-            [0.1, 0.1, 1.0],
-            [-1.0, -0.8, 0.0],
-            [1.0, -0.7, 0.0],
-            [0.9, 0.8, 0.1],
-            [-0.8, 0.9, 0.0],
-        ]
-        .map(DVec3::from);
-        let faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
-        let no_uvs: [DVec2; 0] = [];
-        let shape = Shape::Mesh(Mesh::new(&positions, faces, &no_uvs));
-        let scene = scene(shape, Rgb::new(0.7, 0.2, 0.1), Highlight::Phong);
+        Fixture::of(pyramid(&[]), method, Focus::Polygon(0), (640, 480))
+    }
+
+    /// The same with vertex normals of a mesh file.
+    pub fn pyramid_with_normals(method: Method) -> Self {
+        let mut scene = pyramid(&[DVec3::Z; 12]);
+        scene.objects[0].vertex_normals = VertexNormals::File;
         Fixture::of(scene, method, Focus::Polygon(0), (640, 480))
     }
 
@@ -227,4 +223,20 @@ mod tests {
         assert!(has(&kinds(FLOOR), "Shadow"));
         assert!(!has(&kinds(SKY), "SurfaceMet"));
     }
+}
+
+/// A pyramid, with unit normals at the corners of its faces, or none.
+fn pyramid(normals: &[DVec3]) -> Scene {
+    let positions = [
+        [0.1, 0.1, 1.0],
+        [-1.0, -0.8, 0.0],
+        [1.0, -0.7, 0.0],
+        [0.9, 0.8, 0.1],
+        [-0.8, 0.9, 0.0],
+    ]
+    .map(DVec3::from);
+    let faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
+    let no_uvs: [DVec2; 0] = [];
+    let shape = Shape::Mesh(Mesh::with_normals(&positions, faces, &no_uvs, normals));
+    scene(shape, Rgb::new(0.7, 0.2, 0.1), Highlight::Phong)
 }

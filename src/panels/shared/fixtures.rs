@@ -2,7 +2,7 @@
 
 mod open_room;
 
-pub use open_room::{FLOOR, LAMP, WALLS, form_factors, hinge, open_room, solvers};
+pub use open_room::{FLOOR, LAMP, WALLS, crowded, form_factors, hinge, open_room, solvers};
 
 use super::fixture::Fixture;
 use super::strings::Language;
