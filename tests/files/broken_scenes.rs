@@ -87,7 +87,7 @@ fn broken_meshes_are_refused_with_file_and_line() {
         ("v 0 0 inf", "line 1: found inf"),
         (
             "v 9e75 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3",
-            "line 1: found 9e75",
+            "line 1: found a vertex of a face too far away",
         ),
     ] {
         let message = message(GOOD.as_bytes(), mesh);

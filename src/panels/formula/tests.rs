@@ -117,7 +117,6 @@ fn the_result_is_printed_as_the_field_is() {
 #[test]
 fn every_step_is_legible_at_every_size() {
     let crowds = Method::ALL.map(fixtures::fixtures);
-    let of_file = Fixture::pyramid_with_normals(Method::Gouraud);
     let light = fixtures::solvers()
         .into_iter()
         .chain(fixtures::form_factors());

@@ -151,7 +151,10 @@ fn a_blocked_light_names_what_blocks_it() {
     let Some(Value::Number(t)) = fields.get("t") else {
         panic!("t is recorded")
     };
-    for (language, strings) in Language::ALL.into_iter().zip(["blocked by", "terhalang oleh"]) {
+    for (language, strings) in Language::ALL
+        .into_iter()
+        .zip(["blocked by", "terhalang oleh"])
+    {
         let picture = draw(&fixture.show_in(language), Vec2::new(900.0, 700.0));
         let said = all_words(&picture);
         let name = rays_of(&fixture).prepared.scene.objects[3].name.clone();
