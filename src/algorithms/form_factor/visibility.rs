@@ -3,7 +3,7 @@
 //! Patches in one plane make a group, and a group one or more convex faces. A face can stand between i and j only where its plane parts
 //! them, and where the shaft of the two (Haines & Wallace 1991, "Shaft culling for efficient ray-traced radiosity") crosses that plane
 //! within the face. Where the whole shaft does so within one face, nothing passes. What the other faces leave is found by
-//! [`super::occlusion`], exactly from each point of one patch; where they are too many for that, by rays ([`super::sampled`]).
+//! `occlusion`, exactly from each point of one patch; where they are too many for that, by rays ([`super::sampled`]).
 
 use super::Event;
 use super::coincident::{self, Exposed};

@@ -202,6 +202,22 @@ fn scene(shape: Shape, diffuse: Rgb, highlight: Highlight) -> Scene {
     }
 }
 
+/// A pyramid, with unit normals at the corners of its faces, or none.
+fn pyramid(normals: &[DVec3]) -> Scene {
+    let positions = [
+        [0.1, 0.1, 1.0],
+        [-1.0, -0.8, 0.0],
+        [1.0, -0.7, 0.0],
+        [0.9, 0.8, 0.1],
+        [-0.8, 0.9, 0.0],
+    ]
+    .map(DVec3::from);
+    let faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
+    let no_uvs: [DVec2; 0] = [];
+    let shape = Shape::Mesh(Mesh::with_normals(&positions, faces, &no_uvs, normals));
+    scene(shape, Rgb::new(0.7, 0.2, 0.1), Highlight::Phong)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -223,20 +239,4 @@ mod tests {
         assert!(has(&kinds(FLOOR), "Shadow"));
         assert!(!has(&kinds(SKY), "SurfaceMet"));
     }
-}
-
-/// A pyramid, with unit normals at the corners of its faces, or none.
-fn pyramid(normals: &[DVec3]) -> Scene {
-    let positions = [
-        [0.1, 0.1, 1.0],
-        [-1.0, -0.8, 0.0],
-        [1.0, -0.7, 0.0],
-        [0.9, 0.8, 0.1],
-        [-0.8, 0.9, 0.0],
-    ]
-    .map(DVec3::from);
-    let faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
-    let no_uvs: [DVec2; 0] = [];
-    let shape = Shape::Mesh(Mesh::with_normals(&positions, faces, &no_uvs, normals));
-    scene(shape, Rgb::new(0.7, 0.2, 0.1), Highlight::Phong)
 }
