@@ -9,6 +9,8 @@ mod file;
 mod narrate;
 mod narrated;
 mod parameters;
+#[cfg(test)]
+mod pictures;
 mod resolve;
 mod settings;
 mod synthetic;

@@ -1,14 +1,13 @@
 //! Every word on screen comes from a catalogue or the lesson's file: the pseudo-language marks what does, and nothing else may be
 //! there but symbols.
 
+use super::pictures::each_picture;
 use super::{OpenLesson, builtin};
 use crate::language::Language;
-use crate::panels::{Panel, PanelInput, TreeView, draw};
+use crate::panels::Panel;
 use crate::picture::{Picture, Shape};
-use crate::render::compare::compare_on;
-use crate::render::{Finished, render};
+use glam::Vec2;
 use std::collections::BTreeSet;
-use std::num::NonZeroUsize;
 
 /// Functions of mathematics, Greek letters by their names, what is abbreviated the same everywhere, and names of the literature.
 const SYMBOLS: &str =
@@ -76,48 +75,14 @@ fn is_symbol(word: &str, panel: Panel) -> bool {
 /// The words of a lesson's panels that come from no catalogue, each with its panel.
 fn untranslated(lesson: &str) -> BTreeSet<String> {
     let mut open = with_marked_names(lesson);
-    let draw_all = |method| render(&open.setup, method, NonZeroUsize::MIN, &|_, _| {});
-    let mut finished = Finished::new(
-        draw_all(open.lesson.method),
-        &open.setup.prepared.scene.lights,
-    );
-    let methods = open.lesson.compare.iter();
-    finished.compared = methods
-        .map(|&method| compare_on(&open.setup, method, || 0.0))
-        .collect();
-    let mut panels = open.lesson.panels.clone();
-    panels.extend([
-        Panel::Code,
-        Panel::Formula,
-        Panel::TimeLine,
-        Panel::Inspector,
-    ]);
-    if panels.contains(&Panel::Race) {
-        let enclosure = open.setup.enclosure().unwrap();
-        let matrix = enclosure.matrix().unwrap();
-        finished.race = Some(enclosure.race(matrix, &mut || 0.0));
-    }
-    let steps: Vec<usize> = open.narrated.iter().map(|narrated| narrated.step).collect();
     let mut found = BTreeSet::new();
-    for &step in steps.iter().step_by(steps.len().div_ceil(4).max(1)) {
-        open.run.walk_mut().seek(step);
-        for &panel in &panels {
-            let input = PanelInput {
-                run: &open.run,
-                finished: &finished,
-                focus: open.lesson.focus,
-                language: Language::Pseudo,
-                narrated: &steps,
-                breakpoints: &[],
-                tree: TreeView::whole(),
-                smooth: None,
-            };
-            let picture = draw(panel, &input, (1000.0, 700.0).into());
-            let shown = outside(texts(&picture)) + &outside([picture.alt.as_str()].into_iter());
-            let strange = words(&shown).filter(|word| !is_symbol(word, panel));
-            found.extend(strange.map(|word| format!("{}: {word}", panel.name())));
-        }
-    }
+    let mut size = || Vec2::new(1000.0, 700.0);
+    let mut look = |panel: Panel, _, picture: &Picture| {
+        let shown = outside(texts(picture)) + &outside([picture.alt.as_str()].into_iter());
+        let strange = words(&shown).filter(|word| !is_symbol(word, panel));
+        found.extend(strange.map(|word| format!("{}: {word}", panel.name())));
+    };
+    each_picture(&mut open, Language::Pseudo, &mut size, &mut look);
     found
 }
 

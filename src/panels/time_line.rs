@@ -242,7 +242,7 @@ fn marks(picture: &mut Picture, input: &PanelInput, whole: &Span, y: f32) {
 
 /// Of ascending steps those at least `distance` points apart.
 fn apart(steps: &[usize], span: &Span, distance: f64) -> Vec<usize> {
-    let far = (distance / span.scale).ceil() as usize;
+    let far = span.steps_in(distance);
     let mut rest = steps;
     std::iter::from_fn(|| {
         let &step = rest.first().filter(|&&step| step < span.steps.end)?;

@@ -147,10 +147,10 @@ fn means<const N: usize>(
     columns: &[Range<usize>],
     line: &mut [[u8; 4]],
 ) {
-    let alpha = |pixel: &[u8; N]| pixel.get(3).map_or(255, |&alpha| u32::from(alpha));
-    let full = |[r, g, b, a]: [u32; 4], pixels: u32| {
+    let alpha = |pixel: &[u8; N]| pixel.get(3).map_or(255, |&alpha| u64::from(alpha));
+    let full = |[r, g, b, a]: [u64; 4], pixels: u64| {
         // The sums of channels are weighted by the sum of alphas.
-        let mean = |sum: u32| ((sum + a / 2) / a.max(1)) as u8;
+        let mean = |sum: u64| ((sum + a / 2) / a.max(1)) as u8;
         [mean(r), mean(g), mean(b), ((a + pixels / 2) / pixels) as u8]
     };
     if rows.len() == 1 && columns.iter().all(|columns| columns.len() == 1) {
@@ -168,14 +168,14 @@ fn means<const N: usize>(
             for pixel in &pixels[columns.clone()] {
                 let alpha = alpha(pixel);
                 for (sum, &channel) in sum.iter_mut().zip(&pixel[..3]) {
-                    *sum += u32::from(channel) * alpha;
+                    *sum += u64::from(channel) * alpha;
                 }
                 sum[3] += alpha;
             }
         }
     }
     for ((color, sum), columns) in line.iter_mut().zip(sums).zip(columns) {
-        *color = full(sum, (rows.len() * columns.len()) as u32);
+        *color = full(sum, (rows.len() * columns.len()) as u64);
     }
 }
 

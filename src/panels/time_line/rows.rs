@@ -34,7 +34,7 @@ pub struct Span {
 
 impl Span {
     pub fn new(steps: Range<usize>, place: Rect) -> Self {
-        let scale = f64::from(place.width) / steps.len().max(1) as f64;
+        let scale = f64::from(place.width).max(0.0) / steps.len().max(1) as f64;
         Span {
             steps,
             left: f64::from(place.x),
@@ -60,7 +60,13 @@ impl Span {
 
     /// How many steps are as wide as the narrowest bar.
     pub fn slot(&self) -> usize {
-        (NARROWEST / self.scale).ceil() as usize
+        self.steps_in(NARROWEST)
+    }
+
+    /// How many steps take so many points, one at least; where no width is left, all of them.
+    pub fn steps_in(&self, points: f64) -> usize {
+        let steps = (points / self.scale).ceil() as usize;
+        steps.clamp(1, self.steps.len().max(1))
     }
 }
 
