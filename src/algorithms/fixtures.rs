@@ -25,6 +25,15 @@ impl Cuboid {
     }
 
     fn faces(&self, name: &str, divisions: [u32; 6], is_block: bool) -> Vec<String> {
+        let faces = self.corners(is_block).into_iter().zip(divisions);
+        faces
+            .enumerate()
+            .map(|(face, (corners, n))| polygon(&format!("{name}{face}"), &corners, n))
+            .collect()
+    }
+
+    /// The corners of its faces, which look outward in a block and else inward.
+    pub fn corners(&self, is_block: bool) -> [[[f64; 3]; 4]; 6] {
         let corner = |bits: usize| -> [f64; 3] {
             std::array::from_fn(|axis| match bits >> axis & 1 {
                 1 => self.high[axis],
@@ -39,16 +48,13 @@ impl Cuboid {
             [4, 5, 1, 0],
             [2, 3, 7, 6],
         ];
-        let faces = FACES.iter().zip(divisions).enumerate();
-        faces
-            .map(|(face, (corners, n))| {
-                let mut corners = corners.map(corner);
-                if is_block {
-                    corners.reverse();
-                }
-                polygon(&format!("{name}{face}"), &corners, n)
-            })
-            .collect()
+        FACES.map(|face| {
+            let mut corners = face.map(corner);
+            if is_block {
+                corners.reverse();
+            }
+            corners
+        })
     }
 }
 

@@ -1,6 +1,7 @@
 //! What stands between: against closed forms, crossed strings and sums of rectangles.
 
 use super::*;
+use crate::algorithms::fixtures::Cuboid;
 use crate::scene::{Limits, Scene, read};
 
 /// A scene of polygons, each one patch each way.
@@ -273,31 +274,9 @@ pub(super) fn box_faces(
     is_room: bool,
     patches: u32,
 ) -> Vec<(&'static str, Vec<[f64; 3]>, u32)> {
-    let corner = |bits: usize| -> [f64; 3] {
-        std::array::from_fn(|axis| {
-            if bits >> axis & 1 == 1 {
-                high[axis]
-            } else {
-                low[axis]
-            }
-        })
-    };
-    [
-        [0, 1, 3, 2],
-        [5, 4, 6, 7],
-        [4, 0, 2, 6],
-        [1, 5, 7, 3],
-        [4, 5, 1, 0],
-        [2, 3, 7, 6],
-    ]
-    .map(|face| {
-        let mut corners: Vec<[f64; 3]> = face.into_iter().map(corner).collect();
-        if !is_room {
-            corners.reverse();
-        }
-        (name, corners, patches)
-    })
-    .to_vec()
+    let faces = Cuboid { low, high }.corners(!is_room);
+    let with_corners = |corners: [[f64; 3]; 4]| (name, corners.to_vec(), patches);
+    faces.map(with_corners).to_vec()
 }
 
 #[test]

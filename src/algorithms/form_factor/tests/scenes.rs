@@ -1,48 +1,18 @@
 use super::*;
-use crate::scene::{Limits, Scene, read};
+use crate::algorithms::fixtures::{self, Cuboid};
+use crate::scene::Scene;
 
 /// The faces of the box from `low` to `high`, n × n patches each, seen from inside or outside.
 fn faces(name: &str, low: [f64; 3], high: [f64; 3], n: u32, is_room: bool) -> Vec<String> {
-    let corner = |bits: usize| -> [f64; 3] {
-        std::array::from_fn(|axis| {
-            if bits >> axis & 1 == 1 {
-                high[axis]
-            } else {
-                low[axis]
-            }
-        })
-    };
-    [
-        [0, 1, 3, 2],
-        [5, 4, 6, 7],
-        [4, 0, 2, 6],
-        [1, 5, 7, 3],
-        [4, 5, 1, 0],
-        [2, 3, 7, 6],
-    ]
-    .iter()
-    .enumerate()
-    .map(|(face, corners)| {
-        let mut corners = corners.map(corner);
-        if !is_room {
-            corners.reverse();
-        }
-        format!(
-            r#"{{"name": "{name}{face}", "material": "m", "polygon": {{"vertices": {corners:?}}}, "patches": {n}}}"#
-        )
-    })
-    .collect()
+    let cuboid = Cuboid { low, high };
+    match is_room {
+        true => cuboid.room(name, [n; 6]),
+        false => cuboid.block(name, n),
+    }
 }
 
 fn scene(objects: &[String]) -> Scene {
-    let text = format!(
-        r#"{{"schema": 1, "materials": {{"m": {{}}}}, "objects": [{}]}}"#,
-        objects.join(", ")
-    );
-    read(text.as_bytes(), &Limits::default(), &mut |_| {
-        Err(String::new())
-    })
-    .unwrap()
+    fixtures::scene("", objects)
 }
 
 fn patches(scene: &Scene) -> Patches {
