@@ -53,6 +53,9 @@ pub struct LessonFile {
     #[serde(default, deserialize_with = "present")]
     pub parameters: Option<Vec<ParameterFile>>,
     pub panels: Vec<String>,
+    /// What was learned, for the end of the lesson: about three sentences.
+    #[serde(default, deserialize_with = "present")]
+    pub recap: Option<Text>,
     pub steps: Vec<Keyed<StepFile>>,
 }
 
@@ -95,6 +98,12 @@ pub enum FocusFile {
 pub struct StepFile {
     /// The first such event after the narrated step before.
     pub at: Query,
+    /// A few words for the outline.
+    #[serde(default, deserialize_with = "present")]
+    pub title: Option<Text>,
+    /// The panel to look at, one of the lesson's; the first unless given.
+    #[serde(default, deserialize_with = "present")]
+    pub key: Option<String>,
     pub say: Text,
     /// What the lecture's slide prints, where it differs from the standard form.
     #[serde(default, deserialize_with = "present")]

@@ -4,6 +4,7 @@ use super::error::{LessonError, problem};
 use super::file::{AnswerFile, QuestionFile, StepFile, Text};
 use super::narrated::{Answer, Narrated, Question};
 use super::template::fill;
+use crate::panels::Panel;
 use crate::record::Value;
 use crate::replay::{Query, Walk, query};
 use crate::scene::document::{Keyed, Problem};
@@ -32,6 +33,8 @@ pub(super) fn narrate(steps: &[StepFile], walk: &dyn Walk) -> Result<Vec<Narrate
         });
         narrated.push(Narrated {
             step: at,
+            title: step.title.clone(),
+            key: step.key.as_deref().and_then(Panel::from_name),
             say,
             slide,
             question,

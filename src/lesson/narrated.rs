@@ -1,11 +1,17 @@
 //! What is said and asked at a step, with the values of the run filled in.
 
+use super::file::Text;
+use crate::panels::Panel;
 use crate::panels::strings::Language;
 
 /// What is said at a step.
 #[derive(Clone, Debug)]
 pub struct Narrated {
     pub step: usize,
+    /// A few words for the outline, where the lesson gives them.
+    pub title: Option<Text>,
+    /// The panel to look at: the lesson's first unless the step gives another.
+    pub key: Option<Panel>,
     /// By language, with the values of the run filled in.
     pub(super) say: [String; 2],
     pub(super) slide: Option<[String; 2]>,

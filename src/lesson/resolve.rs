@@ -37,6 +37,8 @@ pub struct Lesson {
     /// What may be changed while one looks.
     pub parameters: Vec<Parameter>,
     pub panels: Vec<Panel>,
+    /// What was learned, where the file says it.
+    pub recap: Option<Text>,
     pub(super) steps: Vec<StepFile>,
 }
 
@@ -100,6 +102,7 @@ impl Lesson {
                 }
             }
         }
+        check_keys(&file, &mut problems);
         check_words(&file, &mut problems);
         let parameters = match (&scene, &file.parameters) {
             (Some(scene), Some(files)) => parameters(files, scene, &mut problems),
@@ -148,6 +151,7 @@ impl Lesson {
                 focus,
                 parameters,
                 panels,
+                recap: file.recap,
                 steps: file.steps.into_iter().map(|Keyed(step)| step).collect(),
             }),
             _ => Err(LessonError { problems }),
@@ -190,6 +194,22 @@ impl Lesson {
     /// What is said in a run of the lesson's own part. Errors: every anchor, value and answer that is not in the run.
     pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
         narrate(&self.steps, run.walk())
+    }
+}
+
+/// A key panel is one of the lesson's.
+fn check_keys(file: &LessonFile, problems: &mut Vec<Problem>) {
+    for (index, Keyed(step)) in file.steps.iter().enumerate() {
+        let Some(key) = &step.key else { continue };
+        if !file.panels.contains(key) {
+            problems.push(problem(
+                format!("steps[{index}].key"),
+                format!(
+                    "found \"{key}\"; allowed are the lesson's panels: {}",
+                    file.panels.join(", ")
+                ),
+            ));
+        }
     }
 }
 

@@ -34,9 +34,12 @@ impl Lesson {
             compare: Vec::new(),
             focus: method.family().focus(size),
             parameters: Vec::new(),
+            recap: None,
             panels: panels.filter_map(Panel::from_name).collect(),
             steps: vec![StepFile {
                 at: Query::default(),
+                title: None,
+                key: None,
                 say,
                 slide: None,
                 question: None,
