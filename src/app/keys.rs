@@ -337,6 +337,7 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
         // Over the sheet of keys, only what closes it.
         commands
             .filter(|command| !session.look.keys || *command == Command::Keys)
+            .filter(|_| !session.look.forgetting)
             .filter_map(|command| match session.studying().is_open {
                 true => over_study(command),
                 false => Some(command),

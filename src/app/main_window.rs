@@ -1,10 +1,11 @@
 //! The window on the screen: eframe's part of the app.
 
-use super::session::Session;
+use super::keeper::{self, Keeper};
+use super::session::{Kept, Session};
 use super::style;
 use super::window;
 use super::window_state::Window;
-use crate::lesson::{Lesson, builtins};
+use crate::lesson::{Lesson, builtin, builtins};
 use std::any::Any;
 use std::panic::{self, AssertUnwindSafe};
 use std::sync::Arc;
@@ -25,27 +26,46 @@ impl eframe::App for App {
     }
 }
 
-/// Opens the window on a lesson (the first of the program's own unless given), at a step, and returns when it is closed.
+/// Opens the window on a lesson (the one that was open last unless given), where it was left unless a step is given, and returns when
+/// it is closed.
 ///
 /// Errors: one line on why there is no window, and what works without.
-pub fn open(lesson: Option<Lesson>, step: usize) -> Result<(), String> {
+pub fn open(lesson: Option<Lesson>, step: Option<usize>) -> Result<(), String> {
+    let mut window = Window::default();
+    let mut kept = Kept::default();
+    let mut trouble = None;
+    if let Some(folder) = keeper::data_folder() {
+        let (keeper, found) = Keeper::open(folder);
+        match found {
+            Ok(found) => (kept, window.layout) = (found.session, found.layout),
+            Err(why) => trouble = Some(why),
+        }
+        window.keeper = Some(keeper);
+    }
     let lesson = match lesson {
         Some(lesson) => lesson,
         None => {
-            let first = builtins().first().ok_or("there is no lesson")?;
-            first.read().map_err(|error| error.to_string())?
+            let last = kept.lesson.as_deref().and_then(builtin);
+            let first = last.or(builtins().first().copied());
+            let read = first.ok_or("there is no lesson")?.read();
+            read.map_err(|error| error.to_string())?
         }
     };
     let mut session = Session::new(lesson).map_err(|error| error.to_string())?;
-    session.start_at(step);
-    show(session).map_err(|problem| {
+    kept.language = kept.language.or_else(sys_locale::get_locale);
+    session.restore(kept);
+    if let Some(step) = step {
+        session.start_at(step);
+    }
+    window.notice = trouble.map(|trouble| trouble.in_language(session.look.language));
+    show(session, window).map_err(|problem| {
         format!(
             "cannot open a window: {problem}; `lightwalk frames LESSON --out DIR` and `lightwalk render SCENE --method gouraud --out FILE.png` work without one"
         )
     })
 }
 
-fn show(session: Session) -> Result<(), String> {
+fn show(session: Session, window: Window) -> Result<(), String> {
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title(session.window_title())
@@ -71,10 +91,7 @@ fn show(session: Session) -> Result<(), String> {
         let create: eframe::AppCreator = Box::new(move |creation| {
             shown.store(true, Ordering::Relaxed);
             creation.egui_ctx.set_fonts(style::fonts());
-            Ok(Box::new(App {
-                session,
-                window: Window::default(),
-            }))
+            Ok(Box::new(App { session, window }))
         });
         eframe::run_native("lightwalk", options, create)
     }));

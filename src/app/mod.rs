@@ -2,6 +2,8 @@
 
 mod button;
 mod drag;
+mod forget;
+mod keeper;
 mod key_sheet;
 mod keys;
 mod main_window;

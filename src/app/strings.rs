@@ -38,6 +38,13 @@ pub const MEASURED_AGAIN_BY: Message = Message("app-measured-again-by");
 pub const REFERENCE: Message = Message("app-reference");
 pub const PARETO: Message = Message("app-pareto");
 
+pub const FORGET: Message = Message("app-forget");
+pub const FORGET_WHAT: Message = Message("app-forget-what");
+pub const FORGET_IT: Message = Message("app-forget-it");
+pub const KEEP_IT: Message = Message("app-keep-it");
+pub const KEPT_SET_ASIDE: Message = Message("app-kept-set-aside");
+pub const NOT_KEPT: Message = Message("app-not-kept");
+
 pub const TEXT_SIZE: Message = Message("app-text-size");
 pub const TEXT_SIZE_TO: Message = Message("app-text-size-to");
 

@@ -165,6 +165,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             (strings::PRESENT, Command::Present),
             (strings::SHARE, Command::Share),
             (strings::LEFT_OUT, Command::Skipped),
+            (strings::FORGET, Command::AskToForget),
         ] {
             let strings = session.localize(strings);
             super::button::button(

@@ -4,8 +4,8 @@ use super::session::{Command, Session};
 use super::tiles::{GAP, panel_on};
 use super::window_state::Window;
 use super::{
-    key_sheet, keys, narration, parameter_card, skipped, strings, study_view, style, top_bar,
-    transport,
+    forget, key_sheet, keys, narration, parameter_card, skipped, strings, study_view, style,
+    top_bar, transport,
 };
 use crate::panels::Panel;
 use egui::{CursorIcon, Frame, Id, Margin, Popup, Rect, Sense, Stroke, Ui, ViewportCommand};
@@ -59,7 +59,7 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     // A small window may narrow the column for a while; what was chosen stays.
     let usual = (0.27 * size.x).clamp(250.0, 460.0);
     let limits = 230.0..=(0.45 * size.x).max(230.0);
-    let width = window.column.unwrap_or(usual);
+    let width = window.layout.column.unwrap_or(usual);
     let column = egui::Panel::left("narration")
         .resizable(false)
         .exact_size(width.clamp(*limits.start(), *limits.end()))
@@ -94,7 +94,7 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
             );
         });
     if let Some(width) = dragged_border(column.response.rect, ui) {
-        window.column = Some(width.clamp(*limits.start(), *limits.end()));
+        window.layout.column = Some(width.clamp(*limits.start(), *limits.end()));
     }
     if under_pointer != session.hovered() {
         commands.push(Command::Hover(under_pointer));
@@ -111,6 +111,9 @@ impl Window {
         if session.look.skipped {
             skipped::show(session, &mut commands, ctx);
         }
+        if session.look.forgetting {
+            forget::show(session, &mut commands, ctx);
+        }
         let acted = !commands.is_empty();
         for command in commands {
             self.carry_out(session, command);
@@ -118,10 +121,16 @@ impl Window {
         if acted {
             ctx.request_repaint();
         }
+        self.keep(session, ctx);
     }
 
     fn carry_out(&mut self, session: &mut Session, command: Command) {
         let quiet = matches!(command, Command::Hover(_));
+        if command == Command::Forget
+            && let Some(keeper) = &mut self.keeper
+        {
+            keeper.forget();
+        }
         let step = (session.recording(), session.step());
         let result = session.update(command);
         if !quiet {

@@ -1,10 +1,12 @@
 //! What the window remembers from frame to frame.
 
+use super::keeper::Keeper;
 use super::panel_view::PanelView;
 use super::study_plot::StudyPlot;
 use super::tiles::Arrangement;
 use crate::panels::Panel;
 use crate::picture::Theme;
+use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 
 /// What the window keeps that the session need not know: textures, tile borders, half-typed texts.
@@ -19,8 +21,9 @@ pub struct Window {
     pub(super) search: String,
     /// Why the last command was refused, or what it did, until the next one.
     pub(super) notice: Option<String>,
-    /// Width of the left column, where the user has chosen one.
-    pub(super) column: Option<f32>,
+    pub(super) layout: Layout,
+    /// Where progress is kept; nowhere in tests.
+    pub(super) keeper: Option<Keeper>,
     /// Height of narration and question in the frame before.
     pub(super) said_height: f32,
     pub(super) styled: Option<Theme>,
@@ -28,4 +31,12 @@ pub struct Window {
     pub(super) full_screen: bool,
     /// When the frame before was shown, in seconds.
     pub(super) time: Option<f64>,
+}
+
+/// How the user has divided the window; what was not chosen is as usual. It is kept from one start of the program to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[serde(default)]
+pub(super) struct Layout {
+    /// Width of the left column.
+    pub column: Option<f32>,
 }

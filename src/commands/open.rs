@@ -4,9 +4,9 @@ use super::failure::Failure;
 
 #[derive(clap::Args, Default)]
 pub struct Arguments {
-    /// The id of a lesson, or a lesson file
+    /// The id of a lesson, or a lesson file; the lesson that was open last unless given
     lesson: Option<String>,
-    /// The step to open it at, counted from 0
+    /// The step to open it at, counted from 0; where it was left unless given
     #[arg(long, value_name = "N", requires = "lesson")]
     step: Option<usize>,
 }
@@ -33,7 +33,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             }
         },
     };
-    crate::app::open(lesson, arguments.step.unwrap_or(0)).map_err(Failure::Failed)
+    crate::app::open(lesson, arguments.step).map_err(Failure::Failed)
 }
 
 #[cfg(not(feature = "gui"))]

@@ -29,6 +29,13 @@ impl Language {
             Language::Pseudo => "qps",
         }
     }
+
+    /// The language of a tag such as `id` or `id-ID`, where it is one of the program's.
+    pub fn of_tag(tag: &str) -> Option<Language> {
+        let code = tag.split(['-', '_']).next()?;
+        let is_it = |language: &Language| language.code().eq_ignore_ascii_case(code);
+        Language::ALL.into_iter().find(is_it)
+    }
 }
 
 /// What something with a name of its own in the program is called: the message whose key is `space`, a hyphen, and the name in

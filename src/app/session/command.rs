@@ -65,8 +65,12 @@ pub enum Command {
     Change(Change),
     /// Forces a part that the scene does not need, or skips it again.
     Force(Part),
-    /// The lesson as it was when it was opened.
+    /// The lesson from its beginning, as it was before anything was changed or answered.
     Reset,
+    /// Asks whether the progress in all lessons shall be forgotten, or stops asking.
+    AskToForget,
+    /// Forgets the position and the answers in all lessons.
+    Forget,
     /// Error against run time.
     Study(StudyCommand),
     /// A built-in lesson by its id.

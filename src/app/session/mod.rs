@@ -4,6 +4,7 @@ mod change;
 mod command;
 mod focus;
 mod forced;
+mod kept;
 mod play;
 mod playing;
 mod preview;
@@ -17,6 +18,7 @@ mod update;
 mod tests;
 
 pub use command::{Command, Guess, PointAt, Refused, StudyCommand};
+pub use kept::{Kept, Progress};
 pub use playing::Direction;
 pub use question::read_number;
 pub use study::{Outcome, Studying};
@@ -33,7 +35,8 @@ use crate::render::smooth_patches;
 use crate::replay::Walk;
 use playing::{Loop, Play};
 use preview::{Methods, Preview};
-use std::collections::HashMap;
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, HashMap};
 
 /// Text sizes, relative to the normal one.
 const TEXT_SIZES: [f32; 7] = [0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.75];
@@ -49,6 +52,8 @@ pub struct Look {
     /// The theme to return to after presenting.
     before_presenting: Theme,
     pub keys: bool,
+    /// Whether the user is asked before progress is forgotten.
+    pub forgetting: bool,
     /// The view of what is left out.
     pub skipped: bool,
     pub inspector: bool,
@@ -66,6 +71,7 @@ impl Look {
             presenting: false,
             before_presenting: Theme::Light,
             keys: false,
+            forgetting: false,
             skipped: false,
             inspector: true,
             smooth: false,
@@ -88,7 +94,8 @@ fn methods(open: &OpenLesson) -> Methods {
 }
 
 /// How a question stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Standing {
     Open,
     Right,
@@ -116,6 +123,10 @@ pub struct Session {
     narrated: Vec<usize>,
     /// How each narrated step's question stands.
     standings: Vec<Standing>,
+    /// How far each lesson has come, by its id.
+    progress: BTreeMap<String, Progress>,
+    /// The last lesson whose progress was noted, by its id.
+    kept_lesson: Option<String>,
     preview: Preview,
     /// Counts the pictures that have arrived, so that an earlier one is known to be old.
     pictures: u64,
@@ -151,6 +162,8 @@ impl Session {
             left_at: 0,
             narrated: Vec::new(),
             standings: Vec::new(),
+            progress: BTreeMap::new(),
+            kept_lesson: None,
             preview: Preview::new(open.setup.clone(), methods(&open)),
             pictures: 0,
             recording: 0,
@@ -173,13 +186,15 @@ impl Session {
         Ok(session)
     }
 
-    /// Puts another lesson in place of this one; what belongs to the user (language, theme, speed) stays.
+    /// Puts another lesson in place of this one, where it was left; what belongs to the user (language, theme, speed) stays.
     fn replace(&mut self, lesson: Lesson) -> Result<(), LessonError> {
         let open = lesson.open()?;
+        self.note_progress();
         self.preview = Preview::new(open.setup.clone(), methods(&open));
         self.focus = open.lesson.focus;
         self.open = open;
         self.start_over();
+        self.resume();
         Ok(())
     }
 

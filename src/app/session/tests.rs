@@ -1,4 +1,5 @@
 mod focus;
+mod kept;
 mod questions;
 
 use super::{Command, Direction, Guess, Session, Standing};

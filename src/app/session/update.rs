@@ -61,7 +61,9 @@ impl Session {
                 }
                 self.focus_on(self.open.lesson.focus)?;
                 self.start_over();
+                self.forget_lesson();
             }
+            Command::Forget => self.forget(),
             Command::Open(id) => {
                 let builtin = builtin(&id).ok_or(strings::NO_SUCH_LESSON)?;
                 let opened = builtin.read().and_then(|lesson| self.replace(lesson));
@@ -254,6 +256,7 @@ impl Session {
             }
             Command::StopPresenting => {}
             Command::Keys => look.keys = !look.keys,
+            Command::AskToForget => look.forgetting = !look.forgetting,
             Command::Skipped => look.skipped = !look.skipped,
             Command::Inspector => look.inspector = !look.inspector,
             Command::Smooth => look.smooth = !look.smooth,

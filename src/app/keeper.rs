@@ -1,0 +1,226 @@
+//! Keeps progress and settings in a file of the user's data folder: written whole after each change, so that a killed process loses
+//! nothing. Several windows may write it: what one has not changed itself stays as it is in the file.
+
+use super::session::{Kept, Session};
+use super::strings;
+use super::window_state::{Layout, Window};
+use crate::language::Language;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+use std::fs::{self, File, TryLockError};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+const FILE: &str = "progress.json";
+const LOCK: &str = "progress.lock";
+
+/// Until another window has written the file.
+const BUSY: Duration = Duration::from_millis(20);
+
+/// What stands in the file.
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
+#[serde(default)]
+pub struct State {
+    pub session: Kept,
+    pub layout: Layout,
+}
+
+/// The user's folder for the program's data. None where the system does not say where that is.
+pub fn data_folder() -> Option<PathBuf> {
+    use etcetera::base_strategy::{BaseStrategy, choose_native_strategy};
+    let base = choose_native_strategy().ok()?;
+    Some(base.data_dir().join("lightwalk"))
+}
+
+/// Why something was not kept, or could not be read.
+#[derive(Debug)]
+pub enum Trouble {
+    /// The file made no sense; now it has this name.
+    SetAside(PathBuf),
+    Failed(io::Error),
+}
+
+impl Trouble {
+    pub fn in_language(&self, language: Language) -> String {
+        match self {
+            Trouble::SetAside(path) => {
+                let path = path.display().to_string();
+                strings::KEPT_SET_ASIDE.format(language, &[("path", &path)])
+            }
+            Trouble::Failed(error) => {
+                strings::NOT_KEPT.format(language, &[("why", &error.to_string())])
+            }
+        }
+    }
+}
+
+impl From<io::Error> for Trouble {
+    fn from(error: io::Error) -> Self {
+        Trouble::Failed(error)
+    }
+}
+
+/// The file, and what this window has read from it or written to it.
+pub struct Keeper {
+    folder: PathBuf,
+    /// As this window knows it to be kept: what differs from that, the window has changed.
+    known: Value,
+    /// What could not be written: it is tried again with the next change.
+    refused: Option<Value>,
+    /// Whether the user knows that nothing can be written.
+    complained: bool,
+}
+
+impl Keeper {
+    /// Reads the file in `folder`; where there is none, nothing was kept so far. Errors: the file made no sense or could not be
+    /// read; the keeper works all the same.
+    pub fn open(folder: PathBuf) -> (Keeper, Result<State, Trouble>) {
+        let found = read(&folder).map(|found| found.map(|(state, _)| state).unwrap_or_default());
+        let known = serde_json::to_value(found.as_ref().ok()).unwrap_or_default();
+        let keeper = Keeper {
+            folder,
+            known,
+            refused: None,
+            complained: matches!(found, Err(Trouble::Failed(_))),
+        };
+        (keeper, found)
+    }
+
+    /// Writes what differs from what is kept. Errors: why it cannot, once.
+    fn save(&mut self, state: &State) -> Result<Saved, Trouble> {
+        let ours = serde_json::to_value(state).map_err(io::Error::other)?;
+        if ours == self.known || self.refused.as_ref() == Some(&ours) {
+            return Ok(Saved::Unchanged);
+        }
+        let written = self.write(&ours);
+        match written {
+            Ok(Saved::Busy) => {}
+            Ok(_) | Err(Trouble::SetAside(_)) => (self.known, self.refused) = (ours, None),
+            Err(Trouble::Failed(_)) => {
+                self.refused = Some(ours);
+                if std::mem::replace(&mut self.complained, true) {
+                    return Ok(Saved::Unchanged);
+                }
+            }
+        }
+        written
+    }
+
+    /// Puts what this window has changed into the file.
+    fn write(&self, ours: &Value) -> Result<Saved, Trouble> {
+        fs::create_dir_all(&self.folder)?;
+        let lock = File::create(self.folder.join(LOCK))?;
+        // A file system without locks must do without.
+        if let Err(TryLockError::WouldBlock) = lock.try_lock() {
+            return Ok(Saved::Busy);
+        }
+        let (theirs, set_aside) = match read(&self.folder) {
+            Ok(found) => (found.map(|(_, value)| value), None),
+            Err(Trouble::SetAside(path)) => (None, Some(path)),
+            Err(failed) => return Err(failed),
+        };
+        // Where the file is gone, all of ours is written.
+        let merged = match &theirs {
+            Some(theirs) => merged(Some(&self.known), Some(ours), Some(theirs)),
+            None => Some(ours.clone()),
+        };
+        let mut text = serde_json::to_vec_pretty(&merged).map_err(io::Error::other)?;
+        text.push(b'\n');
+        let mut file = tempfile::Builder::new()
+            .prefix(".progress-")
+            .tempfile_in(&self.folder)?;
+        file.write_all(&text)?;
+        file.persist(self.folder.join(FILE))
+            .map_err(|error| error.error)?;
+        match set_aside {
+            Some(path) => Err(Trouble::SetAside(path)),
+            None => Ok(Saved::Written),
+        }
+    }
+
+    /// Lets the next change also remove what only other windows have written.
+    pub fn forget(&mut self) {
+        if let Ok(Some((state, _))) = read(&self.folder) {
+            self.known = serde_json::to_value(state).unwrap_or_default();
+        }
+    }
+}
+
+/// What came of writing.
+#[derive(Debug, PartialEq)]
+enum Saved {
+    Unchanged,
+    Written,
+    /// Another window is writing; to be tried again soon.
+    Busy,
+}
+
+/// The file, also as it was written, with parts that a newer program may have added; none where there is no file. A file that makes
+/// no sense gets another name.
+fn read(folder: &Path) -> Result<Option<(State, Value)>, Trouble> {
+    let path = folder.join(FILE);
+    let text = match fs::read(&path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        text => text?,
+    };
+    // A list would be taken for the values of a `State` in their order.
+    let object: Result<Map<String, Value>, _> = serde_json::from_slice(&text);
+    let value = object.map(Value::Object);
+    match value.and_then(|value| Ok((State::deserialize(&value)?, value))) {
+        Ok(found) => Ok(Some(found)),
+        Err(_) => {
+            let named = |number: usize| folder.join(format!("progress.damaged-{number}.json"));
+            let mut number = 1;
+            while named(number).exists() {
+                number += 1;
+            }
+            let aside = named(number);
+            fs::rename(&path, &aside)?;
+            Err(Trouble::SetAside(aside))
+        }
+    }
+}
+
+/// Three-way merge, key by key: what differs between `known` and `ours` goes over `theirs`.
+fn merged(known: Option<&Value>, ours: Option<&Value>, theirs: Option<&Value>) -> Option<Value> {
+    if known == ours {
+        return theirs.cloned();
+    }
+    let (Some(Value::Object(our)), Some(Value::Object(their))) = (ours, theirs) else {
+        return ours.cloned();
+    };
+    let knew = known.and_then(Value::as_object);
+    let keys = our
+        .keys()
+        .chain(their.keys().filter(|key| !our.contains_key(*key)));
+    let entries = keys.filter_map(|key| {
+        let known = knew.and_then(|knew| knew.get(key));
+        Some((key.clone(), merged(known, our.get(key), their.get(key))?))
+    });
+    Some(Value::Object(entries.collect::<Map<_, _>>()))
+}
+
+impl Window {
+    /// Keeps progress and settings, if they have changed.
+    pub(super) fn keep(&mut self, session: &mut Session, ctx: &egui::Context) {
+        let Some(keeper) = &mut self.keeper else {
+            return;
+        };
+        let state = State {
+            session: session.keep(),
+            layout: self.layout,
+        };
+        match keeper.save(&state) {
+            Ok(Saved::Busy) => ctx.request_repaint_after(BUSY),
+            Ok(_) => {}
+            Err(trouble) => {
+                self.notice = Some(trouble.in_language(session.look.language));
+                ctx.request_repaint();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
