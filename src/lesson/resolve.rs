@@ -16,6 +16,7 @@ use crate::replay::Run;
 use crate::scene::document::{self, ByName, Keyed, Problem};
 use crate::scene::{self, Limits, Names, Scene, View};
 use std::collections::BTreeSet;
+use std::iter;
 use std::sync::Arc;
 
 /// A lesson whose file is right by itself; it has not been run.
@@ -305,12 +306,14 @@ fn check_words(file: &LessonFile, problems: &mut Vec<Problem>) {
     }
     let texts = [("title", &file.title), ("summary", &file.summary)]
         .map(|(place, text)| (place.to_owned(), text));
-    let says = file
-        .steps
-        .iter()
-        .enumerate()
-        .map(|(index, Keyed(step))| (format!("steps[{index}].say"), &step.say));
-    for (place, text) in texts.into_iter().chain(says) {
+    let recap = file.recap.iter().map(|text| ("recap".to_owned(), text));
+    let steps = file.steps.iter().enumerate();
+    let of_steps = steps.flat_map(|(index, Keyed(step))| {
+        let title = step.title.iter();
+        let title = title.map(move |text| (format!("steps[{index}].title"), text));
+        iter::once((format!("steps[{index}].say"), &step.say)).chain(title)
+    });
+    for (place, text) in texts.into_iter().chain(recap).chain(of_steps) {
         refuse_empty(&place, text, problems);
     }
 }

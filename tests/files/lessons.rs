@@ -1,7 +1,20 @@
 //! The program's own lessons: each reads, runs, finds every anchor, and teaches enough.
 
-use lightwalk::lesson::{Answer, builtins};
+use lightwalk::lesson::{Answer, OpenLesson, builtins};
+use lightwalk::panels::Panel;
 use lightwalk::panels::strings::Language;
+
+/// Every lesson, opened.
+fn open_lessons() -> impl Iterator<Item = OpenLesson> {
+    builtins().iter().map(|builtin| {
+        let open = builtin.read().and_then(|lesson| lesson.open());
+        open.unwrap_or_else(|error| panic!("{}: {error}", builtin.id))
+    })
+}
+
+fn count_words(text: &str) -> usize {
+    text.split_whitespace().count()
+}
 
 #[test]
 fn every_lesson_opens_and_teaches() {
@@ -58,6 +71,39 @@ fn every_lesson_opens_and_teaches() {
         numbers.is_sorted_by(|a, b| a < b),
         "lessons are listed in the order of their numbers"
     );
+}
+
+#[test]
+fn every_explanation_has_a_short_title_and_every_lesson_a_recap() {
+    for open in open_lessons() {
+        let id = &open.lesson.id;
+        let recap = open.lesson.recap.as_ref();
+        let recap = recap.unwrap_or_else(|| panic!("{id}: no recap"));
+        for language in Language::ALL {
+            let recap = recap.in_language(language);
+            assert!((30..=70).contains(&count_words(recap)), "{id}: {recap}");
+            for narrated in &open.narrated {
+                let title = narrated.title.as_ref();
+                let title = title.unwrap_or_else(|| panic!("{id}: step {}", narrated.step));
+                let title = title.in_language(language);
+                assert!((2..=6).contains(&count_words(title)), "{id}: {title}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_lesson_opens_with_a_picture() {
+    let pictures = [
+        Panel::Image,
+        Panel::Comparison,
+        Panel::Radiosity,
+        Panel::FormFactor,
+    ];
+    for open in open_lessons() {
+        let key = open.narrated[0].key.unwrap_or(open.lesson.panels[0]);
+        assert!(pictures.contains(&key), "{}: {key:?}", open.lesson.id);
+    }
 }
 
 /// The largest error of `next`, called once for each of the fractions 1/n, 2/n, … 1.
