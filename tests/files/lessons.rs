@@ -1,16 +1,34 @@
 //! The program's own lessons: each reads, runs, finds every anchor, and teaches enough.
 
-use lightwalk::lesson::{Answer, OpenLesson, builtins};
+use lightwalk::lesson::{Answer, Narrated, builtins};
 use lightwalk::panels::Panel;
 use lightwalk::panels::strings::Language;
+use std::sync::LazyLock;
 
-/// Every lesson, opened.
-fn open_lessons() -> impl Iterator<Item = OpenLesson> {
-    builtins().iter().map(|builtin| {
-        let open = builtin.read().and_then(|lesson| lesson.open());
-        open.unwrap_or_else(|error| panic!("{}: {error}", builtin.id))
-    })
+/// What the tests of texts read of a lesson.
+struct LessonTexts {
+    id: String,
+    panels: Vec<Panel>,
+    recap: Option<[String; 2]>,
+    narrated: Vec<Narrated>,
 }
+
+/// Every lesson, opened once for all tests.
+static LESSONS: LazyLock<Vec<LessonTexts>> = LazyLock::new(|| {
+    let open = builtins().iter().map(|builtin| {
+        let open = builtin.read().and_then(|lesson| lesson.open());
+        let open = open.unwrap_or_else(|error| panic!("{}: {error}", builtin.id));
+        let recap = open.lesson.recap.as_ref();
+        LessonTexts {
+            id: open.lesson.id.clone(),
+            panels: open.lesson.panels.clone(),
+            recap: recap
+                .map(|recap| Language::ALL.map(|language| recap.in_language(language).to_string())),
+            narrated: open.narrated,
+        }
+    });
+    open.collect()
+});
 
 fn count_words(text: &str) -> usize {
     text.split_whitespace().count()
@@ -75,14 +93,14 @@ fn every_lesson_opens_and_teaches() {
 
 #[test]
 fn every_explanation_has_a_short_title_and_every_lesson_a_recap() {
-    for open in open_lessons() {
-        let id = &open.lesson.id;
-        let recap = open.lesson.recap.as_ref();
+    for lesson in LESSONS.iter() {
+        let id = &lesson.id;
+        let recap = lesson.recap.as_ref();
         let recap = recap.unwrap_or_else(|| panic!("{id}: no recap"));
         for language in Language::ALL {
-            let recap = recap.in_language(language);
+            let recap = &recap[language as usize];
             assert!((30..=70).contains(&count_words(recap)), "{id}: {recap}");
-            for narrated in &open.narrated {
+            for narrated in &lesson.narrated {
                 let title = narrated.title.as_ref();
                 let title = title.unwrap_or_else(|| panic!("{id}: step {}", narrated.step));
                 let title = title.in_language(language);
@@ -92,17 +110,83 @@ fn every_explanation_has_a_short_title_and_every_lesson_a_recap() {
     }
 }
 
+/// Nobody reads a page of text beside a picture: an explanation has 70 words at most.
 #[test]
-fn every_lesson_opens_with_a_picture() {
+fn every_explanation_is_short() {
+    let mut long = Vec::new();
+    for lesson in LESSONS.iter() {
+        let id = &lesson.id;
+        let count = lesson.narrated.len();
+        assert!((10..=30).contains(&count), "{id}: {count} explanations");
+        for language in Language::ALL {
+            for (index, narrated) in lesson.narrated.iter().enumerate() {
+                let texts = [Some(narrated.say(language)), narrated.slide(language)];
+                let words = texts.into_iter().flatten().map(count_words);
+                long.extend(
+                    words
+                        .filter(|&words| words > 70)
+                        .map(|words| format!("{id} {language:?} [{index}]: {words} words")),
+                );
+            }
+        }
+    }
+    assert_eq!(long, [""; 0]);
+}
+
+/// Where a panel stands depends on the window, so a text names it and does not say where it is.
+#[test]
+fn no_text_says_where_a_panel_is() {
+    let parts = [
+        "panel",
+        "panels",
+        "slider",
+        "sliders",
+        "strip",
+        "view",
+        "window",
+        "penggeser",
+        "jalur",
+        "jendela",
+    ];
+    let places = [
+        "above", "below", "left", "right", "upper", "lower", "top", "bottom", "beside", "atas",
+        "bawah", "kiri", "kanan", "sebelah",
+    ];
+    for lesson in LESSONS.iter() {
+        for language in Language::ALL {
+            for narrated in &lesson.narrated {
+                let say = narrated.say(language).to_lowercase();
+                let letters = |c: char| !c.is_alphabetic();
+                let words: Vec<&str> = say.split(letters).filter(|word| !word.is_empty()).collect();
+                // "panel above", "upper strip", "penggeser di atas".
+                for near in words.windows(3) {
+                    let placed = match near {
+                        [a, b, _] if parts.contains(a) && places.contains(b) => true,
+                        [a, b, _] if places.contains(a) && parts.contains(b) => true,
+                        [a, "di", b] => parts.contains(a) && places.contains(b),
+                        _ => false,
+                    };
+                    assert!(!placed, "{}: {near:?} in: {say}", lesson.id);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn every_lesson_begins_and_ends_with_a_picture() {
     let pictures = [
         Panel::Image,
         Panel::Comparison,
         Panel::Radiosity,
         Panel::FormFactor,
     ];
-    for open in open_lessons() {
-        let key = open.narrated[0].key.unwrap_or(open.lesson.panels[0]);
-        assert!(pictures.contains(&key), "{}: {key:?}", open.lesson.id);
+    for lesson in LESSONS.iter() {
+        let first = lesson.narrated.first();
+        for narrated in first.into_iter().chain(lesson.narrated.last()) {
+            let key = narrated.key.unwrap_or(lesson.panels[0]);
+            assert!(pictures.contains(&key), "{}: {key:?}", lesson.id);
+        }
     }
 }
 
