@@ -25,6 +25,8 @@ pub struct Key {
     tree: Option<TreeView>,
     /// Of the room alone.
     smooth: bool,
+    /// Whether a question waits.
+    pending: bool,
 }
 
 /// A panel from frame to frame.
@@ -52,6 +54,7 @@ impl PanelView {
             breakpoints: session.breakpoints().to_vec(),
             tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
             smooth: panel == Panel::Radiosity && session.look.smooth,
+            pending: session.panel_input().is_pending(),
         };
         let lit = session.hovered().into_iter().chain(session.lit());
         let lit = lit.flat_map(alike).collect();

@@ -108,6 +108,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             breakpoints: &[],
             tree: TreeView::whole(),
             smooth: radiosity.smooth.then_some(smooth_patches),
+            pending: None,
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

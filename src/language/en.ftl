@@ -326,6 +326,7 @@ panels-no-steps = Nothing is recorded here: no polygon lies in the focus. Click 
 panels-no-polygons = This method follows rays and converts no polygons. Look at the ray tree.
 panels-no-rays = This method converts polygons and follows no rays. Open a lesson on ray casting or ray tracing.
 panels-no-patches = This run exchanges no light between patches. Open a lesson on radiosity.
+panels-after-your-answer = after your answer
 panels-not-compared = The pictures to be compared are being made, or this lesson compares none.
 panels-step = Step { $step }, { $kind }
 panels-no-step = Step –

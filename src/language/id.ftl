@@ -326,6 +326,7 @@ panels-no-steps = Tidak ada yang direkam di sini: tidak ada poligon dalam fokus.
 panels-no-polygons = Metode ini mengikuti sinar dan tidak mengolah poligon. Lihatlah pohon sinar.
 panels-no-rays = Metode ini mengolah poligon dan tidak mengikuti sinar. Buka pelajaran tentang ray casting atau ray tracing.
 panels-no-patches = Proses ini tidak mempertukarkan cahaya antar-patch. Buka pelajaran tentang radiositas.
+panels-after-your-answer = setelah jawaban Anda
 panels-not-compared = Gambar-gambar yang dibandingkan sedang dibuat, atau pelajaran ini tidak membandingkan apa pun.
 panels-step = Langkah { $step }, { $kind }
 panels-no-step = Langkah –

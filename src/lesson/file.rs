@@ -120,6 +120,9 @@ pub struct QuestionFile {
     /// The first such event behind the narrated step: the answer is read there.
     pub at: Query,
     pub answer: AnswerFile,
+    /// What is hidden until it is answered, beside all that is ahead of the step.
+    #[serde(default, deserialize_with = "present")]
+    pub hide: Option<Vec<String>>,
     /// Said once it is answered.
     pub why: Text,
 }

@@ -17,6 +17,8 @@ mod synthetic;
 pub mod template;
 #[cfg(test)]
 mod translated;
+#[cfg(test)]
+mod unanswered;
 
 pub use builtin::{Builtin, builtin, builtins};
 pub use error::LessonError;

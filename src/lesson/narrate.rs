@@ -4,7 +4,7 @@ use super::error::{LessonError, problem};
 use super::file::{AnswerFile, QuestionFile, StepFile, Text};
 use super::narrated::{Answer, Narrated, Question};
 use super::template::fill;
-use crate::panels::Panel;
+use crate::panels::{Hidden, Panel};
 use crate::record::Value;
 use crate::replay::{Query, Walk, query};
 use crate::scene::document::{Keyed, Problem};
@@ -100,6 +100,7 @@ impl Search<'_> {
                 why,
                 step,
                 answer,
+                hide: hidden(question),
             }),
             Err(message) => {
                 self.problems
@@ -108,6 +109,12 @@ impl Search<'_> {
             }
         }
     }
+}
+
+/// Names that are none are refused when the file is read.
+fn hidden(question: &QuestionFile) -> Vec<Hidden> {
+    let names = question.hide.iter().flatten();
+    names.filter_map(|name| Hidden::from_name(name)).collect()
 }
 
 fn read_answer(question: &QuestionFile, walk: &dyn Walk, step: usize) -> Result<Answer, String> {

@@ -1,8 +1,8 @@
 //! What is said and asked at a step, with the values of the run filled in.
 
 use super::file::Text;
-use crate::panels::Panel;
 use crate::panels::strings::Language;
+use crate::panels::{Hidden, Panel};
 
 /// What is said at a step.
 #[derive(Clone, Debug)]
@@ -26,6 +26,8 @@ pub struct Question {
     /// The step that shows the answer.
     pub step: usize,
     pub answer: Answer,
+    /// What is hidden until it is answered, beside all that is ahead of the step.
+    pub hide: Vec<Hidden>,
 }
 
 #[derive(Clone, Debug, PartialEq)]

@@ -9,34 +9,52 @@ use crate::render::{Finished, render};
 use glam::Vec2;
 use std::num::NonZeroUsize;
 
-/// Shows `look` the panels of a lesson, and those that every lesson has, at four of its explanations, in sizes from `size`.
+/// What the panels of a lesson show beside its steps, with nothing left to be made. Every reading of the clock takes a microsecond.
+pub(super) fn finished(open: &OpenLesson) -> Finished {
+    let draw_all = |method| render(&open.setup, method, NonZeroUsize::MIN, &|_, _| {});
+    let lights = &open.setup.prepared.scene.lights;
+    let mut finished = Finished::new(draw_all(open.lesson.method), lights);
+    let mut ticks = 0.0;
+    let mut clock = || {
+        ticks += 1e-6;
+        ticks
+    };
+    let methods = open.lesson.compare.iter();
+    finished.compared = methods
+        .map(|&method| compare_on(&open.setup, method, &mut clock))
+        .collect();
+    if open.lesson.panels.contains(&Panel::Race) {
+        let enclosure = open.setup.enclosure().unwrap();
+        let matrix = enclosure.matrix().unwrap();
+        finished.race = Some(enclosure.race(matrix, &mut clock));
+    }
+    finished
+}
+
+/// The panels of a lesson, and those that every lesson has.
+pub(super) fn panels(open: &OpenLesson) -> Vec<Panel> {
+    let mut panels = open.lesson.panels.clone();
+    for panel in [
+        Panel::Code,
+        Panel::Formula,
+        Panel::TimeLine,
+        Panel::Inspector,
+    ] {
+        if !panels.contains(&panel) {
+            panels.push(panel);
+        }
+    }
+    panels
+}
+
+/// Shows `look` the panels of a lesson at four of its explanations, in sizes from `size`.
 pub(super) fn each_picture(
     open: &mut OpenLesson,
     language: Language,
     size: &mut dyn FnMut() -> Vec2,
     look: &mut dyn FnMut(Panel, Vec2, &Picture),
 ) {
-    let draw_all = |method| render(&open.setup, method, NonZeroUsize::MIN, &|_, _| {});
-    let mut finished = Finished::new(
-        draw_all(open.lesson.method),
-        &open.setup.prepared.scene.lights,
-    );
-    let methods = open.lesson.compare.iter();
-    finished.compared = methods
-        .map(|&method| compare_on(&open.setup, method, || 0.0))
-        .collect();
-    let mut panels = open.lesson.panels.clone();
-    panels.extend([
-        Panel::Code,
-        Panel::Formula,
-        Panel::TimeLine,
-        Panel::Inspector,
-    ]);
-    if panels.contains(&Panel::Race) {
-        let enclosure = open.setup.enclosure().unwrap();
-        let matrix = enclosure.matrix().unwrap();
-        finished.race = Some(enclosure.race(matrix, &mut || 0.0));
-    }
+    let (finished, panels) = (finished(open), panels(open));
     let steps: Vec<usize> = open.narrated.iter().map(|narrated| narrated.step).collect();
     for &step in steps.iter().step_by(steps.len().div_ceil(4).max(1)) {
         open.run.walk_mut().seek(step);
@@ -50,6 +68,7 @@ pub(super) fn each_picture(
                 breakpoints: &[],
                 tree: TreeView::whole(),
                 smooth: None,
+                pending: None,
             };
             let size = size();
             look(panel, size, &draw(panel, &input, size));

@@ -9,7 +9,7 @@ use super::settings::{compare, mapping, radiosity, rays};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::methods::{Method, Settings, Setup};
-use crate::panels::Panel;
+use crate::panels::{Hidden, Panel};
 use crate::record::RecordingLimit;
 use crate::render::{MAX_PIXELS, MAX_SIDE};
 use crate::replay::Run;
@@ -104,6 +104,7 @@ impl Lesson {
             }
         }
         check_keys(&file, &mut problems);
+        check_hidden(&file, &mut problems);
         check_words(&file, &mut problems);
         let parameters = match (&scene, &file.parameters) {
             (Some(scene), Some(files)) => parameters(files, scene, &mut problems),
@@ -195,6 +196,23 @@ impl Lesson {
     /// What is said in a run of the lesson's own part. Errors: every anchor, value and answer that is not in the run.
     pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
         narrate(&self.steps, run.walk())
+    }
+}
+
+/// What a question hides is something that can be hidden.
+fn check_hidden(file: &LessonFile, problems: &mut Vec<Problem>) {
+    for (index, Keyed(step)) in file.steps.iter().enumerate() {
+        let Some(Keyed(question)) = &step.question else {
+            continue;
+        };
+        for (number, name) in question.hide.iter().flatten().enumerate() {
+            if Hidden::from_name(name).is_none() {
+                let place = format!("steps[{index}].question.hide[{number}]");
+                let known = Hidden::ALL.map(Hidden::name).join(", ");
+                let message = format!("found \"{name}\"; allowed are {known}");
+                problems.push(problem(place, message));
+            }
+        }
     }
 }
 

@@ -4,6 +4,7 @@
 pub(super) mod cells;
 pub(super) mod cursor;
 
+use super::horizon::{UNKNOWN, srgb_bytes};
 use super::message::{NOT_COMPARED, labelled, message};
 use super::values::step_as_sentence;
 use super::{PanelInput, Properties, names};
@@ -29,6 +30,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         return message(NOT_COMPARED, input.language, size);
     };
     let cursor = Cursor::of(input);
+    let hidden = input.hidden_pixels(&first.frame);
     let mut picture = Picture::new(size.x, size.y);
     let mut alt = step_as_sentence(input);
     let all = input.finished.compared.pictures();
@@ -37,8 +39,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         let name = names::method(compared.method, input.language);
         cell.title(&mut picture, &name, input.run.method() == compared.method);
         let frame = &compared.frame;
-        let colors = frame.color.iter();
-        let bytes: Vec<u8> = colors.flat_map(|color| color.to_srgb8()).collect();
+        let bytes = srgb_bytes(frame, hidden.as_deref());
         let image = Image::new(frame.width, frame.rows.len() as u32, bytes);
         picture.pixels(cell.image, image, (0, 0));
         cell.frame(&mut picture, &cursor);
@@ -46,9 +47,13 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         let shown = cursor
             .value(frame)
             .filter(|_| compared.method != Method::Wireframe);
+        let unknown = hidden
+            .as_deref()
+            .is_some_and(|hidden| cursor.is_on(frame, hidden));
         let here = shown.map_or_else(String::new, |color| {
             let [r, g, b] = color.channels();
             match r == g && g == b {
+                _ if unknown => format!("I = {UNKNOWN}"),
                 true => format!("I = {}", input.language.fixed(r, 3)),
                 false => {
                     let channels = color

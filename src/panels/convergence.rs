@@ -105,9 +105,11 @@ struct Iterations {
 }
 
 impl Iterations {
-    /// As far as the finished solution goes, where there is one, so that the axes stay as they are from step to step.
+    /// As far as the finished solution goes, where there is one, so that the axes stay as they are from step to step; while a
+    /// question waits, only as far as the run has come.
     fn new(tolerance: f64, state: &State, input: &PanelInput, whole: Rect) -> Self {
-        let ends = state.solved.as_ref().map_or(&[][..], |solved| &solved.ends);
+        let solved = state.solved.as_ref().filter(|_| !input.is_pending());
+        let ends = solved.map_or(&[][..], |solved| &solved.ends);
         let mut values = vec![tolerance, 1.0];
         let mut last = ends.iter().map(|&(iterations, _)| iterations).max();
         last = last.map(|iterations| iterations.saturating_sub(1));

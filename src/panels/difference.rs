@@ -2,6 +2,7 @@
 
 use super::comparison::cells::{ROW, cells};
 use super::comparison::cursor::Cursor;
+use super::horizon::{UNKNOWN, hatched};
 use super::message::{NOT_COMPARED, labelled, message};
 use super::names;
 use super::values::step_as_sentence;
@@ -35,6 +36,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         message.format(input.language, &[("value", &value)])
     };
     let cursor = Cursor::of(input);
+    let hidden = input.hidden_pixels(&reference.frame);
     let most = differences
         .iter()
         .fold(0.0, |most: f64, d| most.max(d.largest));
@@ -46,7 +48,11 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     for (((_, compared), difference), cell) in others.zip(differences).zip(cells) {
         let name = names::method(compared.method, input.language);
         cell.title(&mut picture, &name, input.run.method() == compared.method);
-        picture.pixels(cell.image, image(compared, difference, most), (0, 0));
+        picture.pixels(
+            cell.image,
+            image(compared, difference, most, hidden.as_deref()),
+            (0, 0),
+        );
         cell.frame(&mut picture, &cursor);
         let width = compared.frame.width as usize;
         let here = match (cursor.x, cursor.y) {
@@ -56,7 +62,12 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         let rms = valued(RMS, difference.rms);
         let largest = valued(LARGEST, difference.largest);
         let figures = format!("{rms} · {largest}");
-        let here = here.map_or_else(String::new, |&here| valued(HERE, here));
+        let unknown = hidden.as_deref();
+        let unknown = unknown.is_some_and(|hidden| cursor.is_on(&compared.frame, hidden));
+        let here = here.map_or_else(String::new, |&here| match unknown {
+            true => HERE.format(input.language, &[("value", UNKNOWN)]),
+            false => valued(HERE, here),
+        });
         let style = Style::Body.size(TEXT);
         // In a narrow cell the two figures take both rows.
         let lines = match style.width(&figures) <= cell.below.width {
@@ -73,12 +84,15 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     picture
 }
 
-fn image(compared: &Compared, difference: &Difference, most: f64) -> Image {
-    let bytes: Vec<u8> = difference
-        .signed
-        .iter()
-        .flat_map(|d| diverging(d / most.max(f64::MIN_POSITIVE)).to_srgb8())
-        .collect();
+fn image(
+    compared: &Compared,
+    difference: &Difference,
+    most: f64,
+    hidden: Option<&[bool]>,
+) -> Image {
+    let colors = difference.signed.iter();
+    let colors = colors.map(|d| diverging(d / most.max(f64::MIN_POSITIVE)).to_srgb8());
+    let bytes = hatched(colors, compared.frame.width, hidden);
     Image::new(
         compared.frame.width,
         compared.frame.rows.len() as u32,

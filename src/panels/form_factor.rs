@@ -6,6 +6,7 @@ mod curve;
 mod pair;
 mod view;
 
+use super::horizon::UNKNOWN;
 use super::message::{NO_PATCHES, NO_STEPS, labelled, message};
 use super::names;
 use super::values::step_as_sentence;
@@ -128,6 +129,12 @@ impl Layout<'_> {
         self.state.running_values(self.room.patches[self.i].area)
     }
 
+    /// What the value runs against; it would give away where the value ends, and is hidden while a question waits.
+    fn reference(&self) -> Option<f64> {
+        let reference = self.state.reference.filter(|_| !self.input.is_pending());
+        reference.map(|(f, _)| f)
+    }
+
     fn title(&self) -> String {
         let name = |patch| names::patch(self.prepared, self.room, patch, self.input.language);
         let (i, j) = (self.i, self.j);
@@ -152,7 +159,11 @@ impl Layout<'_> {
             (None, Some(f)) => lines.push((format!("F_i_j ← {}", language.number(f)), strong)),
             (None, None) => {}
         }
-        if let Some((exact, _)) = self.state.reference {
+        if self.input.is_pending() && self.state.reference.is_some() {
+            let text = labelled(localize(EXACT), UNKNOWN, language);
+            lines.push((text, quiet.ink(Ink::Text)));
+        }
+        if let Some(exact) = self.reference() {
             let text = labelled(localize(EXACT), &language.number(exact), language);
             lines.push((text, quiet.ink(Ink::Text)));
             let found = self.state.found.map(|(f, _)| f);

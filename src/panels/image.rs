@@ -5,6 +5,7 @@
 
 mod marks;
 
+use super::horizon::{after_your_answer, hatch, srgb_bytes};
 use super::strings::focus;
 use super::values::{sentence, step_in_words};
 use super::{PanelInput, Properties};
@@ -52,7 +53,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let frame = Rect::between(origin, origin + extent);
     let fit = Fit::at_origin(origin, zoom);
 
-    let (image, drawn) = image(input, canvas, background);
+    let hidden = input.hidden_pixels(&input.finished.picture);
+    let (image, drawn) = image(input, canvas, background, hidden.as_deref());
     picture.pixels(frame, image, (0, 0));
     picture.clipped(frame, |picture| {
         if zoom >= GRID {
@@ -84,9 +86,12 @@ fn finished(input: &PanelInput, size: Vec2) -> Picture {
     let extent = Vec2::new(width as f32, height as f32) * zoom as f32;
     let origin = (0.5 * (size - extent)).floor();
     let frame = Rect::between(origin, origin + extent);
-    let colors = input.finished.picture.color.iter();
-    let bytes: Vec<u8> = colors.flat_map(|color| color.to_srgb8()).collect();
+    let hidden = input.hidden_pixels(&input.finished.picture);
+    let bytes = srgb_bytes(&input.finished.picture, hidden.as_deref());
     picture.pixels(frame, Image::new(width, height, bytes), (0, 0));
+    if hidden.is_some() {
+        after_your_answer(&mut picture, frame, input.language);
+    }
     picture.rect(frame, Ink::Rule.stroke(1.0));
     let focus = focus(input.focus, input.language);
     picture.alt = sentence(&step_in_words(input), &[focus], input.language);
@@ -103,24 +108,32 @@ fn zoom(picture: Vec2, area: Rect) -> f64 {
     }
 }
 
-/// The canvas, and where nothing is drawn on it yet the finished picture as a ghost; and how many pixels are drawn.
-fn image(input: &PanelInput, canvas: &Canvas<Dot>, background: Rgb) -> (Image, usize) {
+/// The canvas, and where nothing is drawn on it yet the finished picture as a ghost, hatched where it is hidden; and how many
+/// pixels are drawn.
+fn image(
+    input: &PanelInput,
+    canvas: &Canvas<Dot>,
+    background: Rgb,
+    hidden: Option<&[bool]>,
+) -> (Image, usize) {
     let ground = background.to_srgb8();
     let mut bytes = vec![0; 3 * canvas.width() * canvas.height()];
     let (pixels, _) = bytes.as_chunks_mut();
     let follows_rays = matches!(input.run, Run::Rays(..));
     let around = follows_rays && matches!(input.focus, Focus::Pixel { .. });
-    let mut both = iter::zip(pixels, &input.finished.picture.color);
+    let mut both = iter::zip(pixels, &input.finished.picture.color).enumerate();
     let mut drawn = 0;
     // `for_each`, not `for`: the canvas hands out its tiles' rows much faster.
     canvas.iter().for_each(|dot| {
         // A finished picture that is smaller than the canvas leaves the rest black.
-        let Some((pixel, &finished)) = both.next() else {
+        let Some((at, (pixel, &finished))) = both.next() else {
             return;
         };
         *pixel = if dot.step.is_some() {
             drawn += 1;
             dot.color.to_srgb8()
+        } else if hidden.is_some_and(|hidden| hidden[at]) {
+            hatch(at % canvas.width(), at / canvas.width())
         } else if around {
             finished.to_srgb8()
         } else if finished == background {

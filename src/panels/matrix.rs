@@ -3,6 +3,7 @@
 mod draw;
 mod grid;
 
+use super::horizon::UNKNOWN;
 use super::message::{NO_PATCHES, NO_STEPS, message};
 use super::{PanelInput, Properties};
 use crate::algorithms::enclosure::Enclosure;
@@ -11,8 +12,10 @@ use crate::algorithms::radiosity::SolverEvent;
 use crate::language::{Language, Message};
 use crate::picture::Picture;
 use crate::replay::Run;
-use crate::replay::radiosity::State;
+use crate::replay::radiosity::{State, used_form_factors};
 use glam::Vec2;
+use std::borrow::Cow;
+use std::iter::zip;
 
 const NO_MATRIX: Message = Message("matrix-no-matrix");
 const NO_ROOM: Message = Message("matrix-no-room");
@@ -24,8 +27,9 @@ const MATRIX: Message = Message("common-matrix-of-form-factors");
 struct Layout<'a> {
     prepared: &'a PreparedScene,
     room: &'a Enclosure,
-    matrix: &'a [f64],
-    row_sums: &'a [f64],
+    /// Row by row; no number where it is hidden, and so are the sums.
+    matrix: Cow<'a, [f64]>,
+    row_sums: Cow<'a, [f64]>,
     n: usize,
     hand: Option<Hand>,
     language: Language,
@@ -79,12 +83,17 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if input.run.walk().is_empty() {
         return message(NO_STEPS, input.language, size);
     }
+    let n = room.patches.len();
+    let (mut matrix, mut row_sums) = (Cow::from(matrix), Cow::from(&solved.row_sums));
+    if input.is_pending() {
+        hide_unused(&mut matrix, &mut row_sums, &used_form_factors(replay, n));
+    }
     let layout = Layout {
         prepared: &setup.prepared,
         room,
         matrix,
-        n: room.patches.len(),
-        row_sums: &solved.row_sums,
+        n,
+        row_sums,
         hand: Hand::of(state),
         language: input.language,
     };
@@ -95,9 +104,30 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     picture
 }
 
+/// While a question waits, only what the solver has used is known, and the sums of rows that it has used whole.
+fn hide_unused(matrix: &mut Cow<[f64]>, row_sums: &mut Cow<[f64]>, used: &[bool]) {
+    for (value, _) in zip(matrix.to_mut(), used).filter(|(_, used)| !**used) {
+        *value = f64::NAN;
+    }
+    let n = row_sums.len().max(1);
+    for (sum, used) in zip(row_sums.to_mut(), used.chunks(n)) {
+        if used.contains(&false) {
+            *sum = f64::NAN;
+        }
+    }
+}
+
 impl Layout<'_> {
     fn name(&self, patch: usize) -> String {
         super::names::patch(self.prepared, self.room, patch, self.language)
+    }
+
+    /// A value as `write` writes it, a question mark where it is hidden.
+    fn known(&self, value: f64, write: impl Fn(Language, f64) -> String) -> String {
+        match value.is_nan() {
+            true => UNKNOWN.to_string(),
+            false => write(self.language, value),
+        }
     }
 
     fn row(&self, i: usize) -> &[f64] {
@@ -111,7 +141,7 @@ impl Layout<'_> {
             let does = if hand.shoots() {
                 SHOOTS.format(self.language, &[("patch", &name), ("column", &i)])
             } else {
-                let sum = self.language.number(self.row_sums[hand.i]);
+                let sum = self.known(self.row_sums[hand.i], Language::number);
                 let arguments = [("patch", &*name), ("row", &i), ("sum", &sum)];
                 GATHERS.format(self.language, &arguments)
             };

@@ -10,9 +10,12 @@ pub use list::ray_tree::{area as tree_area, middle as tree_middle};
 pub use list::rays::{Grip, grip};
 pub use list::time_line::step_at;
 pub use list::vectors::{Held, PlaneGrip, grip as vector_grip};
+pub use shared::horizon::Hidden;
 pub use shared::names::{
     kind as kind_name, meaning, quantity as quantity_name, scope as scope_names,
 };
+#[cfg(test)]
+pub use shared::names::{of_field as named_by, word as word_name};
 pub use shared::strings;
 
 use crate::algorithms::focus::Focus;
@@ -21,7 +24,7 @@ use crate::picture::Picture;
 use crate::render::{DrawPatches, Finished};
 use crate::replay::Run;
 use glam::Vec2;
-use shared::{channels, message, names, values};
+use shared::{channels, horizon, message, names, values};
 #[cfg(test)]
 use shared::{fixture, fixtures};
 use strings::Language;
@@ -108,4 +111,6 @@ pub struct PanelInput<'a> {
     pub tree: &'a TreeView,
     /// How patches are drawn whose light is interpolated between their corners; none where each has one colour.
     pub smooth: Option<DrawPatches>,
+    /// While a question waits at the step, what it hides beside all that is ahead of the step; none where no question waits.
+    pub pending: Option<&'a [Hidden]>,
 }

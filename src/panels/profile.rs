@@ -2,6 +2,7 @@
 //! seen as a band that is in no pixel: a Mach band.
 
 use super::comparison::cursor::Cursor;
+use super::horizon::after_your_answer;
 use super::message::{NOT_COMPARED, message};
 use super::values::step_as_sentence;
 use super::{PanelInput, Properties, names};
@@ -39,11 +40,14 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let localize = |strings: Message| strings.text(input.language);
     let cursor = Cursor::of(input);
     let row = cursor.row(&first.frame);
+    let hidden = input.hidden_pixels(&first.frame);
     let profiles: Vec<Profile> = compared
         .shaded()
-        .map(|(number, compared)| Profile::of(number, compared, row))
+        .map(|(number, compared)| Profile::of(number, compared, row, hidden.as_deref()))
         .collect();
     let columns = columns(compared, row, first.frame.width);
+    let index = |x| first.frame.index(x, row);
+    let is_hidden = |x| hidden.as_ref().is_some_and(|hidden| hidden[index(x)]);
     let mut picture = Picture::new(size.x, size.y);
     let whole = picture.bounds().grown(-MARGIN);
     let title = Rect {
@@ -97,6 +101,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         let place = Rect::between((left, y), (whole.right() - 4.0, y + height.max(1.0)));
         let plot = Plot::in_field(Axis::new(pixels, "x", input.language), up, place);
         plot.draw_field(&mut picture);
+        hidden_columns(&mut picture, &plot, input, &columns, &is_hidden, strip == 0);
         if let Some(x) = cursor.x.filter(|x| columns.contains(x)) {
             let stroke = Ink::This.stroke(1.25);
             plot.upright(&mut picture, f64::from(x) + 0.5, stroke);
@@ -118,6 +123,36 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         jumps.collect::<Vec<_>>().join("; ")
     );
     picture
+}
+
+/// The columns whose pixels are hidden, and words in the widest place of them, where there is one.
+fn hidden_columns(
+    picture: &mut Picture,
+    plot: &Plot,
+    input: &PanelInput,
+    columns: &Range<u32>,
+    is_hidden: &dyn Fn(u32) -> bool,
+    in_words: bool,
+) {
+    let all: Vec<u32> = columns.clone().filter(|&x| is_hidden(x)).collect();
+    let runs = all.chunk_by(|a, b| a + 1 == *b);
+    let places = runs.map(|run| {
+        let [left, right] = [run[0], run[run.len() - 1] + 1].map(|x| plot.point(x.into(), 0.0).x);
+        let width = right - left;
+        Rect {
+            x: left,
+            width,
+            ..plot.place
+        }
+    });
+    let places: Vec<Rect> = places.collect();
+    for &place in &places {
+        picture.rect(place, Ink::Faint);
+    }
+    let widest = places.iter().max_by(|a, b| a.width.total_cmp(&b.width));
+    if let Some(&widest) = widest.filter(|_| in_words) {
+        after_your_answer(picture, widest, input.language);
+    }
 }
 
 /// Whether two neighbours, by their inverse depths, are both drawn, and so near behind one another as one surface is.
@@ -160,10 +195,13 @@ struct Profile {
 }
 
 impl Profile {
-    fn of(number: usize, compared: &Compared, row: u32) -> Profile {
+    /// What is hidden is no number, and neither is what follows from it.
+    fn of(number: usize, compared: &Compared, row: u32, hidden: Option<&[bool]>) -> Profile {
         let frame = &compared.frame;
+        let is_hidden = |x| hidden.is_some_and(|hidden| hidden[frame.index(x, row)]);
+        let shown = |x, value| if is_hidden(x) { f64::NAN } else { value };
         let intensity: Vec<f64> = (0..frame.width)
-            .map(|x| frame.pixel(x, row).luminance())
+            .map(|x| shown(x, frame.pixel(x, row).luminance()))
             .collect();
         let depth = |x: usize| frame.inverse_depth[frame.index(x as u32, row)];
         let pairs = intensity.windows(2).enumerate();
@@ -179,7 +217,9 @@ impl Profile {
         Profile {
             series: Series::of(number),
             method: compared.method,
-            seen: compared.perceived(row).to_vec(),
+            seen: std::iter::zip(0.., compared.perceived(row))
+                .map(|(x, &seen)| shown(x, seen))
+                .collect(),
             intensity,
             gentle: gentle(&slope),
             slope,

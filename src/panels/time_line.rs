@@ -6,7 +6,8 @@
 
 mod rows;
 
-use super::message::{NO_STEPS, labelled, message};
+use super::horizon::UNKNOWN;
+use super::message::{AFTER_YOUR_ANSWER, NO_STEPS, labelled, message};
 use super::names;
 use super::values::sentence;
 use super::{PanelInput, Properties};
@@ -28,7 +29,10 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     }
     let position = walk.position();
     let track = track(size);
-    let rows = rows(walk, size);
+    let mut rows = rows(walk, size);
+    if input.is_pending() {
+        rows.iter_mut().for_each(|row| row.hide_after(position));
+    }
     let mut picture = Picture::new(size.x, size.y);
     picture.alt = in_words(input, &rows);
 
@@ -44,6 +48,9 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     }
     for row in &rows {
         row.draw(&mut picture, input);
+    }
+    for (number, row) in rows.iter().enumerate() {
+        row.draw_hidden(&mut picture, input.language, number == 0);
     }
     cursor(&mut picture, &whole, &rows, position, y);
     picture
@@ -91,7 +98,7 @@ impl Row {
                 continue;
             }
             let kind = walk.kind(scope);
-            let mut names = names::scope(input.run, scope, input.language);
+            let mut names = names(input, scope);
             if !walk.declared(scope).numbers.is_empty() && kind != "Ray" {
                 match kind == counted {
                     // The first of its kind says what the numbers count.
@@ -113,6 +120,29 @@ impl Row {
         }
     }
 
+    /// In the place of what a waiting question hides: words, or a question mark alone.
+    fn draw_hidden(&self, picture: &mut Picture, language: Language, in_words: bool) {
+        let Some(hidden) = &self.hidden else { return };
+        let left = self.span.x(hidden.start);
+        let width = self.place.right() - left;
+        let place = Rect {
+            x: left,
+            width,
+            ..self.place
+        };
+        let outline = Ink::Muted.stroke(1.0).dotted();
+        picture.rounded_rect(place, 3.0, Ink::Surface.fill().outlined(outline));
+        let style = Style::Body.size(TEXT).ink(Ink::Muted).middle();
+        let words = AFTER_YOUR_ANSWER.text(language);
+        let text = match in_words && style.width(words) + 6.0 <= width {
+            true => words,
+            false => UNKNOWN,
+        };
+        if style.width(text) <= width {
+            picture.text_in(place, text, style);
+        }
+    }
+
     /// The kinds of scope that have bars of their own, each with how many.
     fn kinds(&self, walk: &dyn Walk) -> Vec<(&'static Kind, usize)> {
         let mut kinds: Vec<(&'static Kind, usize)> = Vec::new();
@@ -130,7 +160,7 @@ impl Row {
     fn draw_current(&self, picture: &mut Picture, input: &PanelInput, scope: usize) {
         let style = Style::Bold.size(TEXT);
         let place = self.place_of_name();
-        let mut names = names::scope(input.run, scope, input.language);
+        let mut names = names(input, scope);
         let fitting = names
             .iter()
             .position(|name| style.width(name) <= place.width);
@@ -178,6 +208,11 @@ impl Row {
             picture.text_in(place, name, style);
         }
     }
+}
+
+/// What a scope is called, as far as it is known.
+fn names(input: &PanelInput, scope: usize) -> Vec<String> {
+    names::scope_known_at(input.run, scope, input.last_known(), input.language)
 }
 
 /// The first of the names that fits into a bar, beside the cursor where there is room. Returns whether one does.
@@ -278,7 +313,7 @@ fn in_words(input: &PanelInput, rows: &[Row]) -> String {
         .iter()
         .filter_map(|row| {
             let scope = row.current?;
-            let name = names::scope(input.run, scope, input.language).swap_remove(0);
+            let name = names(input, scope).swap_remove(0);
             let kind = || names::scope_kind(walk.declared(scope), input.language);
             Some(match walk.kind(scope) {
                 "Ray" => labelled(&kind(), &name, input.language),

@@ -1,9 +1,11 @@
 //! The state of a radiosity solver at one step: what each patch has, the current exchange, and how the residual went.
 
 mod light;
+mod read;
 mod solved;
 
 pub use light::Unshot;
+pub use read::used_form_factors;
 pub use solved::Solved;
 
 use super::Fold;

@@ -73,6 +73,7 @@ impl Walk {
             breakpoints: &[],
             tree: TreeView::whole(),
             smooth: radiosity.smooth.then_some(smooth_patches),
+            pending: None,
         };
         let size = if panel == Panel::TimeLine {
             (800.0 / shrink, 130.0 / shrink)

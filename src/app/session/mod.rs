@@ -292,6 +292,7 @@ impl Session {
             breakpoints: self.breakpoints(),
             tree: &self.tree,
             smooth: self.look.smooth.then_some(smooth_patches),
+            pending: self.pending(),
         }
     }
 

@@ -3,6 +3,7 @@
 use super::{Guess, Refused, Session, Standing};
 use crate::app::strings;
 use crate::lesson::{Answer, Question};
+use crate::panels::Hidden;
 
 impl Session {
     /// The question at this step, and how it stands.
@@ -19,6 +20,14 @@ impl Session {
                 self.standings[index] == Standing::Open
                     && self.open.narrated[index].question.is_some()
             })
+    }
+
+    /// What the question hides that waits at this step; none where no question waits.
+    pub(super) fn pending(&self) -> Option<&[Hidden]> {
+        match self.question() {
+            Some((question, Standing::Open)) => Some(&question.hide),
+            _ => None,
+        }
     }
 
     /// The first step from `here`, and before `target`, at which a question waits.

@@ -39,6 +39,14 @@ impl Cursor {
         self.y.filter(|&y| y < rows).unwrap_or(rows / 2)
     }
 
+    /// Whether its pixel is one of those marked, row by row.
+    pub fn is_on(&self, frame: &Frame, marked: &[bool]) -> bool {
+        match (self.x, self.y) {
+            (Some(x), Some(y)) if self.value(frame).is_some() => marked[frame.index(x, y)],
+            _ => false,
+        }
+    }
+
     /// The colour of a picture there.
     pub fn value(&self, frame: &Frame) -> Option<Rgb> {
         let (x, y) = (self.x?, self.y?);

@@ -12,7 +12,7 @@ const DOTTED: usize = 60;
 
 pub fn draw(picture: &mut Picture, layout: &Layout, place: Rect) {
     let running = layout.running();
-    let exact = layout.state.reference.map(|(f, _)| f);
+    let exact = layout.reference();
     let found = layout.state.found;
     let values = running.iter().map(|&(f, _)| f);
     let values = values.chain(exact).chain(found.map(|(f, _)| f));

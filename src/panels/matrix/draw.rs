@@ -43,7 +43,7 @@ pub fn draw(picture: &mut Picture, layout: &Layout) {
         width - 2.0 * MARGIN - left - bars - 10.0,
         height - top - bottom - MARGIN,
     );
-    let mut grid = Grid::new(layout.matrix, layout.n, free);
+    let mut grid = Grid::new(&layout.matrix, layout.n, free);
     // Everything in the middle.
     grid.area.x += (0.5 * (free.width - grid.area.width)).max(0.0).floor();
     let area = grid.area;
@@ -112,7 +112,8 @@ fn title(picture: &mut Picture, layout: &Layout) {
         if !hand.shoots() {
             parts.push(format!(
                 "Σ_j F_i_j = {}",
-                layout.language.fixed(layout.row_sums[hand.i], 4)
+                layout.known(layout.row_sums[hand.i], |language, sum| language
+                    .fixed(sum, 4))
             ));
         }
     }
@@ -233,6 +234,9 @@ fn sums(picture: &mut Picture, layout: &Layout, grid: &Grid, place: Rect) {
             Some(_) => Ink::This.fill(),
             None => Ink::Muted.fill().opacity(0.45),
         };
+        if sum.is_nan() {
+            continue;
+        }
         picture.tagged(Tag::Patch(row), |picture| {
             picture.rect(bar, paint);
         });
@@ -347,7 +351,7 @@ fn system(picture: &mut Picture, layout: &Layout, rho: f64, emission: f64, place
             picture.text_in(cell(j, 0), symbol, small().end());
             picture.text_in(
                 cell(j, 1),
-                layout.language.fixed(value, 3),
+                layout.known(value, |language, value| language.fixed(value, 3)),
                 style.size(SMALL).ink(ink).end(),
             );
         });

@@ -1,6 +1,7 @@
 //! The matrix in as many cells as there is room for, and the scale of its colours.
 
 use crate::figure::viridis;
+use crate::panels::horizon::hatch;
 use crate::picture::{Image, Rect};
 use std::ops::Range;
 
@@ -34,10 +35,11 @@ impl Grid {
         };
         let parts: Vec<Range<usize>> = (0..cells).map(|cell| grid.entries(cell)).collect();
         let looked = |part: &Range<usize>| part.clone().step_by(part.len().div_ceil(LOOKS).max(1));
+        // Not a number where all are hidden
         let largest = |rows: &Range<usize>, columns: &Range<usize>| {
             looked(rows)
                 .flat_map(|i| looked(columns).map(move |j| matrix[i * n + j]))
-                .fold(0.0, f64::max)
+                .fold(f64::NAN, f64::max)
         };
         grid.values = parts
             .iter()
@@ -85,11 +87,14 @@ impl Grid {
         [first.clamp(last - DECADES, last - 1), last]
     }
 
-    /// One pixel a cell; where it is 0, nothing.
+    /// One pixel a cell; where it is 0, nothing, and where it is hidden, a pattern.
     pub fn image(&self) -> Image {
         let [first, last] = self.decades().map(f64::from);
-        let color = |&value: &f64| {
-            if value > 0.0 {
+        let color = |(cell, &value): (usize, &f64)| {
+            if value.is_nan() {
+                let [r, g, b] = hatch(4 * (cell % self.cells), 4 * (cell / self.cells));
+                [r, g, b, 255]
+            } else if value > 0.0 {
                 let share = (value.log10() - first) / (last - first);
                 let [r, g, b] = viridis(share).to_srgb8();
                 [r, g, b, 255]
@@ -97,7 +102,7 @@ impl Grid {
                 [0; 4]
             }
         };
-        let bytes: Vec<u8> = self.values.iter().flat_map(color).collect();
+        let bytes: Vec<u8> = self.values.iter().enumerate().flat_map(color).collect();
         Image::new(self.cells as u32, self.cells as u32, bytes)
     }
 }

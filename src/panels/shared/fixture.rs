@@ -133,6 +133,7 @@ impl Fixture {
             breakpoints: &[],
             tree: TreeView::whole(),
             smooth: None,
+            pending: None,
         }
     }
 

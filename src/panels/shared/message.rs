@@ -19,6 +19,9 @@ pub const NO_PATCHES: Message = Message("panels-no-patches");
 /// Where no other method is beside the run's, or not yet.
 pub const NOT_COMPARED: Message = Message("panels-not-compared");
 
+/// In the place of what a waiting question hides.
+pub const AFTER_YOUR_ANSWER: Message = Message("panels-after-your-answer");
+
 /// What is called so, and what it is: `error: 0.5 %`.
 pub fn labelled(name: &str, what: &str, language: Language) -> String {
     Message("common-named").format(language, &[("name", name), ("what", what)])

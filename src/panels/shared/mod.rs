@@ -5,6 +5,7 @@ pub mod channels;
 pub mod fixture;
 #[cfg(test)]
 pub mod fixtures;
+pub mod horizon;
 pub mod message;
 pub mod names;
 pub mod strings;

@@ -133,8 +133,13 @@ pub fn scope_kind(kind: &Kind, language: Language) -> String {
 /// What the scope is called that `step` opens, from the longest form to the shortest: of a ray, its kind and what it meets; of
 /// others, their kind with their number, and the number alone.
 pub fn scope(run: &Run, step: usize, language: Language) -> Vec<String> {
+    scope_known_at(run, step, usize::MAX, language)
+}
+
+/// The same as far as it is known at the step `now`.
+pub fn scope_known_at(run: &Run, step: usize, now: usize, language: Language) -> Vec<String> {
     let walk = run.walk();
-    if let Some(ray) = ray(walk, step, run.prepared(), language) {
+    if let Some(ray) = ray(run, step, now, language) {
         return ray.to_vec();
     }
     let kind = scope_kind(walk.declared(step), language);
@@ -167,12 +172,8 @@ pub fn scope_number(walk: &dyn Walk, scope: usize, language: Language) -> Option
 
 /// What the ray is called that `scope` opens, from the longest form to the shortest: its kind and what it meets, its kind,
 /// its letters. Of several rays of a pixel each has its number.
-pub fn ray(
-    walk: &dyn Walk,
-    scope: usize,
-    prepared: &PreparedScene,
-    language: Language,
-) -> Option<[String; 3]> {
+fn ray(run: &Run, scope: usize, now: usize, language: Language) -> Option<[String; 3]> {
+    let walk = run.walk();
     // A ray of the Monte Carlo method is no scope.
     if walk.kind(scope) != "Ray" || !walk.outline().opens(scope) {
         return None;
@@ -196,7 +197,7 @@ pub fn ray(
         }
         _ => (kind, letters.to_string()),
     };
-    let goes = match goal(walk, scope, prepared, language) {
+    let goes = match goal(run, scope, now, language) {
         Some(goal) => {
             Message("names-ray-meets").format(language, &[("ray", &kind), ("thing", &goal)])
         }
@@ -206,23 +207,22 @@ pub fn ray(
 }
 
 /// What the ray meets that `scope` opens: its search says so at its end.
-fn goal(
-    walk: &dyn Walk,
-    scope: usize,
-    prepared: &PreparedScene,
-    language: Language,
-) -> Option<String> {
+fn goal(run: &Run, scope: usize, now: usize, language: Language) -> Option<String> {
+    let walk = run.walk();
     let search = Some(scope + 1).filter(|&step| step < walk.len())?;
-    if walk.kind(search) != "Search" {
+    let found = walk.outline().last(search);
+    if walk.kind(search) != "Search" || found > now {
         return None;
     }
-    let found = walk.own_fields(walk.outline().last(search));
+    let found = walk.own_fields(found);
     let number = |name| match found.get(name) {
         Some(Value::Integer(number)) => u32::try_from(number).ok(),
         _ => None,
     };
     match found.get("met")? {
-        Value::Word("object") => Some(object(prepared, number("object")?, language).to_string()),
+        Value::Word("object") => {
+            Some(object(run.prepared(), number("object")?, language).to_string())
+        }
         Value::Word("light") => Some(light(number("light")?, language)),
         _ => Some(Message("names-background").text(language).to_string()),
     }

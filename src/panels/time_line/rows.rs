@@ -83,6 +83,20 @@ pub struct Row {
     pub bars: Vec<Bar>,
     /// The scope of this depth around the cursor.
     pub current: Option<usize>,
+    /// The steps that must not be shown yet.
+    pub hidden: Option<Range<usize>>,
+}
+
+impl Row {
+    /// Ends the bars at `step`: how far they go, and what follows, must not be shown yet.
+    pub fn hide_after(&mut self, step: usize) {
+        let end = (step + 1).max(self.span.steps.start);
+        self.bars.retain(|bar| bar.steps.start < end);
+        for bar in &mut self.bars {
+            bar.steps.end = bar.steps.end.min(end);
+        }
+        self.hidden = Some(end..self.span.steps.end).filter(|hidden| !hidden.is_empty());
+    }
 }
 
 /// The rows that fit, those of the outermost depths first; where the cursor is deeper, the rows around it.
@@ -111,6 +125,7 @@ pub fn rows(walk: &dyn Walk, size: Vec2) -> Vec<Row> {
                 bars: bars(outline, &span, depth),
                 span,
                 current: around.get(depth).copied(),
+                hidden: None,
             }
         })
         .filter(|row| !row.bars.is_empty())

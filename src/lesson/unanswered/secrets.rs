@@ -1,0 +1,93 @@
+//! What must not be read before a question is answered.
+
+use crate::language::Language;
+use crate::lesson::OpenLesson;
+use crate::lesson::file::{AnswerFile, QuestionFile};
+use crate::lesson::narrated::Answer;
+use crate::panels::{named_by, word_name};
+use crate::record::{Fields, Value};
+use crate::replay::query::number_of;
+use crate::replay::{Condition, Operand};
+
+/// Something that must not be read before the answer.
+#[derive(Clone, Debug)]
+pub(super) enum Secret {
+    /// A number as near as that to the right one, written with as many digits as it takes to answer.
+    Number {
+        value: f64,
+        tolerance: f64,
+    },
+    /// A whole number, by itself.
+    Whole(i64),
+    /// The right name, and those of the wrong options: where all occur, none is given away.
+    Name {
+        right: String,
+        wrong: Vec<String>,
+    },
+    /// A word of the program, which occurs in other texts too: as a value by itself.
+    Word(String),
+    Pixel {
+        x: u32,
+        y: u32,
+    },
+}
+
+/// What is decisive for the right answer.
+pub(super) fn secrets(open: &OpenLesson, index: usize, language: Language) -> Vec<Secret> {
+    let asked = open.narrated[index].question.as_ref().unwrap();
+    let file = open.lesson.steps[index].question.as_ref().unwrap();
+    let fields = open.run.walk().fields(asked.step);
+    match (&asked.answer, &file.0.answer) {
+        (&Answer::Pixel { x, y, .. }, _) => vec![Secret::Pixel { x, y }],
+        (&Answer::Number { value, tolerance }, AnswerFile::Number { field, .. }) => {
+            match fields.get(field) {
+                Some(Value::Integer(whole)) => vec![Secret::Whole(whole)],
+                _ => vec![Secret::Number { value, tolerance }],
+            }
+        }
+        (&Answer::Choice { right, .. }, _) => decisive(open, &file.0, &fields, right, language),
+        _ => unreachable!("an answer is of the kind that its file gives"),
+    }
+}
+
+/// The values by which the right option holds; of objects and words, their names.
+fn decisive(
+    open: &OpenLesson,
+    file: &QuestionFile,
+    fields: &Fields,
+    right: usize,
+    language: Language,
+) -> Vec<Secret> {
+    let AnswerFile::Choice(options) = &file.answer else {
+        return Vec::new();
+    };
+    let prepared = &open.setup.prepared;
+    let conditions = options[right].when.conditions.iter();
+    let secret = conditions.filter_map(|condition| {
+        let name = condition.field.as_str();
+        let called = |value| named_by(prepared, name, value, language).map(str::to_owned);
+        let value = fields.get(name.split('.').next()?)?;
+        if let Some(right) = called(value) {
+            let same = |other: &&Condition| other.field == condition.field;
+            let others = options.iter().flat_map(|option| &option.when.conditions);
+            let values = others.filter(same).filter_map(|other| match other.value {
+                Operand::Number(number) => Some(Value::Integer(number as i64)),
+                _ => None,
+            });
+            let wrong = values.filter_map(called).filter(|name| *name != right);
+            let wrong = wrong.collect();
+            return Some(Secret::Name { right, wrong });
+        }
+        match value {
+            Value::Integer(whole) => Some(Secret::Whole(whole)),
+            Value::Word(word) => Some(Secret::Word(word_name(word, language))),
+            _ => number_of(fields, name)
+                .filter(|&value| value != 0.0)
+                .map(|value| Secret::Number {
+                    value,
+                    tolerance: 0.01 * value.abs(),
+                }),
+        }
+    });
+    secret.collect()
+}
