@@ -1,9 +1,8 @@
-//! The keys: one table, which the handler obeys and the sheet of keys prints.
+//! The keys: one table, which `pressed` obeys and the sheet of keys prints.
 
-use super::session::{Command, Session, StudyCommand};
-use super::slider_focus;
+use super::session::{Command, StudyCommand};
 use crate::language::Message;
-use egui::{Event, Key, Modifiers, Popup};
+use egui::{Key, Modifiers};
 
 /// Which of the modifier keys must be held.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -17,7 +16,7 @@ enum With {
 
 /// A key and what it does.
 pub struct Binding {
-    key: Key,
+    pub key: Key,
     with: With,
     pub command: fn() -> Command,
     /// As the sheet of keys writes it.
@@ -43,7 +42,7 @@ const fn bind(
 
 use With::{Ctrl, Nothing, Shift, Sign};
 
-pub const BINDINGS: [Binding; 38] = [
+pub const BINDINGS: [Binding; 41] = [
     bind(
         Key::ArrowRight,
         Nothing,
@@ -174,6 +173,21 @@ pub const BINDINGS: [Binding; 38] = [
         || Command::FocusOnPointer,
         "keys-look-at-what-the-pointer",
     ),
+    bind(Key::H, Nothing, "h", || Command::Home, "keys-all-lessons"),
+    bind(
+        Key::PageDown,
+        Ctrl,
+        "Ctrl PgDn",
+        || Command::NextLesson,
+        "app-next-lesson",
+    ),
+    bind(
+        Key::PageUp,
+        Ctrl,
+        "Ctrl PgUp",
+        || Command::PreviousLesson,
+        "app-previous-lesson",
+    ),
     bind(
         Key::R,
         Nothing,
@@ -283,7 +297,7 @@ pub const BINDINGS: [Binding; 38] = [
 ];
 
 impl Binding {
-    fn is_pressed(&self, key: Key, held: Modifiers) -> bool {
+    pub fn is_pressed(&self, key: Key, held: Modifiers) -> bool {
         let with = match self.with {
             With::Nothing => !held.shift && !held.command,
             With::Shift => held.shift && !held.command,
@@ -291,82 +305,6 @@ impl Binding {
             With::Sign => !held.command,
         };
         self.key == key && with && !held.alt
-    }
-}
-
-/// The commands of the keys pressed in this frame.
-///
-/// Keys are the user's own while text is edited, and where a focused button waits for its space or a slider for arrows. A key that acts closes
-/// an open menu; escape does nothing else there.
-pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
-    if ctx.text_edit_focused() {
-        return Vec::new();
-    }
-    let menu = Popup::is_any_open(ctx);
-    let focused = ctx.memory(|memory| memory.focused().is_some());
-    let on_slider = focused && slider_focus::get(ctx);
-    let mut arrow = false;
-    let commands: Vec<Command> = ctx.input(|input| {
-        let keys = input.events.iter().filter_map(|event| match *event {
-            Event::Key {
-                key,
-                pressed: true,
-                modifiers,
-                ..
-            } => Some((key, modifiers)),
-            _ => None,
-        });
-        let bound = keys.filter_map(|(key, held)| {
-            BINDINGS
-                .iter()
-                .find(|binding| binding.is_pressed(key, held))
-        });
-        let ours = bound.filter(|binding| match binding.key {
-            Key::Space => !focused,
-            Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown => !on_slider,
-            Key::Escape => !menu,
-            _ => true,
-        });
-        let commands = ours.map(|binding| {
-            arrow |= matches!(
-                binding.key,
-                Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown
-            );
-            (binding.command)()
-        });
-        // Over the sheet of keys, only what closes it.
-        commands
-            .filter(|command| !session.look.keys || *command == Command::Keys)
-            .filter(|_| !session.look.forgetting)
-            .filter_map(|command| match session.studying().is_open {
-                true => over_study(command),
-                false => Some(command),
-            })
-            .collect()
-    });
-    if !commands.is_empty() {
-        Popup::close_all(ctx);
-    }
-    if arrow {
-        // Arrows walk through the run; without this they would also move the focus to a neighbouring button.
-        ctx.memory_mut(|memory| memory.move_focus(egui::FocusDirection::None));
-    }
-    commands
-}
-
-/// Over a study, a key means what it says of the whole window; escape closes the study.
-fn over_study(command: Command) -> Option<Command> {
-    match command {
-        Command::StopPresenting => Some(Command::Study(StudyCommand::View)),
-        Command::Study(_)
-        | Command::Keys
-        | Command::OtherLanguage
-        | Command::NextTheme
-        | Command::Present
-        | Command::LargerText
-        | Command::SmallerText
-        | Command::NormalText => Some(command),
-        _ => None,
     }
 }
 

@@ -26,7 +26,7 @@ impl eframe::App for App {
     }
 }
 
-/// Opens the window on a lesson (the one that was open last unless given), where it was left unless a step is given, and returns when
+/// Opens the window on a lesson, where it was left unless a step is given; without a lesson on the page of all lessons. Returns when
 /// it is closed.
 ///
 /// Errors: one line on why there is no window, and what works without.
@@ -42,6 +42,7 @@ pub fn open(lesson: Option<Lesson>, step: Option<usize>) -> Result<(), String> {
         }
         window.keeper = Some(keeper);
     }
+    let at_home = lesson.is_none();
     let lesson = match lesson {
         Some(lesson) => lesson,
         None => {
@@ -54,6 +55,7 @@ pub fn open(lesson: Option<Lesson>, step: Option<usize>) -> Result<(), String> {
     let mut session = Session::new(lesson).map_err(|error| error.to_string())?;
     kept.language = kept.language.or_else(sys_locale::get_locale);
     session.restore(kept);
+    session.look.home = at_home;
     if let Some(step) = step {
         session.start_at(step);
     }

@@ -1,6 +1,7 @@
 //! The window's words, in both languages.
 
 use crate::language::{Language, Message};
+use crate::lesson::Chapter;
 use crate::study::harness::Point;
 use crate::study::report::strings as report;
 
@@ -37,6 +38,26 @@ pub const CLICK_OPENS_IT: Message = Message("app-click-opens-it");
 pub const MEASURED_AGAIN_BY: Message = Message("app-measured-again-by");
 pub const REFERENCE: Message = Message("app-reference");
 pub const PARETO: Message = Message("app-pareto");
+
+pub const LESSONS: Message = Message("app-lessons");
+pub const CHAPTERS: [(Chapter, Message); 4] = [
+    (Chapter::Shading, Message("app-chapter-shading")),
+    (Chapter::RayTracing, Message("app-chapter-ray-tracing")),
+    (Chapter::Radiosity, Message("app-chapter-radiosity")),
+    (Chapter::Study, Message("app-chapter-study")),
+];
+pub const NEXT_LESSON: Message = Message("app-next-lesson");
+pub const PREVIOUS_LESSON: Message = Message("app-previous-lesson");
+pub const NO_NEXT_LESSON: Message = Message("app-no-next-lesson");
+pub const NO_PREVIOUS_LESSON: Message = Message("app-no-previous-lesson");
+pub const NOT_IN_THE_LIST: Message = Message("app-not-in-the-list");
+pub const SEARCH_LESSONS: Message = Message("app-search-lessons");
+pub const NO_LESSON_FOUND: Message = Message("app-no-lesson-found");
+pub const BEGIN: Message = Message("app-begin");
+pub const CONTINUE: Message = Message("app-continue");
+pub const EXPLANATIONS: Message = Message("app-explanations");
+pub const EXPLANATION_OF: Message = Message("app-explanation-of");
+pub const SCORE: Message = Message("app-score");
 
 pub const FORGET: Message = Message("app-forget");
 pub const FORGET_WHAT: Message = Message("app-forget-what");

@@ -38,7 +38,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
                     ui,
                 );
                 settings(session, commands, ui);
-                if !narrow {
+                if !narrow && !session.look.home {
                     let share = session.localize(strings::SHARE);
                     super::button::button(
                         session,
@@ -94,25 +94,33 @@ fn chip(text: RichText, chosen: bool, ui: &mut Ui) -> egui::Response {
     ui.add(Button::new(text).selected(chosen))
 }
 
+/// The page of all lessons, this lesson's title, and its neighbours.
 fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
-    let title = RichText::new(format!("{} ▾", session.title()))
+    let name = session.localize(strings::LESSONS);
+    let home = Button::new(name).selected(session.look.home);
+    super::button::button(session, home, name, Command::Home, commands, ui);
+    if session.look.home {
+        return;
+    }
+    for (sign, name, command) in [
+        ("◀", strings::PREVIOUS_LESSON, Command::PreviousLesson),
+        ("▶", strings::NEXT_LESSON, Command::NextLesson),
+    ] {
+        let name = session.localize(name);
+        let sign = RichText::new(sign).size(11.0);
+        super::button::button(session, Button::new(sign), name, command, commands, ui);
+    }
+    // What stands at the right needs this much.
+    let room = (ui.available_width() - 150.0).max(60.0);
+    let title = RichText::new(session.title())
         .size(15.0)
         .color(style::BAR_TEXT);
-    let button = Button::new(title).fill(Color32::TRANSPARENT);
-    let menu = egui::containers::menu::MenuButton::from_button(button);
-    let (response, _) = menu.ui(ui, |ui| {
-        undress(ui);
-        ui.set_min_width(260.0);
-        for listed in session.lessons() {
-            let chosen = listed.id == session.lesson().id;
-            let title = &listed.title[session.look.language as usize];
-            if ui.add(Button::new(title).selected(chosen)).clicked() {
-                commands.push(Command::Open(listed.id.to_owned()));
-            }
-        }
-    });
     let summary = session.lesson().summary.in_language(session.look.language);
-    response.on_hover_text(prose(session, summary, 13.0, Ink::Text));
+    ui.scope(|ui| {
+        ui.set_max_width(room);
+        ui.add(egui::Label::new(title).truncate())
+            .on_hover_text(prose(session, summary, 13.0, Ink::Text));
+    });
 }
 
 /// Themes, text size, questions; what a narrow bar has no room for is in here too.

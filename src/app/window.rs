@@ -4,8 +4,8 @@ use super::session::{Command, Session};
 use super::tiles::{GAP, panel_on};
 use super::window_state::Window;
 use super::{
-    forget, key_sheet, keys, narration, parameter_card, skipped, strings, study_view, style,
-    top_bar, transport,
+    forget, home, key_sheet, narration, parameter_card, pressed, skipped, strings, study_view,
+    style, top_bar, transport,
 };
 use crate::panels::Panel;
 use egui::{CursorIcon, Frame, Id, Margin, Popup, Rect, Sense, Stroke, Ui, ViewportCommand};
@@ -17,7 +17,7 @@ const LOOK_AGAIN: Duration = Duration::from_millis(30);
 /// Shows the window, and carries out what the user does in it.
 pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     let ctx = ui.ctx().clone();
-    for command in keys::pressed(session, &ctx) {
+    for command in pressed::pressed(session, &ctx) {
         window.carry_out(session, command);
     }
     close_menus(&ctx);
@@ -33,6 +33,12 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     let mut under_pointer = None;
     let size = ui.available_size();
     top_bar::show(session, &mut commands, ui);
+    if session.look.home {
+        let notice = window.notice.as_deref();
+        home::show(session, &mut window.home, notice, &mut commands, ui);
+        return window.finish(session, commands, &ctx);
+    }
+    window.home.close();
     if session.studying().is_open {
         study_view::show(session, &mut window.study_plot, &mut commands, ui);
         return window.finish(session, commands, &ctx);

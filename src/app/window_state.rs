@@ -1,5 +1,6 @@
 //! What the window remembers from frame to frame.
 
+use super::home::HomePage;
 use super::keeper::Keeper;
 use super::panel_view::PanelView;
 use super::study_plot::StudyPlot;
@@ -14,6 +15,7 @@ use std::collections::HashMap;
 pub struct Window {
     pub(super) views: HashMap<Panel, PanelView>,
     pub(super) study_plot: StudyPlot,
+    pub(super) home: HomePage,
     pub(super) arrangement: Arrangement,
     pub(super) answer: String,
     /// Whether the answer was given, and is no number.

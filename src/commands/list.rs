@@ -2,14 +2,14 @@
 
 use super::failure::Failure;
 use super::files::wrong;
-use crate::lesson::builtins;
+use crate::lesson::{Chapter, builtins};
 use crate::panels::strings::Language;
 use crate::picture::plain;
 use std::io::Write;
 
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// As a JSON array of objects with id, number, title, summary, topics and steps
+    /// As a JSON array of objects with id, number, chapter, title, summary, topics and steps
     #[arg(long)]
     json: bool,
 }
@@ -33,6 +33,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
                 serde_json::json!({
                     "id": open.lesson.id,
                     "number": open.lesson.number,
+                    "chapter": open.lesson.chapter.map(Chapter::name),
                     "title": texts(&open.lesson.title),
                     "summary": texts(&open.lesson.summary),
                     "topics": open.lesson.topics,

@@ -4,7 +4,7 @@ use super::failure::Failure;
 
 #[derive(clap::Args, Default)]
 pub struct Arguments {
-    /// The id of a lesson, or a lesson file; the lesson that was open last unless given
+    /// The id of a lesson, or a lesson file; the page of all lessons unless given
     lesson: Option<String>,
     /// The step to open it at, counted from 0; where it was left unless given
     #[arg(long, value_name = "N", requires = "lesson")]

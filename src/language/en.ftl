@@ -35,6 +35,23 @@ app-keys = keys
 app-keys-title = Keys
 app-close = Close
 app-menu = More
+app-lessons = Lessons
+app-chapter-shading = Shading
+app-chapter-ray-tracing = Ray tracing
+app-chapter-radiosity = Radiosity
+app-chapter-study = Study
+app-next-lesson = next lesson
+app-previous-lesson = previous lesson
+app-no-next-lesson = This is the last lesson.
+app-no-previous-lesson = This is the first lesson.
+app-not-in-the-list = This lesson is not in the list of lessons.
+app-search-lessons = search in all lessons
+app-no-lesson-found = No lesson has all of these words.
+app-begin = Begin: { $title }
+app-continue = Continue: { $title }
+app-explanations = { $count } explanations
+app-explanation-of = explanation { $number } of { $count }
+app-score = { $right } of { $count } right
 app-forget = Forget my progress …
 app-forget-what = Forget your position, your answers and your score in all lessons? This cannot be undone. Language, theme and text size stay.
 app-forget-it = Forget my progress
@@ -312,6 +329,7 @@ keys-copy-the-command-that-opens = copy the command that opens this step
 keys-skip-the-question = skip the question
 keys-error-against-run-time = error against run time
 keys-all-keys = all keys
+keys-all-lessons = all lessons
 
 ## matrix
 

@@ -35,6 +35,23 @@ app-keys = tombol
 app-keys-title = Tombol
 app-close = Tutup
 app-menu = Lainnya
+app-lessons = Pelajaran
+app-chapter-shading = Shading
+app-chapter-ray-tracing = Ray tracing
+app-chapter-radiosity = Radiositas
+app-chapter-study = Studi
+app-next-lesson = pelajaran berikutnya
+app-previous-lesson = pelajaran sebelumnya
+app-no-next-lesson = Ini pelajaran terakhir.
+app-no-previous-lesson = Ini pelajaran pertama.
+app-not-in-the-list = Pelajaran ini tidak ada dalam daftar pelajaran.
+app-search-lessons = cari di semua pelajaran
+app-no-lesson-found = Tidak ada pelajaran yang memuat semua kata itu.
+app-begin = Mulai: { $title }
+app-continue = Lanjutkan: { $title }
+app-explanations = { $count } penjelasan
+app-explanation-of = penjelasan { $number } dari { $count }
+app-score = { $right } dari { $count } benar
 app-forget = Lupakan kemajuan saya …
 app-forget-what = Lupakan posisi, jawaban, dan nilai Anda di semua pelajaran? Ini tidak dapat dibatalkan. Bahasa, tema, dan ukuran teks tetap.
 app-forget-it = Lupakan kemajuan saya
@@ -312,6 +329,7 @@ keys-copy-the-command-that-opens = salin perintah pembuka langkah ini
 keys-skip-the-question = lewati pertanyaan
 keys-error-against-run-time = galat terhadap waktu eksekusi
 keys-all-keys = semua tombol
+keys-all-lessons = semua pelajaran
 
 ## matrix
 

@@ -17,6 +17,9 @@ pub struct LessonFile {
     pub id: String,
     /// Place in the list of lessons.
     pub number: u32,
+    /// The name of the chapter in the list of lessons.
+    #[serde(default, deserialize_with = "present")]
+    pub chapter: Option<String>,
     pub title: Text,
     /// One sentence for the list of lessons.
     pub summary: Text,

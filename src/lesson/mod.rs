@@ -4,6 +4,7 @@
 //! right when every anchor, every value in its texts and every answer is found in the run itself.
 
 mod builtin;
+mod contents;
 mod error;
 mod file;
 mod narrate;
@@ -21,6 +22,7 @@ mod translated;
 mod unanswered;
 
 pub use builtin::{Builtin, builtin, builtins};
+pub use contents::Chapter;
 pub use error::LessonError;
 pub use file::{LessonFile, Text};
 pub use narrated::{Answer, Narrated, Question};

@@ -1,5 +1,6 @@
 //! A lesson file checked, run, and tied to the steps of its run.
 
+use super::contents::{Chapter, chapter};
 use super::error::{LessonError, problem};
 use super::file::{FocusFile, LessonFile, StepFile, Text};
 use super::narrate::narrate;
@@ -24,6 +25,7 @@ use std::sync::Arc;
 pub struct Lesson {
     pub id: String,
     pub number: u32,
+    pub chapter: Option<Chapter>,
     pub title: Text,
     pub summary: Text,
     pub topics: Vec<String>,
@@ -103,6 +105,7 @@ impl Lesson {
                 }
             }
         }
+        let chapter = chapter(&file, &mut problems);
         check_keys(&file, &mut problems);
         check_hidden(&file, &mut problems);
         check_words(&file, &mut problems);
@@ -142,6 +145,7 @@ impl Lesson {
             (Some(scene), Some(method)) if problems.is_empty() => Ok(Lesson {
                 id: file.id,
                 number: file.number,
+                chapter,
                 title: file.title,
                 summary: file.summary,
                 topics: file.topics,

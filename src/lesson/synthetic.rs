@@ -24,6 +24,7 @@ impl Lesson {
         Lesson {
             id: "picture".into(),
             number: Lesson::UNNUMBERED,
+            chapter: None,
             title,
             summary: say.clone(),
             topics: Vec::new(),

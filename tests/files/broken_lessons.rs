@@ -56,3 +56,17 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn an_unknown_chapter_is_refused_with_those_that_there_are() {
+    let renamed = LESSON.replace("\"chapter\": \"shading\"", "\"chapter\": \"Shading\"");
+    assert_ne!(renamed, LESSON);
+    let error = Lesson::read(renamed.as_bytes(), &Limits::default(), &mut |_| {
+        Err("no such file".into())
+    })
+    .expect_err("a chapter that there is not");
+    assert_eq!(
+        error.to_string(),
+        "chapter: found \"Shading\"; allowed are shading, ray-tracing, radiosity, study"
+    );
+}

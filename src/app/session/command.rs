@@ -75,6 +75,10 @@ pub enum Command {
     Study(StudyCommand),
     /// A built-in lesson by its id.
     Open(String),
+    NextLesson,
+    PreviousLesson,
+    /// The page of all lessons, or back from it.
+    Home,
     Speak(Language),
     OtherLanguage,
     Theme(Theme),

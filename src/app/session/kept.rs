@@ -118,8 +118,12 @@ impl Session {
         self.seek(step);
     }
 
-    /// Brings the progress in this lesson up to date. Where a change has silenced the narration, it stays as it was.
+    /// Brings the progress in this lesson up to date. It stays as it was where a change has silenced the narration, and where the page
+    /// of all lessons is shown instead of the lesson.
     pub(super) fn note_progress(&mut self) {
+        if self.look.home {
+            return;
+        }
         let lesson = &self.open.lesson;
         let narrated: Vec<usize> = self.open.narrated.iter().map(|said| said.step).collect();
         if lesson.number == Lesson::UNNUMBERED || narrated.is_empty() {

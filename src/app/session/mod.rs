@@ -5,6 +5,7 @@ mod command;
 mod focus;
 mod forced;
 mod kept;
+mod lessons;
 mod play;
 mod playing;
 mod preview;
@@ -19,6 +20,7 @@ mod tests;
 
 pub use command::{Command, Guess, PointAt, Refused, StudyCommand};
 pub use kept::{Kept, Progress};
+pub use lessons::{Listed, listed};
 pub use playing::Direction;
 pub use question::read_number;
 pub use study::{Outcome, Studying};
@@ -27,7 +29,7 @@ use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
-use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson, builtins};
+use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson};
 use crate::methods::Setup;
 use crate::panels::{Panel, PanelInput, TreeView};
 use crate::picture::{Tag, Theme, plain};
@@ -52,6 +54,8 @@ pub struct Look {
     /// The theme to return to after presenting.
     before_presenting: Theme,
     pub keys: bool,
+    /// The page of all lessons, in place of the lesson.
+    pub home: bool,
     /// Whether the user is asked before progress is forgotten.
     pub forgetting: bool,
     /// The view of what is left out.
@@ -71,6 +75,7 @@ impl Look {
             presenting: false,
             before_presenting: Theme::Light,
             keys: false,
+            home: false,
             forgetting: false,
             skipped: false,
             inspector: true,
@@ -101,14 +106,6 @@ pub enum Standing {
     Right,
     Wrong,
     Skipped,
-}
-
-/// A lesson in the list of lessons.
-#[derive(Clone, Debug)]
-pub struct Listed {
-    pub id: &'static str,
-    /// By language, with its number.
-    pub title: [String; 2],
 }
 
 /// A lesson that is walked through.
@@ -149,7 +146,6 @@ pub struct Session {
     pub search_wanted: bool,
     /// A command line on its way to the clipboard; the window takes this.
     pub shared: Option<String>,
-    lessons: Vec<Listed>,
     studying: Studying,
 }
 
@@ -178,7 +174,6 @@ impl Session {
             search: String::new(),
             search_wanted: false,
             shared: None,
-            lessons: list(),
             studying: Studying::new(),
             open,
         };
@@ -328,10 +323,6 @@ impl Session {
         self.lit
     }
 
-    pub fn lessons(&self) -> &[Listed] {
-        &self.lessons
-    }
-
     /// The panels in the middle of the window.
     pub fn panels(&self) -> Vec<Panel> {
         let lesson = self.open.lesson.panels.iter().copied();
@@ -358,6 +349,9 @@ impl Session {
 
     /// As it stands on the frame of the window, for people and for scripts. Steps are counted from 0.
     pub fn window_title(&self) -> String {
+        if self.look.home {
+            return format!("Lightwalk – {}", self.localize(super::strings::LESSONS));
+        }
         let title = plain(self.lesson().title.in_language(self.look.language));
         format!("Lightwalk – {title} – {}", self.place())
     }
@@ -386,20 +380,4 @@ impl Session {
             ))
         }
     }
-}
-
-/// The built-in lessons that can be read.
-fn list() -> Vec<Listed> {
-    let lessons = builtins().iter().filter_map(|builtin| {
-        let lesson = builtin.read().ok()?;
-        let title = Language::ALL.map(|language| {
-            let title = plain(lesson.title.in_language(language));
-            format!("{} · {title}", lesson.number)
-        });
-        Some(Listed {
-            id: builtin.id,
-            title,
-        })
-    });
-    lessons.collect()
 }

@@ -28,6 +28,7 @@ impl Session {
         match command {
             StudyCommand::View => {
                 studying.is_open = !studying.is_open;
+                self.look.home = false;
                 self.play = None;
             }
             StudyCommand::Choose(index) if index < families::ALL.len() => studying.chosen = index,

@@ -1,5 +1,6 @@
 //! What each command does.
 
+use super::lessons::Neighbour;
 use super::search::in_program_names;
 use super::{Command, Direction, Guess, Refused, Session, TEXT_SIZES};
 use crate::app::strings;
@@ -69,7 +70,11 @@ impl Session {
                 let opened = builtin.read().and_then(|lesson| self.replace(lesson));
                 opened.map_err(|error| Refused::Error(error.to_string()))?;
                 self.studying.is_open = false;
+                self.look.home = false;
             }
+            Command::NextLesson => return self.open_neighbour(Neighbour::Next),
+            Command::PreviousLesson => return self.open_neighbour(Neighbour::Previous),
+            Command::Home => self.toggle_home(),
             Command::Study(command) => return self.study(command),
             Command::Share => {
                 self.shared = Some(self.command_line()?);
@@ -97,6 +102,8 @@ impl Session {
             Command::LoopOff if self.loop_ends() == (None, None) => Some(strings::NO_LOOP),
             Command::ViewTree(ref view) if *view == self.tree => Some(strings::TREE_AS_IT_IS),
             Command::Share => self.command_line().err(),
+            Command::NextLesson => self.neighbour(Neighbour::Next).err(),
+            Command::PreviousLesson => self.neighbour(Neighbour::Previous).err(),
             Command::Change(change) => self.cannot_change(change.parameter()),
             Command::Study(command) => self.cannot_study(command),
             Command::Force(part) => self.cannot_leave_out(part),

@@ -1,0 +1,181 @@
+//! The page of all lessons: by chapters, with search, and with the way back to where one was.
+
+use super::button::button;
+use super::lesson_card;
+use super::session::{Command, Listed, Session, StudyCommand, listed};
+use super::thumbnails::Thumbnails;
+use super::{strings, style};
+use crate::lesson::Chapter;
+use crate::picture::Ink;
+use egui::{Button, Frame, Key, Margin, Rect, RichText, ScrollArea, TextEdit, Ui};
+
+/// Between cards.
+const GAP: f32 = 12.0;
+/// A card is at least this wide, and a row has at most so many.
+const CARD: f32 = 205.0;
+const COLUMNS: usize = 6;
+
+/// What the page keeps from frame to frame.
+#[derive(Default)]
+pub struct HomePage {
+    search: String,
+    thumbnails: Thumbnails,
+    was_open: bool,
+}
+
+impl HomePage {
+    /// What is to be done while another page is shown.
+    pub fn close(&mut self) {
+        self.thumbnails.pause();
+        self.was_open = false;
+    }
+}
+
+pub fn show(
+    session: &mut Session,
+    page: &mut HomePage,
+    notice: Option<&str>,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
+    page.thumbnails.bring_on(ui.ctx());
+    let margin = Margin::symmetric(18, 0);
+    let frame = Frame::new().inner_margin(margin);
+    egui::CentralPanel::no_frame().frame(frame).show(ui, |ui| {
+        ui.add_space(14.0);
+        let language = session.look.language;
+        let first_found = head(session, page, commands, ui);
+        if let Some(notice) = notice {
+            let warn = style::color(session.look.theme, Ink::Warn);
+            ui.label(RichText::new(notice).color(warn));
+        }
+        ui.add_space(4.0);
+        let opened = !std::mem::replace(&mut page.was_open, true);
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            for (chapter, title) in strings::CHAPTERS {
+                let lessons = listed().iter().filter(|listed| {
+                    listed.chapter == Some(chapter) && listed.says(&page.search, language)
+                });
+                let lessons: Vec<&Listed> = lessons.collect();
+                if !lessons.is_empty() {
+                    heading(session, chapter, title.text(language), commands, ui);
+                    cards(session, page, &lessons, opened, commands, ui);
+                }
+            }
+            if first_found.is_none() {
+                ui.label(session.localize(strings::NO_LESSON_FOUND));
+            }
+            ui.add_space(GAP);
+        });
+    });
+}
+
+/// The way back to the lesson, and the search; returns the first lesson that is found.
+fn head(
+    session: &mut Session,
+    page: &mut HomePage,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) -> Option<&'static Listed> {
+    let language = session.look.language;
+    let mut found = None;
+    ui.horizontal(|ui| {
+        let theme = session.look.theme;
+        let title = session.title();
+        let begun = session.progress_in(&session.lesson().id).is_some();
+        let message = if begun {
+            strings::CONTINUE
+        } else {
+            strings::BEGIN
+        };
+        let text = message.format(language, &[("title", &title)]);
+        let shown = style::strong(&text, 14.0).color(style::color(theme, Ink::Surface));
+        let resume = Button::new(shown)
+            .fill(style::color(theme, Ink::Linked))
+            .truncate();
+        let room = ui.available_width() - 250.0;
+        ui.scope(|ui| {
+            ui.set_max_width(room.max(100.0));
+            button(session, resume, &text, Command::Home, commands, ui);
+        });
+        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+            let name = session.localize(strings::SEARCH_LESSONS);
+            let edit = TextEdit::singleline(&mut page.search)
+                .desired_width(220.0)
+                .hint_text(format!("/ {name}"));
+            let response = ui.add(edit);
+            let text = page.search.clone();
+            response.widget_info(|| egui::WidgetInfo {
+                label: Some(name.to_owned()),
+                ..egui::WidgetInfo::text_edit(true, "", &text, "")
+            });
+            if std::mem::take(&mut session.search_wanted) {
+                response.request_focus();
+            }
+            found = listed()
+                .iter()
+                .find(|listed| listed.says(&page.search, language));
+            let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+            if let Some(first) = found.filter(|_| entered && !text.trim().is_empty()) {
+                commands.push(Command::Open(first.id.to_owned()));
+            }
+        });
+    });
+    found
+}
+
+fn heading(
+    session: &Session,
+    chapter: Chapter,
+    title: &str,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
+    ui.add_space(10.0);
+    ui.horizontal(|ui| {
+        ui.label(style::strong(title, 17.0));
+        if chapter == Chapter::Study {
+            let name = session.localize(strings::STUDIES);
+            let view = Command::Study(StudyCommand::View);
+            let link = Button::new(RichText::new(name));
+            button(session, link, name, view, commands, ui);
+        }
+    });
+    ui.add_space(6.0);
+}
+
+/// The cards of a chapter, in rows. When the page is opened, the keyboard goes to the lesson that was open.
+fn cards(
+    session: &Session,
+    page: &HomePage,
+    lessons: &[&Listed],
+    opened: bool,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
+    // The scroll bar lies over the right edge.
+    let room = ui.available_width() - 8.0;
+    let columns = (((room + GAP) / (CARD + GAP)) as usize).clamp(1, COLUMNS);
+    let width = ((room + GAP) / columns as f32 - GAP).floor();
+    let size = egui::vec2(width, lesson_card::height(width));
+    for row in lessons.chunks(columns) {
+        let (_, place) = ui.allocate_space(egui::vec2(room, size.y));
+        for (column, listed) in row.iter().enumerate() {
+            let corner = place.min + egui::vec2(column as f32 * (width + GAP), 0.0);
+            let card = Rect::from_min_size(corner, size);
+            let thumbnail = page.thumbnails.of(listed.id);
+            let response = lesson_card::show(session, listed, thumbnail, card, ui);
+            if opened && listed.id == session.lesson().id {
+                response.request_focus();
+                response.scroll_to_me(None);
+            }
+            if response.gained_focus() {
+                response.scroll_to_me(None);
+            }
+            if response.clicked() {
+                commands.push(Command::Open(listed.id.to_owned()));
+            }
+        }
+        ui.add_space(GAP - ui.spacing().item_spacing.y);
+    }
+}

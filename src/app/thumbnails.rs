@@ -1,0 +1,173 @@
+//! Small pictures of all lessons, each drawn by the lesson's own method, in the background and one after the other.
+
+use super::session::listed;
+use crate::algorithms::frame::Frame;
+use crate::lesson::{Lesson, builtin};
+use crate::render::{Cancelled, preview};
+use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
+use std::collections::HashMap;
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, channel};
+use std::thread;
+
+/// The pictures fit in this many pixels.
+const LARGEST: [u32; 2] = [288, 216];
+
+/// A picture on the graphics card.
+pub struct Thumbnail {
+    pub texture: TextureHandle,
+    /// Of the scene, for what lies beside the picture.
+    pub background: Color32,
+}
+
+/// The pictures made so far.
+#[derive(Default)]
+pub struct Thumbnails {
+    made: HashMap<&'static str, Thumbnail>,
+    maker: Option<Maker>,
+}
+
+/// The thread that makes pictures; dropped, it ends within milliseconds.
+struct Maker {
+    made: Receiver<Made>,
+    cancelled: Arc<AtomicBool>,
+}
+
+struct Made {
+    id: &'static str,
+    image: ColorImage,
+    background: Color32,
+}
+
+impl Drop for Maker {
+    fn drop(&mut self) {
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Thumbnails {
+    /// Takes what has been made, and lets what is missing be made.
+    pub fn bring_on(&mut self, ctx: &Context) {
+        let maker = self.maker.get_or_insert_with(|| {
+            let missing = listed().iter().map(|listed| listed.id);
+            let missing = missing.filter(|id| !self.made.contains_key(id));
+            Maker::start(missing.collect(), ctx.clone())
+        });
+        for Made {
+            id,
+            image,
+            background,
+        } in maker.made.try_iter()
+        {
+            let texture = ctx.load_texture(id, image, TextureOptions::LINEAR);
+            let thumbnail = Thumbnail {
+                texture,
+                background,
+            };
+            self.made.insert(id, thumbnail);
+        }
+    }
+
+    /// Makes no more for now: other pictures are wanted sooner.
+    pub fn pause(&mut self) {
+        self.maker = None;
+    }
+
+    pub fn of(&self, id: &str) -> Option<&Thumbnail> {
+        self.made.get(id)
+    }
+}
+
+impl Maker {
+    fn start(missing: Vec<&'static str>, ctx: Context) -> Self {
+        let cancelled = Arc::new(AtomicBool::new(false));
+        let (sender, made) = channel();
+        let stop = cancelled.clone();
+        let make = move || {
+            for id in missing {
+                let Some(lesson) = builtin(id).and_then(|builtin| builtin.read().ok()) else {
+                    continue;
+                };
+                let background = color(lesson.scene.background);
+                let Some(image) = draw(lesson, &stop) else {
+                    continue;
+                };
+                let made = Made {
+                    id,
+                    image,
+                    background,
+                };
+                if stop.load(Ordering::Relaxed) || sender.send(made).is_err() {
+                    return;
+                }
+                ctx.request_repaint();
+            }
+        };
+        // Without threads, as on a web page, the lessons have no pictures.
+        drop(thread::Builder::new().name("thumbnails".into()).spawn(make));
+        Maker { made, cancelled }
+    }
+}
+
+/// The lesson's picture in small. None where it cannot be drawn, or was cancelled.
+fn draw(mut lesson: Lesson, stop: &AtomicBool) -> Option<ColorImage> {
+    lesson.size = fitted(lesson.size);
+    let setup = lesson.setup(lesson.scene.clone())?;
+    setup.check_for(lesson.method).ok()?;
+    let progress = |_, _| match stop.load(Ordering::Relaxed) {
+        true => Err(Cancelled),
+        false => Ok(()),
+    };
+    let one = NonZeroUsize::MIN;
+    let frame = preview(&setup, lesson.method, one, progress, &mut |_| {}).ok()?;
+    Some(image(&frame))
+}
+
+/// The largest size of these proportions that fits.
+fn fitted([width, height]: [u32; 2]) -> [u32; 2] {
+    let [most_wide, most_high] = LARGEST.map(f64::from);
+    let (width, height) = (f64::from(width), f64::from(height));
+    let scale = (most_wide / width).min(most_high / height);
+    [width, height].map(|side| (scale * side).round().max(1.0) as u32)
+}
+
+fn image(frame: &Frame) -> ColorImage {
+    let size = [frame.width as usize, frame.rows.len()];
+    ColorImage::new(size, frame.color.iter().map(|&rgb| color(rgb)).collect())
+}
+
+fn color(rgb: crate::color::Rgb) -> Color32 {
+    let [r, g, b] = rgb.to_srgb8();
+    Color32::from_rgb(r, g, b)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_keep_their_proportions() {
+        assert_eq!(fitted([640, 480]), [288, 216]);
+        assert_eq!(fitted([48, 36]), [288, 216]);
+        assert_eq!(fitted([160, 60]), [288, 108]);
+        assert_eq!(fitted([480, 480]), [216, 216]);
+        assert_eq!(fitted([1, 10_000]), [1, 216]);
+    }
+
+    #[test]
+    fn a_lesson_is_drawn_by_its_own_method_unless_that_is_cancelled() {
+        for id in ["gouraud-triangle", "form-factors"] {
+            let draw = |cancelled| {
+                let lesson = builtin(id).unwrap().read().unwrap();
+                super::draw(lesson, &AtomicBool::new(cancelled))
+            };
+            let image = draw(false).expect("a picture");
+            assert_eq!(image.size, [288, 216]);
+            let first = image.pixels[0];
+            assert!(image.pixels.iter().any(|&pixel| pixel != first), "{id}");
+            assert!(draw(true).is_none(), "{id}");
+        }
+    }
+}

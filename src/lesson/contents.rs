@@ -1,0 +1,77 @@
+//! What is in a lesson, as far as it is known without running it: for the list of lessons.
+
+use super::error::problem;
+use super::file::LessonFile;
+use super::resolve::Lesson;
+use crate::language::Language;
+use crate::scene::document::{Keyed, Problem};
+
+/// A part of the list of lessons.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Chapter {
+    Shading,
+    RayTracing,
+    Radiosity,
+    Study,
+}
+
+impl Chapter {
+    /// In the order of the list.
+    pub const ALL: [Chapter; 4] = [
+        Chapter::Shading,
+        Chapter::RayTracing,
+        Chapter::Radiosity,
+        Chapter::Study,
+    ];
+
+    /// As lesson files write it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Chapter::Shading => "shading",
+            Chapter::RayTracing => "ray-tracing",
+            Chapter::Radiosity => "radiosity",
+            Chapter::Study => "study",
+        }
+    }
+}
+
+/// The chapter that a lesson file names.
+pub(super) fn chapter(file: &LessonFile, problems: &mut Vec<Problem>) -> Option<Chapter> {
+    let name = file.chapter.as_deref()?;
+    let mut all = Chapter::ALL.into_iter();
+    let chapter = all.find(|chapter| chapter.name() == name);
+    if chapter.is_none() {
+        let known = Chapter::ALL.map(Chapter::name).join(", ");
+        let message = format!("found \"{name}\"; allowed are {known}");
+        problems.push(problem("chapter", message));
+    }
+    chapter
+}
+
+impl Lesson {
+    /// How many steps are explained.
+    pub fn explanations(&self) -> usize {
+        self.steps.len()
+    }
+
+    pub fn questions(&self) -> usize {
+        let asks = self.steps.iter().filter(|step| step.question.is_some());
+        asks.count()
+    }
+
+    /// Everything that the lesson says and asks, in a language. Values of the run stand as their names in braces.
+    pub fn texts(&self, language: Language) -> impl Iterator<Item = &str> {
+        let steps = self.steps.iter().flat_map(|step| {
+            let question = step.question.as_ref();
+            let asked = question.map(|Keyed(question)| [&question.ask, &question.why]);
+            let said = step.title.iter().chain([&step.say]).chain(&step.slide);
+            said.chain(asked.into_iter().flatten())
+        });
+        let whole = [&self.title, &self.summary]
+            .into_iter()
+            .chain(&self.recap)
+            .chain(steps);
+        let texts = whole.map(move |text| text.in_language(language));
+        texts.chain(self.topics.iter().map(String::as_str))
+    }
+}
