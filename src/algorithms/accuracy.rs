@@ -54,15 +54,17 @@ impl<'a> Accuracy<'a> {
             is_closed,
             is_opaque,
             row_sums,
+            is_seen,
             ..
         } = self.exchange;
-        let known = |sum: f64| match (is_closed, is_opaque) {
+        let known = |sum: f64, is_seen: bool| match (*is_closed && is_seen, is_opaque) {
             (true, _) => (1.0 - sum).abs(),
             (false, true) => (sum - 1.0).max(0.0),
             (false, false) => 0.0,
         };
-        let rows = zip(row_sums, &self.estimates);
-        rows.map(|(&sum, &error)| error.max(known(sum))).collect()
+        let rows = zip(zip(row_sums, is_seen), &self.estimates);
+        rows.map(|((&sum, &is_seen), &error)| error.max(known(sum, is_seen)))
+            .collect()
     }
 
     /// The largest error of a row, as a share of its sum.
@@ -89,12 +91,12 @@ impl<'a> Accuracy<'a> {
             entries: &entries,
             sums: &sums,
         };
-        let areas = enclosure.patches.areas();
+        let areas = &self.exchange.areas;
         std::array::from_fn(|c| {
             let of = |colors: &[Rgb]| colors.iter().map(|color| color.channels()[c]).collect();
             let (rho, emission): (Vec<f64>, Vec<f64>) =
                 (of(&enclosure.reflectance), of(&enclosure.emission));
-            let patches = Patches::new(&areas, &rho, &emission).ok()?;
+            let patches = Patches::new(areas, &rho, &emission).ok()?;
             let matrix = Matrix::new(&self.exchange.matrix, areas.len()).ok()?;
             let system = System::new(&matrix, patches).ok()?;
             total_error(&system, &light.solutions[c], &errors)

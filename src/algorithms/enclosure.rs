@@ -149,6 +149,12 @@ impl Enclosure {
         self.exchange.get()
     }
 
+    /// The areas that light is exchanged by: where the matrix was corrected, of what light comes to.
+    fn areas(&self) -> Vec<f64> {
+        let exchange = self.exchange();
+        exchange.map_or_else(|| self.patches.areas(), |exchange| exchange.areas.clone())
+    }
+
     /// How many bytes a matrix of all form factors takes.
     pub fn matrix_bytes(&self) -> u64 {
         let n = self.patches.len() as u64;
@@ -219,7 +225,7 @@ impl Enclosure {
         let lit = |(_, emission): &(_, Vec<f64>)| emission.iter().any(|&e| e > 0.0);
         let c = lists.iter().position(lit).unwrap_or(0);
         let (rho, emission) = &lists[c];
-        let areas = self.patches.areas();
+        let areas = self.areas();
         let patches = radiosity::Patches::new(&areas, rho, emission)?;
         let matrix = Matrix::new(matrix, self.patches.len())?;
         let system = System::new(&matrix, patches)?;
@@ -247,7 +253,7 @@ impl Enclosure {
         let tell = |recorded| Event { solver, recorded };
         let patches = self.patches.len() as u32;
         recorder.enter(|| tell(SolverEvent::Enclosure { patches }));
-        let areas = self.patches.areas();
+        let areas = self.areas();
         let solved = solve_channels(&areas, channels, known, solver, recorder, |patches, by| {
             solve(&patches.with_black_rows(black_rows), by)
         });

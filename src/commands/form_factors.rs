@@ -127,11 +127,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let start = Instant::now();
     let matrix = matrix(&enclosure);
     let seconds = start.elapsed().as_secs_f64();
+    let areas = enclosure.patches.areas();
     let Report {
         row_sums,
         reciprocity_defect,
         closure_defect,
-    } = Report::of(&enclosure.patches, matrix);
+    } = Report::of(&areas, matrix, &vec![true; areas.len()]);
     files::write_whole(&arguments.out, |out| {
         let patches = serde_json::to_string(&patches(&scene, &enclosure.patches))?;
         write!(out, "{{\"patches\":{patches},\"matrix\":[")?;

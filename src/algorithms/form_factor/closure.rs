@@ -36,16 +36,19 @@ impl Correction {
     }
 }
 
-/// Makes `matrix`, F row-major, symmetric in A_i F_ij and its rows sum to 1. None, and the matrix as it was, where form factors
-/// would have to change too much.
-pub fn correct(areas: &[f64], matrix: &mut [f64]) -> Option<Correction> {
+/// Makes `matrix`, F row-major, symmetric in A_i F_ij and its rows sum to 1, but for patches that are not seen, whose rows are 0. None, and the
+/// matrix as it was, where form factors would have to change too much.
+pub fn correct(areas: &[f64], is_seen: &[bool], matrix: &mut [f64]) -> Option<Correction> {
     let n = areas.len();
     let mut exchange = exchanges(areas, matrix);
     // The smallest number that no sum can tell from 0.
     let allowed = |i: usize| ROUNDING * (n as f64).sqrt() * areas[i];
     for _ in 0..ROUNDS {
         let error: Vec<f64> = (0..n)
-            .map(|i| areas[i] - exchange[i * n..(i + 1) * n].iter().sum::<f64>())
+            .map(|i| match is_seen[i] {
+                true => areas[i] - exchange[i * n..(i + 1) * n].iter().sum::<f64>(),
+                false => 0.0,
+            })
             .collect();
         if (0..n).all(|i| error[i].abs() <= allowed(i)) {
             break;
@@ -139,6 +142,8 @@ fn multipliers(weights: &[f64], error: &[f64]) -> Vec<f64> {
 mod tests {
     use super::*;
 
+    const N: usize = 23;
+
     /// Form factors of a closed scene: symmetric exchanges of random size, the areas their sums.
     fn closed(n: usize) -> (Vec<f64>, Vec<f64>) {
         let mut seed = 7_u64;
@@ -162,23 +167,21 @@ mod tests {
 
     #[test]
     fn rows_sum_to_1_and_reciprocity_holds_whatever_the_error_was() {
-        let (areas, exact) = closed(23);
+        let (areas, exact) = closed(N);
         for size in [1e-12, 1e-6, 1e-2, 0.1] {
             // An error of every entry by itself, so that reciprocity is broken too.
             let wrong = |k: usize| exact[k] * (1.0 + size * (k as f64 * 1.7).sin());
             let mut matrix: Vec<f64> = (0..exact.len()).map(wrong).collect();
             let before = matrix.clone();
-            let correction = correct(&areas, &mut matrix).unwrap();
-            for (i, row) in matrix.chunks(23).enumerate() {
+            let correction = correct(&areas, &[true; N], &mut matrix).unwrap();
+            for (i, row) in matrix.chunks(N).enumerate() {
                 assert!((row.iter().sum::<f64>() - 1.0).abs() < 1e-14, "{size}");
-                let changed: f64 = zip(row, &before[i * 23..])
-                    .map(|(a, b)| (a - b).abs())
-                    .sum();
+                let changed: f64 = zip(row, &before[i * N..]).map(|(a, b)| (a - b).abs()).sum();
                 assert!((correction.rows[i] - changed).abs() < 1e-15);
                 for (j, f) in row.iter().enumerate() {
-                    let back = areas[j] * matrix[j * 23 + i];
+                    let back = areas[j] * matrix[j * N + i];
                     assert!((areas[i] * f - back).abs() <= 1e-15 * back);
-                    assert!((*f == 0.0) == (exact[i * 23 + j] == 0.0));
+                    assert!((*f == 0.0) == (exact[i * N + j] == 0.0));
                 }
             }
             assert!(
@@ -191,17 +194,17 @@ mod tests {
 
     #[test]
     fn what_is_right_stays_to_rounding() {
-        let (areas, exact) = closed(9);
+        let (areas, exact) = closed(N);
         let mut matrix = exact.clone();
-        assert!(correct(&areas, &mut matrix).unwrap().size() < 1e-14);
+        assert!(correct(&areas, &[true; N], &mut matrix).unwrap().size() < 1e-14);
     }
 
     #[test]
     fn a_row_that_would_have_to_change_too_much_leaves_all_as_it_was() {
-        let (areas, mut matrix) = closed(9);
-        matrix[..9].fill(0.0);
+        let (areas, mut matrix) = closed(N);
+        matrix[..N].fill(0.0);
         let before = matrix.clone();
-        assert_eq!(correct(&areas, &mut matrix), None);
+        assert_eq!(correct(&areas, &[true; N], &mut matrix), None);
         assert_eq!(matrix, before);
     }
 }

@@ -2,22 +2,19 @@
 //!
 //! Surfaces that lie back to back, as the two sides of a thin wall, hide nothing of each other's front.
 
+use super::closed::Sheet;
 use super::faces::Face;
+use super::parts::polygons;
 use super::polygon::Polygon;
 use crate::scene::patches::Patches;
 use glam::DVec3;
-use std::borrow::Cow;
 use std::ops::Range;
 
 /// By patch, the convex parts that nothing of a lower number lies on; none where that is all of it.
 pub type Exposed = Vec<Option<Vec<Polygon<'static>>>>;
 
 /// `faces` are made of the patches in the ranges beside them. `slack` is how far rounding may have moved a corner.
-pub fn exposed(
-    patches: &Patches,
-    faces: impl Iterator<Item = (Face, Range<usize>)>,
-    slack: f64,
-) -> Exposed {
+pub fn exposed(patches: &Patches, faces: &[(Face, Range<usize>)], slack: f64) -> Exposed {
     let mut exposed: Exposed = vec![None; patches.len()];
     let boxes: Vec<[DVec3; 2]> = (0..patches.len())
         .map(|patch| {
@@ -48,11 +45,25 @@ pub fn exposed(
         for &patch in near.filter(|&&patch| patch >= range.end) {
             let [low, high] = boxes[patch];
             if low.cmple(face.high).all() && high.cmpge(face.low).all() {
-                cover(patches, patch, &face, &mut exposed[patch], slack);
+                cover(patches, patch, face, &mut exposed[patch], slack);
             }
         }
     }
     exposed
+}
+
+/// The surfaces that the patches make together, less what others lie on.
+pub fn sheets(patches: &Patches, faces: &[(Face, Range<usize>)], exposed: &Exposed) -> Vec<Sheet> {
+    let mut sheets: Vec<Polygon> = exposed.iter().flatten().flatten().cloned().collect();
+    for (face, range) in faces {
+        if range.clone().all(|patch| exposed[patch].is_none()) {
+            sheets.extend(face.polygon());
+        } else if range.len() > 1 {
+            let bare = range.clone().filter(|&patch| exposed[patch].is_none());
+            sheets.extend(bare.flat_map(|patch| polygons(patches, patch).map(Polygon::into_owned)));
+        }
+    }
+    sheets.into_iter().map(Sheet::new).collect()
 }
 
 /// Takes a face away from a patch, as far as it lies on it.
@@ -63,13 +74,11 @@ fn cover(
     exposed: &mut Option<Vec<Polygon<'static>>>,
     slack: f64,
 ) {
-    let whole = || -> Vec<Polygon<'static>> {
-        let pieces = patches.pieces(patch);
-        pieces
-            .filter_map(|piece| Polygon::new(Cow::Owned(piece.corners.to_vec()), piece.normal))
-            .collect()
+    let Some(of_face) = face.polygon() else {
+        return;
     };
-    let parts = exposed.clone().unwrap_or_else(whole);
+    let whole = || polygons(patches, patch).map(Polygon::into_owned).collect();
+    let parts: Vec<Polygon> = exposed.clone().unwrap_or_else(whole);
     let mut is_covered = false;
     let mut left = Vec::new();
     for part in parts {
@@ -77,23 +86,9 @@ fn cover(
             left.push(part);
             continue;
         }
-        let mut outside = Vec::new();
-        let mut rest = Some(part.clone());
-        for (&corner, &inward) in face.outline.corners.iter().zip(&face.inward) {
-            let Some(inside) = rest else { break };
-            outside.extend(
-                inside
-                    .clone()
-                    .in_front_of(&Polygon::plane(corner, -inward), slack),
-            );
-            rest = inside.in_front_of(&Polygon::plane(corner, inward), slack);
-        }
-        if rest.is_some() {
-            is_covered = true;
-            left.extend(outside);
-        } else {
-            left.push(part);
-        }
+        let (inside, outside) = part.parted_by(&of_face, slack);
+        is_covered |= inside.is_some();
+        left.extend(outside);
     }
     if is_covered {
         *exposed = Some(left);

@@ -11,23 +11,6 @@ pub struct Estimated {
     pub row_errors: Vec<f64>,
 }
 
-impl Estimated {
-    /// The largest estimate, as a share of its row sum.
-    pub fn largest_relative(&self) -> f64 {
-        let n = self.row_errors.len().max(1);
-        let rows = self.matrix.chunks(n).zip(&self.row_errors);
-        rows.map(|(row, &error)| {
-            let sum: f64 = row.iter().sum();
-            if error > 0.0 {
-                error / sum.max(error)
-            } else {
-                0.0
-            }
-        })
-        .fold(0.0, f64::max)
-    }
-}
-
 /// How far the exchange of two patches may be off because something stands between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PairError {

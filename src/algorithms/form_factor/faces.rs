@@ -1,6 +1,7 @@
 //! The convex faces of the patches that stand in the way: of patches in one plane, as many together as make a convex polygon.
 
 use super::groups::Group;
+use super::polygon::Polygon;
 use super::view::Blocker;
 use crate::scene::patches::Patches;
 use glam::DVec3;
@@ -90,6 +91,11 @@ impl Face {
                 .fold(DVec3::NEG_INFINITY, DVec3::max),
             outline: Blocker { corners, normal },
         }
+    }
+
+    /// None where rounding left no area.
+    pub fn polygon(&self) -> Option<Polygon<'static>> {
+        Polygon::new(self.outline.corners.clone().into(), self.outline.normal)
     }
 
     pub fn height(&self, point: DVec3) -> f64 {

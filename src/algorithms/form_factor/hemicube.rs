@@ -113,7 +113,7 @@ impl Hemicubes {
             for column in 0..n {
                 let place = [column, row].map(|k| (f64::from(k) + 0.5) / f64::from(n));
                 let Sample { point: x, normal } = sample::at(patches, i, place);
-                if blockers.is_some_and(|blockers| !blockers.is_exposed(i, x)) {
+                if blockers.is_some_and(|blockers| !blockers.is_exposed(patches, i, x)) {
                     continue;
                 }
                 let faces = faces(normal, self.resolution);
@@ -148,7 +148,7 @@ impl Hemicubes {
             self.cover(&piece, x, faces, |pixel, [face, column, row], t| {
                 let is_hidden = |blockers: &Blockers| {
                     let y = x + t * self.direction(&faces[face as usize], column, row);
-                    !blockers.is_exposed(j, y)
+                    !blockers.is_exposed(patches, j, y)
                 };
                 if t > depths[pixel] * (1.0 + 1e-9) || blockers.is_some_and(is_hidden) {
                     return;

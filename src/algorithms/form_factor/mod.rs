@@ -26,8 +26,10 @@ pub mod far_field;
 pub mod gauss;
 mod groups;
 pub mod hemicube;
+mod method;
 pub mod monte_carlo;
 mod occlusion;
+mod parts;
 pub mod polygon;
 pub mod report;
 pub mod sample;
@@ -41,6 +43,7 @@ pub mod visibility;
 
 pub use errors::{Estimated, PairError};
 pub use event::{Event, PSEUDOCODE};
+pub use method::Method;
 pub use report::Report;
 pub use shortcuts::Shortcuts;
 pub use visibility::Blockers;
@@ -48,74 +51,8 @@ pub use visibility::Blockers;
 use crate::record::{Recorder, Unrecorded};
 use crate::scene::patches::Patches;
 use far_field::Far;
-use hemicube::Hemicubes;
 use polygon::Polygon;
 use std::ops::Range;
-
-/// How a form factor is found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Method {
-    /// To a relative error of `tolerance`.
-    Auto {
-        tolerance: f64,
-    },
-    /// At `points`² Gauss points a patch.
-    AreaToArea {
-        points: usize,
-    },
-    /// At `points`² Gauss points of the smaller patch.
-    ElementToPolygon {
-        points: usize,
-    },
-    /// With an error of `tolerance`, a share of the smaller area.
-    Contour {
-        tolerance: f64,
-    },
-    MonteCarlo {
-        rays: u32,
-        seed: u64,
-    },
-    Hemicube(Hemicubes),
-}
-
-impl Method {
-    /// Every method, as it is used where nothing more is said.
-    pub const ALL: [Method; 6] = [
-        Method::Auto { tolerance: 1e-6 },
-        Method::AreaToArea { points: 4 },
-        Method::ElementToPolygon { points: 4 },
-        Method::Contour { tolerance: 1e-9 },
-        Method::MonteCarlo {
-            rays: 1 << 12,
-            seed: 0,
-        },
-        Method::Hemicube(Hemicubes {
-            resolution: 256,
-            points: 1,
-        }),
-    ];
-
-    /// As on the command line and in lesson files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Method::Auto { .. } => "auto",
-            Method::AreaToArea { .. } => "area-to-area",
-            Method::ElementToPolygon { .. } => "element-to-polygon",
-            Method::Contour { .. } => "contour",
-            Method::MonteCarlo { .. } => "monte-carlo",
-            Method::Hemicube(_) => "hemicube",
-        }
-    }
-
-    pub fn from_name(name: &str) -> Option<Method> {
-        Method::ALL.into_iter().find(|method| method.name() == name)
-    }
-
-    /// Whether F_ij and F_ji come from one computation.
-    pub fn is_reciprocal(&self) -> bool {
-        !matches!(self, Method::MonteCarlo { .. } | Method::Hemicube(_))
-    }
-}
 
 /// Gauss points each way between patches that face away from each other.
 const POINTS_AWAY: usize = 4;
@@ -149,6 +86,9 @@ impl<'a> FormFactors<'a> {
 
     /// Whether no light passes between two patches because one lies behind the other or in its plane, or is the same.
     pub fn face_away(&self, i: usize, j: usize) -> bool {
+        if self.contact(i, j).is_some() {
+            return false;
+        }
         let others = self.polygons(j);
         let faces = |a: &Polygon| {
             others
@@ -167,8 +107,10 @@ impl<'a> FormFactors<'a> {
             method,
         });
         let area = self.patches[i].area;
+        let contact = self.contact(i, j);
         let f = match self.method {
             _ if i == j && self.patches.pieces(i).len() == 1 => 0.0,
+            _ if contact.is_some() => contact.unwrap_or_default() / area,
             Method::MonteCarlo { rays, seed } => {
                 monte_carlo::form_factor(self.patches, [i, j], rays, seed, self.blockers, recorder)
             }
@@ -198,6 +140,11 @@ impl<'a> FormFactors<'a> {
         match self.method {
             Method::Hemicube(hemicubes) => {
                 hemicubes.row(self.patches, i, self.blockers, row);
+                for (j, f) in row.iter_mut().enumerate() {
+                    if let Some(contact) = self.contact(i, j) {
+                        *f = contact / self.patches[i].area;
+                    }
+                }
             }
             Method::MonteCarlo { .. } => {
                 for (j, f) in row.iter_mut().enumerate() {
@@ -272,9 +219,17 @@ impl<'a> FormFactors<'a> {
             _ => row.fill(f64::NAN),
         }
         for (j, exchange) in (first..end).zip(row) {
+            if let Some(contact) = self.contact(i, j) {
+                *exchange = contact;
+                continue;
+            }
             let is_away = *exchange == 0.0;
             // What lies on a patch makes it another polygon.
-            let is_bare = |blockers: &Blockers| blockers.is_bare(i) && blockers.is_bare(j);
+            let is_bare = |blockers: &Blockers| {
+                [i, j]
+                    .iter()
+                    .all(|&patch| blockers.is_bare(self.patches, patch))
+            };
             let is_whole = is_away || self.blockers.is_none_or(is_bare);
             if exchange.is_nan() || !is_whole || is_away && !self.shortcuts.facing_away {
                 *exchange = self.unblocked(i, j, &mut Unrecorded);
@@ -293,6 +248,11 @@ impl<'a> FormFactors<'a> {
                 *exchange *= share;
             }
         }
+    }
+
+    /// A_i F_ij of patches that lie on each other face to face.
+    fn contact(&self, i: usize, j: usize) -> Option<f64> {
+        self.blockers?.contact(self.patches, i, j)
     }
 
     /// The share of an exchange that nothing blocks, and an estimate of the share's error.
@@ -318,7 +278,7 @@ impl<'a> FormFactors<'a> {
     fn polygons(&self, patch: usize) -> Vec<Polygon<'_>> {
         match self.blockers {
             Some(blockers) => blockers.polygons(self.patches, patch),
-            None => visibility::polygons(self.patches, patch).collect(),
+            None => parts::polygons(self.patches, patch).collect(),
         }
     }
 

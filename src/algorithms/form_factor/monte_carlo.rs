@@ -51,8 +51,8 @@ pub fn form_factor<R: Recorder<Event>>(
             .normalize();
         let met = meets(patches, j, sample.point, direction).is_some_and(|y| {
             blockers.is_none_or(|blockers| {
-                blockers.is_exposed(i, sample.point)
-                    && blockers.is_exposed(j, y.point)
+                blockers.is_exposed(patches, i, sample.point)
+                    && blockers.is_exposed(patches, j, y.point)
                     && !blockers.stand_between(&sample, &y)
             })
         });

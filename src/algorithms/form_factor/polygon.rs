@@ -82,6 +82,30 @@ impl<'a> Polygon<'a> {
         Polygon::new(Cow::Owned(cut(&self.corners, height)), self.normal)
     }
 
+    /// The part inside another convex polygon of the same plane, and what is left of it outside, in convex parts.
+    pub fn parted_by(self, other: &Polygon, slack: f64) -> (Option<Self>, Vec<Self>) {
+        let mut outside = Vec::new();
+        let mut rest = Some(self.clone());
+        for [from, to] in other.edges() {
+            let Some(part) = rest else { break };
+            let inward = other.normal.cross(to - from).normalize_or_zero();
+            let [inner, outer] = [inward, -inward].map(|side| Polygon::plane(from, side));
+            outside.extend(part.clone().in_front_of(&outer, slack));
+            rest = part.in_front_of(&inner, slack);
+        }
+        match rest {
+            Some(inside) => (Some(inside), outside),
+            None => (None, vec![self]),
+        }
+    }
+
+    pub fn into_owned(self) -> Polygon<'static> {
+        Polygon {
+            corners: Cow::Owned(self.corners.into_owned()),
+            ..self
+        }
+    }
+
     /// The directed edges.
     pub fn edges(&self) -> impl Iterator<Item = [DVec3; 2]> + Clone {
         let corners = &self.corners;

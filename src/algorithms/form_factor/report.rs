@@ -1,7 +1,5 @@
 //! What can be said of a matrix of form factors without knowing the right one.
 
-use crate::scene::patches::Patches;
-
 /// How well a matrix keeps the laws.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Report {
@@ -14,23 +12,25 @@ pub struct Report {
 }
 
 impl Report {
-    /// `matrix` is row-major.
-    pub fn of(patches: &Patches, matrix: &[f64]) -> Report {
-        let n = patches.len();
+    /// `matrix` is row-major. Rows of patches that are not seen are left out of the sums.
+    pub fn of(areas: &[f64], matrix: &[f64], is_seen: &[bool]) -> Report {
+        let n = areas.len();
         let (mut low, mut high, mut reciprocity) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
         for (i, row) in matrix.chunks(n.max(1)).enumerate() {
             let sum: f64 = row.iter().sum();
-            (low, high) = (low.min(sum), high.max(sum));
+            if is_seen[i] {
+                (low, high) = (low.min(sum), high.max(sum));
+            }
             for j in 0..i {
-                let there = patches[i].area * row[j];
-                let back = patches[j].area * matrix[j * n + i];
+                let there = areas[i] * row[j];
+                let back = areas[j] * matrix[j * n + i];
                 let most = there.max(back);
                 if most > 0.0 {
                     reciprocity = reciprocity.max((there - back).abs() / most);
                 }
             }
         }
-        if n == 0 {
+        if low > high {
             (low, high) = (0.0, 0.0);
         }
         Report {

@@ -55,7 +55,7 @@ pub fn share<R: Recorder<Event>>(
     for number in 0..rays / RAYS_A_POINT {
         let [s, t, ..] = of_i.point(number);
         let x = sample::at(patches, i, [s, t]);
-        if !blockers.is_exposed(i, x.point) {
+        if !blockers.is_exposed(patches, i, x.point) {
             continue;
         }
         let weight: f64 = others.iter().map(|other| from_element(&x, other)).sum();
@@ -65,7 +65,7 @@ pub fn share<R: Recorder<Event>>(
             let y = sample::at(patches, j, [u, v]);
             let [cos_x, cos_y, r2] = cosines(x.point, x.normal, y.point, y.normal);
             let exchanged = kernel(cos_x, cos_y, r2);
-            if exchanged == 0.0 || !blockers.is_exposed(j, y.point) {
+            if exchanged == 0.0 || !blockers.is_exposed(patches, j, y.point) {
                 continue;
             }
             let blocked = blockers.stand_between(&x, &y);

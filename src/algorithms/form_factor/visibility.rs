@@ -6,6 +6,7 @@
 //! `occlusion`, exactly from each point of one patch; where they are too many for that, by rays ([`super::sampled`]).
 
 use super::Event;
+use super::closed::{Closed, Sheet};
 use super::coincident::{self, Exposed};
 use super::faces::{self, Face};
 use super::groups::{Group, facets, groups};
@@ -21,6 +22,7 @@ use crate::scene::primitives::{Primitives, Ray};
 use crate::scene::{Scene, Tessellation};
 use glam::DVec3;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "visibility",
@@ -66,8 +68,11 @@ pub struct Blockers {
     not_in_front: Vec<u64>,
     strings: usize,
     has_too_many: bool,
-    exposed: Exposed,
-    slack: f64,
+    pub(super) exposed: Exposed,
+    /// The surfaces that the patches make together, less what others lie on; and if that is anything, the whole of them.
+    pub(super) sheets: Vec<Vec<Sheet>>,
+    pub(super) closed: OnceLock<Option<Closed>>,
+    pub(super) slack: f64,
     /// How far rays begin and end above the patches.
     lift: f64,
 }
@@ -85,10 +90,19 @@ impl Blockers {
         let slack = SLACK * extent;
         let groups = groups(scene, patches, slack);
         let has_too_many = groups.len() > MOST_GROUPS;
-        let in_place = groups
+        let in_place: Vec<_> = groups
             .iter()
-            .flat_map(|group| faces::in_place(patches, group, slack));
-        let exposed = coincident::exposed(patches, in_place, slack);
+            .flat_map(|group| faces::in_place(patches, group, slack))
+            .collect();
+        let exposed = coincident::exposed(patches, &in_place, slack);
+        let mut sheets = vec![coincident::sheets(patches, &in_place, &exposed)];
+        if exposed.iter().any(Option::is_some) {
+            sheets.push(coincident::sheets(
+                patches,
+                &in_place,
+                &vec![None; patches.len()],
+            ));
+        }
         // A wall of a convex room parts nothing from anything.
         let groups: Vec<Group> = groups
             .into_iter()
@@ -130,6 +144,8 @@ impl Blockers {
             strings,
             has_too_many,
             exposed,
+            sheets,
+            closed: OnceLock::new(),
             slack,
             lift: LIFT * extent,
         };
@@ -161,30 +177,6 @@ impl Blockers {
     /// Whether every object stands in the way.
     pub fn all_block(&self) -> bool {
         self.casts_shadow.iter().all(|&casts| casts)
-    }
-
-    /// The convex parts of a patch that no other one lies on.
-    pub fn polygons<'a>(&'a self, patches: &'a Patches, patch: usize) -> Vec<Polygon<'a>> {
-        match &self.exposed[patch] {
-            Some(parts) => parts.clone(),
-            None => polygons(patches, patch).collect(),
-        }
-    }
-
-    /// Whether no other patch lies on any part of this one.
-    pub fn is_bare(&self, patch: usize) -> bool {
-        self.exposed[patch].is_none()
-    }
-
-    /// Whether no other patch lies on this one at a point of it.
-    pub fn is_exposed(&self, patch: usize, point: DVec3) -> bool {
-        let Some(parts) = &self.exposed[patch] else {
-            return true;
-        };
-        parts.iter().any(|part| {
-            part.edges()
-                .all(|[from, to]| (to - from).cross(point - from).dot(part.normal) >= 0.0)
-        })
     }
 
     /// Whether an object stands in the way at all.
@@ -374,10 +366,4 @@ enum Between {
     Faces(Vec<usize>),
     /// More groups than are looked at one by one.
     TooMany,
-}
-
-/// The pieces of a patch.
-pub fn polygons(patches: &Patches, patch: usize) -> impl Iterator<Item = Polygon<'_>> {
-    let pieces = patches.pieces(patch);
-    pieces.filter_map(|piece| Polygon::new(piece.corners.into(), piece.normal))
 }

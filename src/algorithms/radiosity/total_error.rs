@@ -24,9 +24,15 @@ pub struct RowErrors<'a> {
 pub fn total_error(system: &System, solution: &Solution, errors: &RowErrors) -> Option<f64> {
     let b = &solution.radiosity;
     let rho = system.patches.rho;
-    let low = b.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = b.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+    // What sees nothing is seen by nothing.
+    let sees = |&i: &usize| system.matrix.row_sums()[i] > 0.0 || errors.entries[i] > 0.0;
+    let seen = || (0..b.len()).filter(sees).map(|i| b[i]);
+    let low = seen().fold(f64::INFINITY, f64::min);
+    let high = seen().fold(f64::NEG_INFINITY, f64::max);
+    let (middle, half) = match low <= high {
+        true => (0.5 * (low + high), 0.5 * (high - low)),
+        false => (0.0, 0.0),
+    };
     let mut residual = vec![0.0; b.len()];
     system.residual(b, &mut residual);
     let (mut largest, mut gain) = (0.0_f64, 0.0_f64);

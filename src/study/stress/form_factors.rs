@@ -230,7 +230,8 @@ pub const CASES: &[Case] = &[
                 Patches::of(&enclosure("", 3, 1e7)?, 1000).map_err(|error| error.to_string())?;
             let method = Method::Auto { tolerance: EXACT };
             let matrix = FormFactors::new(&patches, method, None).matrix();
-            let [low, high] = Report::of(&patches, &matrix).row_sums;
+            let [low, high] =
+                Report::of(&patches.areas(), &matrix, &vec![true; patches.len()]).row_sums;
             relative(if 1.0 - low > high - 1.0 { low } else { high }, 1.0)
         },
         recorded: holds(1e-7),

@@ -1,5 +1,6 @@
 //! Rooms whose light is known exactly: what `radiosity` says of its error holds, and in closed rooms light is neither lost nor gained.
 
+mod furniture;
 mod rectangles;
 
 use lightwalk::algorithms::accuracy::Accuracy;

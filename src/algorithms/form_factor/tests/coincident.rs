@@ -1,6 +1,7 @@
 //! Patches that lie in one place.
 
 use super::occluded::{box_faces, estimated, scene};
+use super::*;
 
 #[test]
 fn walls_given_twice_exchange_as_if_given_once() {
@@ -53,5 +54,45 @@ fn of_a_panel_on_a_wall_the_one_that_comes_first_is_in_front() {
             .sum();
         let left = if is_first { 1.0 - 0.09 } else { 1.0 };
         assert!((floor - left).abs() < 1e-4, "{is_first}: {floor}");
+    }
+}
+
+#[test]
+fn rays_and_hemicubes_know_what_lies_on_what() {
+    let room = box_faces("room", [0.0; 3], [1.0; 3], true, 1);
+    let block = box_faces("block", [0.2, 0.0, 0.3], [0.7, 0.4, 0.8], false, 1);
+    // The floor again, and a block that stands on it.
+    let polygons = [room.clone(), vec![room[4].clone()], block].concat();
+    let scene = scene(&polygons);
+    let patches = Patches::of(&scene, 100).unwrap();
+    let blockers = Blockers::of(&scene, &patches);
+    let matrix = |method| FormFactors::new(&patches, method, Some(&blockers)).matrix();
+    let exact = matrix(Method::Auto { tolerance: 1e-6 });
+    let hemicubes = Hemicubes {
+        resolution: 32,
+        points: 6,
+    };
+    let rays = 1 << 11;
+    for (method, tolerance) in [
+        (Method::MonteCarlo { rays, seed: 1 }, 0.03),
+        (Method::Hemicube(hemicubes), 0.04),
+    ] {
+        let found = matrix(method);
+        for (k, (found, exact)) in found.iter().zip(&exact).enumerate() {
+            let off = (found - exact).abs();
+            let [i, j] = [k / patches.len(), k % patches.len()];
+            assert!(off <= tolerance, "{method:?} {i} {j}: {found} for {exact}");
+            assert!(*exact > 0.0 || *found == 0.0, "{method:?} {i} {j}: {found}");
+        }
+        let sum = |i: usize| {
+            found[i * patches.len()..][..patches.len()]
+                .iter()
+                .sum::<f64>()
+        };
+        // The bottom of the block sees the floor alone, which sees it as far as it lies there.
+        let [floor, again, bottom] = [4, 6, 11];
+        assert_eq!(sum(again), 0.0);
+        assert!((found[bottom * patches.len() + floor] - 1.0).abs() < 1e-12);
+        assert!((found[floor * patches.len() + bottom] - 0.25).abs() < 1e-12);
     }
 }

@@ -7,6 +7,7 @@ mod occluded;
 mod pairs;
 mod scenes;
 
+use super::hemicube::Hemicubes;
 use super::*;
 use glam::DVec3;
 

@@ -19,6 +19,10 @@ fn patches(scene: &Scene) -> Patches {
     Patches::of(scene, 100_000).unwrap()
 }
 
+fn report_of(patches: &Patches, matrix: &[f64]) -> Report {
+    Report::of(&patches.areas(), matrix, &vec![true; patches.len()])
+}
+
 fn enclosure(n: u32) -> Scene {
     scene(&faces("wall", [0.0; 3], [1.0; 3], n, true))
 }
@@ -28,7 +32,7 @@ fn rows_of_a_closed_cube_sum_to_1() {
     let patches = patches(&enclosure(4));
     for tolerance in [1e-3, 1e-6, 1e-9] {
         let matrix = FormFactors::new(&patches, Method::Auto { tolerance }, None).matrix();
-        let report = Report::of(&patches, &matrix);
+        let report = report_of(&patches, &matrix);
         assert!(report.closure_defect < tolerance, "{report:?}");
         assert!(report.reciprocity_defect < 1e-15);
     }
@@ -95,13 +99,13 @@ fn a_block_in_a_room_hides_and_nothing_leaks_past_it() {
     let blockers = Blockers::of(&enclosure, &patches);
     let method = Method::Auto { tolerance: 1e-6 };
     let matrix = FormFactors::new(&patches, method, Some(&blockers)).matrix();
-    let report = Report::of(&patches, &matrix);
+    let report = report_of(&patches, &matrix);
     println!("{report:?}");
     assert!(report.closure_defect < 0.01, "{report:?}");
     // Walls that stand between nothing are not asked.
     assert!(!blockers.can_stand_between(0, 1));
     let open = FormFactors::new(&patches, method, None).matrix();
-    assert!(Report::of(&patches, &open).row_sums[1] > 1.1);
+    assert!(report_of(&patches, &open).row_sums[1] > 1.1);
 }
 
 #[test]
@@ -241,7 +245,7 @@ fn sampled_methods_come_near_and_close_the_cube() {
         let worst = (0..n * n)
             .map(|k| (matrix[k] - exact[k]).abs())
             .fold(0.0, f64::max);
-        let report = Report::of(&patches, &matrix);
+        let report = report_of(&patches, &matrix);
         println!("{method:?}: off by {worst:e}, {report:?}");
         assert!(worst < error, "{method:?}: {worst}");
         assert!(report.closure_defect < closure, "{method:?}: {report:?}");
