@@ -7,7 +7,7 @@ use super::strings;
 use super::style;
 use crate::algorithms::focus::Focus;
 use crate::language::Language;
-use crate::panels::{self, Panel, TreeView, draw};
+use crate::panels::{self, Answered, Panel, TreeView, draw};
 use crate::picture::{Ink, Tag};
 use crate::record::Value;
 use egui::{Rect, Response, Sense, Ui};
@@ -27,6 +27,7 @@ pub struct Key {
     smooth: bool,
     /// Whether a question waits.
     pending: bool,
+    answered: Answered,
 }
 
 /// A panel from frame to frame.
@@ -55,6 +56,7 @@ impl PanelView {
             tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
             smooth: panel == Panel::Radiosity && session.look.smooth,
             pending: session.panel_input().is_pending(),
+            answered: session.panel_input().answered,
         };
         let lit = session.hovered().into_iter().chain(session.lit());
         let lit = lit.flat_map(alike).collect();

@@ -1,10 +1,10 @@
 //! The parameters that the lesson lets be changed, each with a slider and its value, on a card over the panels.
 
 use super::button::button;
-use super::session::{Command, Session, read_number};
+use super::session::{Command, Session};
 use super::{prose, slider_focus, strings, style};
 use crate::language::{Language, Message};
-use crate::lesson::{Change, Coefficient, DIVISIONS, Parameter};
+use crate::lesson::{Change, Coefficient, DIVISIONS, Parameter, read_number};
 use crate::picture::Ink;
 use crate::scene::Scene;
 use egui::{Button, DragValue, FontId, Rect, Response, RichText, Slider, Ui, WidgetInfo};

@@ -1,15 +1,19 @@
-//! The card that asks before the answer is seen.
+//! The card that asks before the answer is seen: what all questions have, and a file for each kind that has more.
+
+mod choice;
+mod number;
 
 use super::prose::{prose, set};
-use super::session::{Command, Guess, Session, Standing, read_number};
+use super::session::{Command, Session, Standing};
 use super::window_state::Window;
 use super::{strings, style};
 use crate::lesson::{Answer, Question};
 use crate::picture::Ink;
-use egui::{Button, FontId, Frame, Key, Margin, RichText, Stroke, TextEdit, Ui};
+use egui::{Button, FontId, Frame, Margin, RichText, Stroke, Ui};
 
 pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>, ui: &mut Ui) {
     let Some((question, standing)) = session.question() else {
+        window.asked = None;
         return;
     };
     let theme = session.look.theme;
@@ -42,70 +46,32 @@ pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>,
             Ink::Text,
         ));
         if standing == Standing::Open {
-            ask(session, &question.answer, window, commands, ui);
+            ask(session, question, window, commands, ui);
         } else {
+            window.asked = None;
             verdict(session, question, standing, commands, ui);
         }
     });
 }
 
+/// What is asked for, and after a first wrong answer what helps.
 fn ask(
     session: &Session,
-    answer: &Answer,
+    question: &Question,
     window: &mut Window,
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) {
-    match answer {
-        Answer::Number { .. } => {
-            ui.horizontal_wrapped(|ui| {
-                let edit = TextEdit::singleline(&mut window.answer)
-                    .desired_width(96.0)
-                    .hint_text("…");
-                let response = ui.add(edit);
-                if response.changed() {
-                    window.misread = false;
-                }
-                let (name, text) = (
-                    session.localize(strings::YOUR_ANSWER),
-                    window.answer.clone(),
-                );
-                response.widget_info(|| egui::WidgetInfo {
-                    label: Some(name.to_owned()),
-                    ..egui::WidgetInfo::text_edit(true, "", &text, "")
-                });
-                let entered =
-                    response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-                if ui
-                    .add(primary(session, session.localize(strings::CHECK)))
-                    .clicked()
-                    || entered
-                {
-                    window.misread = read_number(&window.answer).is_none();
-                    if window.misread {
-                        // What is typed next must correct the answer, not act as keys.
-                        response.request_focus();
-                    } else {
-                        commands.push(Command::Answer(Guess::Number(window.answer.clone())));
-                    }
-                }
-            });
-            if window.misread {
-                let ink = style::color(session.look.theme, Ink::Bad);
-                ui.label(RichText::new(session.localize(strings::NOT_A_NUMBER)).color(ink));
-            }
-        }
-        Answer::Choice { options, .. } => {
-            for (index, option) in options.iter().enumerate() {
-                let text = &option[session.look.language as usize];
-                if ui
-                    .add(Button::new(prose(session, text, 13.0, Ink::Text)).wrap())
-                    .clicked()
-                {
-                    commands.push(Command::Answer(Guess::Choice(index)));
-                }
-            }
-        }
+    let language = session.look.language;
+    if let Some(guess) = session.guesses().last() {
+        let own = question.hint(language).map(str::to_owned);
+        let hint = own.unwrap_or_else(|| question.answer.hint(guess, language));
+        let hint = format!("{hint} {}", session.localize(strings::ONCE_MORE));
+        ui.label(prose(session, &hint, 14.0, Ink::Warn));
+    }
+    match &question.answer {
+        Answer::Number { .. } => number::ask(session, window, commands, ui),
+        Answer::Choice { options, .. } => choice::ask(session, options, commands, ui),
         Answer::Pixel { .. } => {
             ui.label(RichText::new(session.localize(strings::CLICK_A_PIXEL)).strong());
         }
@@ -140,15 +106,8 @@ fn verdict(
         Standing::Wrong => (strings::WRONG, Ink::Warn),
         Standing::Open | Standing::Skipped => (strings::SKIPPED, Ink::Muted),
     };
-    let answer = match &question.answer {
-        Answer::Number { value, tolerance } => {
-            session.look.language.number(rounded(*value, *tolerance))
-        }
-        Answer::Choice { options, right } => {
-            options[*right][session.look.language as usize].clone()
-        }
-        Answer::Pixel { x, y, .. } => format!("({x}, {y})"),
-    };
+    let language = session.look.language;
+    let answer = question.answer.in_words(language);
     let sign = if standing == Standing::Right {
         "✓ "
     } else {
@@ -165,6 +124,15 @@ fn verdict(
         FontId::new(14.0, style::bold()),
         ink,
     ));
+    if let Some(guess) = session
+        .guesses()
+        .last()
+        .filter(|_| standing != Standing::Right)
+    {
+        let own = question.answer.guess_in_words(guess, language);
+        let own = strings::YOU_ANSWERED.format(language, &[("answer", own.trim_end_matches('.'))]);
+        ui.label(prose(session, &own, 14.0, Ink::Muted));
+    }
     ui.label(prose(
         session,
         question.why(session.look.language),
@@ -180,13 +148,4 @@ fn verdict(
     {
         commands.push(Command::Seek(question.step));
     }
-}
-
-/// To the decimal place that still counts under `tolerance`, as it would be answered.
-pub fn rounded(value: f64, tolerance: f64) -> f64 {
-    if tolerance <= 0.0 {
-        return value;
-    }
-    let places = 10f64.powf(-tolerance.log10().floor());
-    (value * places).round() / places
 }

@@ -7,7 +7,7 @@ use super::notes;
 use super::progress::Progress;
 use crate::algorithms::enclosure;
 use crate::panels::strings::Language;
-use crate::panels::{Panel, PanelInput, TreeView, draw};
+use crate::panels::{Answered, Panel, PanelInput, TreeView, draw};
 use crate::picture::{Theme, rasterize, to_png};
 use crate::render::compare::compare;
 use crate::render::{Finished, race, render, smooth_patches};
@@ -109,6 +109,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             tree: TreeView::whole(),
             smooth: radiosity.smooth.then_some(smooth_patches),
             pending: None,
+            answered: Answered::default(),
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

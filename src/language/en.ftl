@@ -109,6 +109,8 @@ app-check = Check
 app-skip = skip
 app-your-answer = Your answer
 app-click-a-pixel = Click the pixel in the image.
+app-once-more = Try once more.
+app-you-answered = Your answer was { $answer }.
 app-right = Right.
 app-wrong = Not quite.
 app-skipped = Skipped.
@@ -286,6 +288,18 @@ illumination-distance = distance d
 ## formula
 
 formula-no-formula = This step has no formula. Go on to the next.
+
+## hints after a first wrong answer
+
+hint-too-small = That is too small.
+hint-too-large = That is too large.
+hint-another = Not that one.
+hint-one-way = The pixel lies further { $way }.
+hint-two-ways = The pixel lies further { $across } and further { $along }.
+hint-way-left = to the left
+hint-way-right = to the right
+hint-way-up = up
+hint-way-down = down
 
 ## image
 

@@ -109,6 +109,8 @@ app-check = Periksa
 app-skip = lewati
 app-your-answer = Jawaban Anda
 app-click-a-pixel = Klik piksel itu pada gambar.
+app-once-more = Coba sekali lagi.
+app-you-answered = Jawaban Anda { $answer }.
 app-right = Benar.
 app-wrong = Belum tepat.
 app-skipped = Dilewati.
@@ -286,6 +288,18 @@ illumination-distance = jarak d
 ## formula
 
 formula-no-formula = Langkah ini tidak memiliki rumus. Lanjutkan ke langkah berikutnya.
+
+## hints after a first wrong answer
+
+hint-too-small = Itu terlalu kecil.
+hint-too-large = Itu terlalu besar.
+hint-another = Bukan yang itu.
+hint-one-way = Pikselnya lebih { $way }.
+hint-two-ways = Pikselnya lebih { $across } dan lebih { $along }.
+hint-way-left = ke kiri
+hint-way-right = ke kanan
+hint-way-up = ke atas
+hint-way-down = ke bawah
 
 ## image
 

@@ -3,6 +3,7 @@
 //! Anchors are selectors: a narrated step is the first event of a kind behind the narrated step before it. A lesson is
 //! right when every anchor, every value in its texts and every answer is found in the run itself.
 
+mod answer;
 mod builtin;
 mod contents;
 mod error;
@@ -21,10 +22,11 @@ mod translated;
 #[cfg(test)]
 mod unanswered;
 
+pub use answer::{Answer, Guess, NoAnswer, read_number, rounded};
 pub use builtin::{Builtin, builtin, builtins};
 pub use contents::Chapter;
 pub use error::LessonError;
 pub use file::{LessonFile, Text};
-pub use narrated::{Answer, Narrated, Question};
+pub use narrated::{Narrated, Question};
 pub use parameters::{Change, Coefficient, DIVISIONS, NotAllowed, Parameter};
 pub use resolve::{Lesson, OpenLesson};

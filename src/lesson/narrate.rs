@@ -1,8 +1,9 @@
 //! Ties what a lesson says and asks to the steps of its run.
 
+use super::answer::Answer;
 use super::error::{LessonError, problem};
 use super::file::{AnswerFile, QuestionFile, StepFile, Text};
-use super::narrated::{Answer, Narrated, Question};
+use super::narrated::{Narrated, Question};
 use super::template::fill;
 use crate::panels::{Hidden, Panel};
 use crate::record::Value;
@@ -93,11 +94,14 @@ impl Search<'_> {
     ) -> Option<Question> {
         let step = self.find(&question.at, asked_at + 1, place)?;
         let ask = self.fill(&question.ask, asked_at, &format!("{place}.ask"));
+        let hint = question.hint.as_ref();
+        let hint = hint.map(|hint| self.fill(hint, asked_at, &format!("{place}.hint")));
         let why = self.fill(&question.why, step, &format!("{place}.why"));
         match read_answer(question, self.walk, step) {
             Ok(answer) => Some(Question {
                 ask,
                 why,
+                hint,
                 step,
                 answer,
                 hide: hidden(question),

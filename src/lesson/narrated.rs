@@ -1,5 +1,6 @@
 //! What is said and asked at a step, with the values of the run filled in.
 
+use super::answer::Answer;
 use super::file::Text;
 use crate::panels::strings::Language;
 use crate::panels::{Hidden, Panel};
@@ -23,29 +24,12 @@ pub struct Narrated {
 pub struct Question {
     pub(super) ask: [String; 2],
     pub(super) why: [String; 2],
+    pub(super) hint: Option<[String; 2]>,
     /// The step that shows the answer.
     pub step: usize,
     pub answer: Answer,
     /// What is hidden until it is answered, beside all that is ahead of the step.
     pub hide: Vec<Hidden>,
-}
-
-#[derive(Clone, Debug, PartialEq)]
-pub enum Answer {
-    Number {
-        value: f64,
-        tolerance: f64,
-    },
-    /// Options by language, and the index of the right one.
-    Choice {
-        options: Vec<[String; 2]>,
-        right: usize,
-    },
-    Pixel {
-        x: u32,
-        y: u32,
-        tolerance: u32,
-    },
 }
 
 impl Narrated {
@@ -62,6 +46,11 @@ impl Narrated {
 impl Question {
     pub fn ask(&self, language: Language) -> &str {
         &self.ask[language as usize]
+    }
+
+    /// What helps after a first wrong answer, where the lesson says it.
+    pub fn hint(&self, language: Language) -> Option<&str> {
+        self.hint.as_ref().map(|hint| &*hint[language as usize])
     }
 
     pub fn why(&self, language: Language) -> &str {

@@ -2,7 +2,7 @@
 
 use super::OpenLesson;
 use crate::language::Language;
-use crate::panels::{Panel, PanelInput, TreeView, draw};
+use crate::panels::{Answered, Panel, PanelInput, TreeView, draw};
 use crate::picture::Picture;
 use crate::render::compare::compare_on;
 use crate::render::{Finished, render};
@@ -69,6 +69,7 @@ pub(super) fn each_picture(
                 tree: TreeView::whole(),
                 smooth: None,
                 pending: None,
+                answered: Answered::default(),
             };
             let size = size();
             look(panel, size, &draw(panel, &input, size));

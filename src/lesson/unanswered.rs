@@ -7,7 +7,7 @@ use super::narrated::Question;
 use super::pictures::{finished, panels};
 use super::{Builtin, OpenLesson, builtins};
 use crate::language::Language;
-use crate::panels::{PanelInput, TreeView, draw, named_by, word_name};
+use crate::panels::{Answered, PanelInput, TreeView, draw, named_by, word_name};
 use crate::picture::{Picture, Shape, Tag};
 use crate::record::{Field, Value};
 use glam::Vec2;
@@ -177,6 +177,7 @@ fn leaks(lesson: Builtin) -> BTreeSet<String> {
                         tree: TreeView::whole(),
                         smooth: None,
                         pending: Some(hide),
+                        answered: Answered::default(),
                     };
                     let picture = draw(panel, &input, size);
                     let place = format!("{} steps[{index}] {}", lesson.id, panel.name());

@@ -42,7 +42,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         let bytes = srgb_bytes(frame, hidden.as_deref());
         let image = Image::new(frame.width, frame.rows.len() as u32, bytes);
         picture.pixels(cell.image, image, (0, 0));
-        cell.frame(&mut picture, &cursor);
+        cell.frame(&mut picture, &cursor, input.answered);
         // Wires carry no intensity.
         let shown = cursor
             .value(frame)

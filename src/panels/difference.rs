@@ -53,7 +53,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             image(compared, difference, most, hidden.as_deref()),
             (0, 0),
         );
-        cell.frame(&mut picture, &cursor);
+        cell.frame(&mut picture, &cursor, input.answered);
         let width = compared.frame.width as usize;
         let here = match (cursor.x, cursor.y) {
             (Some(x), Some(y)) => difference.signed.get(y as usize * width + x as usize),

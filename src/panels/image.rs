@@ -61,6 +61,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             grid(picture, width as u32, height as u32, &fit);
         }
         marks.draw(picture, input.focus, &fit);
+        input.answered.draw(picture, |x, y| fit.pixels(x, x + 1, y));
     });
     picture.rect(frame, Ink::Rule.stroke(1.0));
     caption(&mut picture, input, &marks, (width, height), zoom);

@@ -10,6 +10,7 @@ pub use list::ray_tree::{area as tree_area, middle as tree_middle};
 pub use list::rays::{Grip, grip};
 pub use list::time_line::step_at;
 pub use list::vectors::{Held, PlaneGrip, grip as vector_grip};
+pub use shared::answered::Answered;
 pub use shared::horizon::Hidden;
 pub use shared::names::{
     kind as kind_name, meaning, quantity as quantity_name, scope as scope_names,
@@ -113,4 +114,6 @@ pub struct PanelInput<'a> {
     pub smooth: Option<DrawPatches>,
     /// While a question waits at the step, what it hides beside all that is ahead of the step; none where no question waits.
     pub pending: Option<&'a [Hidden]>,
+    /// The pixel that was answered to the question at the step.
+    pub answered: Answered,
 }

@@ -3,7 +3,7 @@
 use lightwalk::algorithms::enclosure;
 use lightwalk::lesson::{OpenLesson, builtin};
 use lightwalk::panels::strings::Language;
-use lightwalk::panels::{Panel, PanelInput, TreeView, draw};
+use lightwalk::panels::{Answered, Panel, PanelInput, TreeView, draw};
 use lightwalk::picture::Picture;
 use lightwalk::render::compare::compare_on;
 use lightwalk::render::{Finished, render, smooth_patches};
@@ -74,6 +74,7 @@ impl Walk {
             tree: TreeView::whole(),
             smooth: radiosity.smooth.then_some(smooth_patches),
             pending: None,
+            answered: Answered::default(),
         };
         let size = if panel == Panel::TimeLine {
             (800.0 / shrink, 130.0 / shrink)

@@ -2,7 +2,7 @@
 
 use crate::algorithms::focus::Focus;
 use crate::language::{Language, Message};
-use crate::lesson::Change;
+use crate::lesson::{Change, Guess};
 use crate::panels::TreeView;
 use crate::picture::{Tag, Theme};
 use crate::scene::Part;
@@ -99,19 +99,6 @@ pub enum Command {
     LargerText,
     SmallerText,
     NormalText,
-}
-
-/// An answer to a question.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Guess {
-    /// As it was typed.
-    Number(String),
-    /// An index into the options.
-    Choice(usize),
-    Pixel {
-        x: u32,
-        y: u32,
-    },
 }
 
 /// A command about studies.

@@ -156,6 +156,7 @@ impl Session {
         self.look.forgetting = false;
         self.progress.clear();
         self.standings.fill(Standing::Open);
+        self.guesses.clear();
         self.play = None;
         match self.follows_lesson() {
             true => self.seek(0),

@@ -18,18 +18,17 @@ mod update;
 #[cfg(test)]
 mod tests;
 
-pub use command::{Command, Guess, PointAt, Refused, StudyCommand};
+pub use command::{Command, PointAt, Refused, StudyCommand};
 pub use kept::{Kept, Progress};
 pub use lessons::{Listed, listed};
 pub use playing::Direction;
-pub use question::read_number;
 pub use study::{Outcome, Studying};
 
 use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
-use crate::lesson::{Lesson, LessonError, Narrated, OpenLesson};
+use crate::lesson::{Guess, Lesson, LessonError, Narrated, OpenLesson};
 use crate::methods::Setup;
 use crate::panels::{Panel, PanelInput, TreeView};
 use crate::picture::{Tag, Theme, plain};
@@ -120,6 +119,8 @@ pub struct Session {
     narrated: Vec<usize>,
     /// How each narrated step's question stands.
     standings: Vec<Standing>,
+    /// What was answered so far, by the index of the explanation that asks.
+    guesses: BTreeMap<usize, Vec<Guess>>,
     /// How far each lesson has come, by its id.
     progress: BTreeMap<String, Progress>,
     /// The last lesson whose progress was noted, by its id.
@@ -158,6 +159,7 @@ impl Session {
             left_at: 0,
             narrated: Vec::new(),
             standings: Vec::new(),
+            guesses: BTreeMap::new(),
             progress: BTreeMap::new(),
             kept_lesson: None,
             preview: Preview::new(open.setup.clone(), methods(&open)),
@@ -200,6 +202,7 @@ impl Session {
         self.look.smooth = radiosity.smooth;
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
         self.standings = vec![Standing::Open; self.narrated.len()];
+        self.guesses.clear();
         self.breakpoints.clear();
         self.play = None;
         self.around = Loop::default();
@@ -288,6 +291,7 @@ impl Session {
             tree: &self.tree,
             smooth: self.look.smooth.then_some(smooth_patches),
             pending: self.pending(),
+            answered: self.answered(),
         }
     }
 

@@ -1,9 +1,9 @@
 //! Predict before seeing: what follows a question stays hidden until it is answered or skipped.
 
-use super::{Guess, Refused, Session, Standing};
+use super::{Refused, Session, Standing};
 use crate::app::strings;
-use crate::lesson::{Answer, Question};
-use crate::panels::Hidden;
+use crate::lesson::{Answer, Guess, NoAnswer, Question};
+use crate::panels::{Answered, Hidden};
 
 impl Session {
     /// The question at this step, and how it stands.
@@ -39,29 +39,51 @@ impl Session {
         ahead.copied().find(|&step| self.question_at(step))
     }
 
+    /// Judges a guess. After a first wrong one there is a second try, where the question has one.
     pub(super) fn answer(&mut self, guess: &Guess) -> Result<(), Refused> {
         let index = self
             .narrated_here()
             .filter(|_| self.question_at(self.step()));
         let index = index.ok_or(strings::NO_QUESTION)?;
         let question = self.open.narrated[index].question.as_ref();
-        let right = match (question.map(|question| &question.answer), guess) {
-            (Some(Answer::Number { value, tolerance }), Guess::Number(text)) => {
-                let number = read_number(text).ok_or(strings::NOT_A_NUMBER)?;
-                (number - value).abs() <= *tolerance
-            }
-            (Some(Answer::Choice { right, .. }), Guess::Choice(choice)) => choice == right,
-            (Some(Answer::Pixel { x, y, tolerance }), Guess::Pixel { x: at_x, y: at_y }) => {
-                x.abs_diff(*at_x) <= *tolerance && y.abs_diff(*at_y) <= *tolerance
-            }
-            _ => return Err(strings::NO_QUESTION.into()),
-        };
-        self.standings[index] = if right {
-            Standing::Right
-        } else {
-            Standing::Wrong
-        };
+        let answer = &question.ok_or(strings::NO_QUESTION)?.answer;
+        let right = answer.judge(guess).map_err(|why| match why {
+            NoAnswer::NotANumber => strings::NOT_A_NUMBER,
+            NoAnswer::OtherKind => strings::NO_QUESTION,
+        })?;
+        let guesses = self.guesses.entry(index).or_default();
+        guesses.push(guess.clone());
+        if right {
+            self.standings[index] = Standing::Right;
+        } else if guesses.len() >= answer.tries() {
+            self.standings[index] = Standing::Wrong;
+        }
         Ok(())
+    }
+
+    /// What was answered so far to the question at this step, the last one last.
+    pub fn guesses(&self) -> &[Guess] {
+        let index = self.narrated_here();
+        index
+            .and_then(|index| self.guesses.get(&index))
+            .map_or(&[], |guesses| guesses)
+    }
+
+    /// The pixel that was answered at this step, and the right one once there is a verdict.
+    pub(super) fn answered(&self) -> Answered {
+        let Some((question, standing)) = self.question() else {
+            return Answered::default();
+        };
+        let Answer::Pixel { x, y, .. } = question.answer else {
+            return Answered::default();
+        };
+        Answered {
+            own: match self.guesses().last() {
+                Some(&Guess::Pixel { x, y }) => Some((x, y)),
+                _ => None,
+            },
+            right: (standing != Standing::Open).then_some((x, y)),
+        }
     }
 
     pub(super) fn skip(&mut self) -> Result<(), Refused> {
@@ -97,15 +119,4 @@ impl Session {
             ))
         )
     }
-}
-
-/// A number as an answer is typed: with a decimal point, or a comma as Indonesian writes it.
-pub fn read_number(text: &str) -> Option<f64> {
-    let number: f64 = text
-        .trim()
-        .replace(',', ".")
-        .replace('−', "-")
-        .parse()
-        .ok()?;
-    number.is_finite().then_some(number)
 }

@@ -11,13 +11,12 @@ mod ray_tree;
 mod skipped;
 mod studies;
 
-use super::question_card::rounded;
 use super::session::{Command, Session, Standing};
 use super::window;
 use super::window_state::Window;
 use super::{prose, strings, style};
 use crate::algorithms::focus::Focus;
-use crate::lesson::{Answer, Lesson, builtin};
+use crate::lesson::{Answer, Lesson, builtin, rounded};
 use crate::panels::strings::Language;
 use crate::panels::{Panel, draw};
 use crate::picture::{Ink, Tag, Theme, to_png};

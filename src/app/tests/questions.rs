@@ -77,6 +77,11 @@ fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
     }
     screen.harness.run();
     let step = screen.session().step();
+    // The field has the keyboard; Escape gives it back to the window.
+    screen.press(Modifiers::NONE, Key::Escape);
+    screen.press(Modifiers::NONE, Key::L);
+    assert_eq!(screen.session().look.language, Language::Indonesian);
+    screen.press(Modifiers::NONE, Key::L);
     screen
         .harness
         .get_by_label(strings::YOUR_ANSWER.text(Language::English))
@@ -94,6 +99,14 @@ fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
     screen.harness.event(egui::Event::Text("1e9".into()));
     screen.press(Modifiers::NONE, Key::Enter);
     assert_eq!(screen.session().step(), step);
+    screen
+        .harness
+        .get_by_label("That is too large. Try once more.");
+    screen.keep("second-try");
+    // The keyboard is still in the field, with what was typed.
+    screen.press(Modifiers::COMMAND, Key::A);
+    screen.harness.event(egui::Event::Text("-1e9".into()));
+    screen.press(Modifiers::NONE, Key::Enter);
     let (question, standing) = screen.session().question().expect("a question");
     let Answer::Number { value, tolerance } = question.answer else {
         panic!("a number is asked for")
@@ -102,5 +115,6 @@ fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
     let value = Language::English.number(rounded(value, tolerance));
     let recorded = format!("Not quite. The answer is {value}.");
     screen.harness.get_by_label(&recorded);
+    screen.harness.get_by_label("Your answer was −1·10⁹.");
     screen.keep("wrong");
 }

@@ -1,9 +1,9 @@
 //! What must not be read before a question is answered.
 
 use crate::language::Language;
+use crate::lesson::Answer;
 use crate::lesson::OpenLesson;
 use crate::lesson::file::{AnswerFile, QuestionFile};
-use crate::lesson::narrated::Answer;
 use crate::panels::{named_by, word_name};
 use crate::record::{Fields, Value};
 use crate::replay::query::number_of;

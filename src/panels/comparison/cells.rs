@@ -3,6 +3,7 @@
 use super::cursor::Cursor;
 use crate::algorithms::frame::Frame;
 use crate::figure::elided;
+use crate::panels::Answered;
 use crate::picture::{Ink, Picture, Rect, Style};
 use glam::Vec2;
 
@@ -95,8 +96,8 @@ impl Cell {
         }
     }
 
-    /// The image's border, and on it the cursor.
-    pub fn frame(&self, picture: &mut Picture, cursor: &Cursor) {
+    /// The image's border, and on it the cursor and the answer to a question.
+    pub fn frame(&self, picture: &mut Picture, cursor: &Cursor, answered: Answered) {
         let scale = self.image.width / self.size.x;
         picture.clipped(self.image, |picture| {
             if let Some(y) = cursor.y {
@@ -110,6 +111,10 @@ impl Cell {
                     picture.circle(at, radius, paint);
                 }
             }
+            answered.draw(picture, |x, y| {
+                let at = self.image.min() + scale * Vec2::new(x as f32, y as f32);
+                Rect::new(at.x, at.y, scale, scale)
+            });
         });
         picture.rect(self.image, Ink::Rule.stroke(1.0));
     }

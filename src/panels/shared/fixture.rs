@@ -9,7 +9,7 @@ use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
 use crate::color::Rgb;
 use crate::methods::Setup;
-use crate::panels::{PanelInput, TreeView};
+use crate::panels::{Answered, PanelInput, TreeView};
 use crate::record::RecordingLimit;
 use crate::render::{Finished, Method, render};
 use crate::replay::Run;
@@ -134,6 +134,7 @@ impl Fixture {
             tree: TreeView::whole(),
             smooth: None,
             pending: None,
+            answered: Answered::default(),
         }
     }
 

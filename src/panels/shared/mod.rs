@@ -1,5 +1,6 @@
 //! What several panels have in common.
 
+pub mod answered;
 pub mod channels;
 #[cfg(test)]
 pub mod fixture;

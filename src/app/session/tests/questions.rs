@@ -54,6 +54,7 @@ fn answers_are_held_against_the_run() {
         let Some((question, Standing::Open)) = session.question() else {
             continue;
         };
+        let tries = question.answer.tries();
         let right = match question.answer {
             Answer::Number { value, tolerance } => {
                 Guess::Number(format!("{}", value + 0.9 * tolerance).replace('.', ","))
@@ -63,19 +64,28 @@ fn answers_are_held_against_the_run() {
         };
         let wrong = match right {
             Guess::Number(_) => Guess::Number("1e9".into()),
-            Guess::Choice(right) => Guess::Choice(right + 1),
+            Guess::Choice(right) => Guess::Choice(usize::from(right == 0)),
             Guess::Pixel { x, y } => Guess::Pixel { x: x + 1000, y },
         };
+        if let Guess::Choice(_) = right {
+            let none = Command::Answer(Guess::Choice(99));
+            assert_eq!(session.update(none), Err(strings::NO_QUESTION.into()));
+        }
         if matches!(right, Guess::Number(_)) {
             let much = Command::Answer(Guess::Number("much".into()));
             assert_eq!(session.update(much), Err(strings::NOT_A_NUMBER.into()));
         }
         answered += 1;
         let (guess, standing) = if answered % 2 == 0 {
-            (wrong, Standing::Wrong)
+            (wrong.clone(), Standing::Wrong)
         } else {
             (right, Standing::Right)
         };
+        // After a first wrong answer the question still waits.
+        if tries == 2 {
+            go(&mut session, Command::Answer(wrong));
+            assert!(session.question_at(session.step()) && session.guesses().len() == 1);
+        }
         go(&mut session, Command::Answer(guess));
         assert_eq!(
             session.question().map(|(_, standing)| standing),

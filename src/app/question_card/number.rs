@@ -1,0 +1,58 @@
+//! The field in which a number is typed.
+
+use super::primary;
+use crate::app::session::{Command, Session};
+use crate::app::window_state::Window;
+use crate::app::{strings, style};
+use crate::lesson::{Guess, read_number};
+use crate::picture::Ink;
+use egui::{Key, RichText, TextEdit, Ui};
+
+/// The field has the keyboard when the question opens, and again for the second try.
+pub(super) fn ask(
+    session: &Session,
+    window: &mut Window,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
+    ui.horizontal_wrapped(|ui| {
+        let edit = TextEdit::singleline(&mut window.answer)
+            .desired_width(96.0)
+            .hint_text("…");
+        let response = ui.add(edit);
+        let tried = (session.recording(), session.step(), session.guesses().len());
+        if window.asked != Some(tried) {
+            window.asked = Some(tried);
+            response.request_focus();
+        }
+        if response.changed() {
+            window.misread = false;
+        }
+        let (name, text) = (
+            session.localize(strings::YOUR_ANSWER),
+            window.answer.clone(),
+        );
+        response.widget_info(|| egui::WidgetInfo {
+            label: Some(name.to_owned()),
+            ..egui::WidgetInfo::text_edit(true, "", &text, "")
+        });
+        let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        if ui
+            .add(primary(session, session.localize(strings::CHECK)))
+            .clicked()
+            || entered
+        {
+            window.misread = read_number(&window.answer).is_none();
+            if window.misread {
+                // What is typed next must correct the answer, not act as keys.
+                response.request_focus();
+            } else {
+                commands.push(Command::Answer(Guess::Number(window.answer.clone())));
+            }
+        }
+    });
+    if window.misread {
+        let ink = style::color(session.look.theme, Ink::Bad);
+        ui.label(RichText::new(session.localize(strings::NOT_A_NUMBER)).color(ink));
+    }
+}

@@ -1,0 +1,117 @@
+//! The kinds of answers: what is right, what a guess is, how it is judged, and what helps after a first wrong one. A kind has its
+//! file here, and one beside the card that asks (`app::question_card`).
+
+mod choice;
+mod number;
+mod pixel;
+
+use crate::language::Language;
+pub use number::{read_number, rounded};
+
+/// The right answer, as it was read from the run.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Answer {
+    Number {
+        value: f64,
+        tolerance: f64,
+    },
+    /// Options by language, and the index of the right one.
+    Choice {
+        options: Vec<[String; 2]>,
+        right: usize,
+    },
+    Pixel {
+        x: u32,
+        y: u32,
+        tolerance: u32,
+    },
+}
+
+/// An answer that was given.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Guess {
+    /// As it was typed.
+    Number(String),
+    /// An index into the options.
+    Choice(usize),
+    Pixel {
+        x: u32,
+        y: u32,
+    },
+}
+
+/// Why a guess cannot be judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoAnswer {
+    /// What was typed is no number.
+    NotANumber,
+    /// Something else is asked.
+    OtherKind,
+}
+
+impl Answer {
+    /// Whether a guess is right.
+    pub fn judge(&self, guess: &Guess) -> Result<bool, NoAnswer> {
+        match (self, guess) {
+            (&Answer::Number { value, tolerance }, Guess::Number(text)) => {
+                let number = read_number(text).ok_or(NoAnswer::NotANumber)?;
+                Ok((number - value).abs() <= tolerance)
+            }
+            (Answer::Choice { right, options }, Guess::Choice(choice)) => {
+                match *choice < options.len() {
+                    true => Ok(choice == right),
+                    false => Err(NoAnswer::OtherKind),
+                }
+            }
+            (&Answer::Pixel { x, y, tolerance }, &Guess::Pixel { x: at_x, y: at_y }) => {
+                Ok(x.abs_diff(at_x) <= tolerance && y.abs_diff(at_y) <= tolerance)
+            }
+            _ => Err(NoAnswer::OtherKind),
+        }
+    }
+
+    /// How many guesses there are before the verdict. Of two options the second try would be no question.
+    pub fn tries(&self) -> usize {
+        match self {
+            Answer::Choice { options, .. } if options.len() < 3 => 1,
+            _ => 2,
+        }
+    }
+
+    /// What helps after a wrong guess where the lesson gives no hint of its own.
+    pub fn hint(&self, guess: &Guess, language: Language) -> String {
+        match (self, guess) {
+            (&Answer::Number { value, .. }, Guess::Number(text)) => {
+                number::hint(value, text, language)
+            }
+            (&Answer::Pixel { x, y, .. }, &Guess::Pixel { x: at_x, y: at_y }) => {
+                pixel::hint([x, y], [at_x, at_y], language)
+            }
+            _ => choice::hint(language),
+        }
+    }
+
+    /// The right answer in words.
+    pub fn in_words(&self, language: Language) -> String {
+        match self {
+            &Answer::Number { value, tolerance } => language.number(rounded(value, tolerance)),
+            Answer::Choice { right, .. } => self.guess_in_words(&Guess::Choice(*right), language),
+            &Answer::Pixel { x, y, .. } => pixel::in_words(x, y),
+        }
+    }
+
+    /// A guess in words, as the language writes it.
+    pub fn guess_in_words(&self, guess: &Guess, language: Language) -> String {
+        match (self, guess) {
+            (_, Guess::Number(text)) => {
+                read_number(text).map_or_else(|| text.clone(), |number| language.number(number))
+            }
+            (Answer::Choice { options, .. }, &Guess::Choice(choice)) => {
+                let option = options.get(choice);
+                option.map_or_else(String::new, |option| option[language as usize].clone())
+            }
+            (_, &Guess::Pixel { x, y }) => pixel::in_words(x, y),
+            _ => String::new(),
+        }
+    }
+}
