@@ -3,7 +3,7 @@
 
 use super::session::{Kept, Session};
 use super::strings;
-use super::window_state::{Layout, Window};
+use super::window_state::{Borders, Window};
 use crate::language::Language;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -23,7 +23,7 @@ const BUSY: Duration = Duration::from_millis(20);
 #[serde(default)]
 pub struct State {
     pub session: Kept,
-    pub layout: Layout,
+    pub layout: Borders,
 }
 
 /// The user's folder for the program's data. None where the system does not say where that is.
@@ -209,7 +209,7 @@ impl Window {
         };
         let state = State {
             session: session.keep(),
-            layout: self.layout,
+            layout: self.borders,
         };
         match keeper.save(&state) {
             Ok(Saved::Busy) => ctx.request_repaint_after(BUSY),

@@ -3,7 +3,26 @@
 use super::keys::BINDINGS;
 use super::session::{Command, Session};
 use super::{strings, style};
+use crate::language::Message;
 use egui::{Grid, Id, Modal, ScrollArea};
+
+/// The keys of each meaning, and the meaning.
+fn rows() -> Vec<(String, Message)> {
+    let mut rows: Vec<(Vec<&str>, Message)> = Vec::new();
+    for binding in &BINDINGS {
+        match rows.iter_mut().find(|row| row.1 == binding.strings) {
+            Some((keys, _)) => keys.push(binding.shown),
+            None => rows.push((vec![binding.shown], binding.strings)),
+        }
+    }
+    let written = |keys: Vec<&str>| match keys[..] {
+        [first, _, .., last] if keys.len() > 2 => format!("{first} – {last}"),
+        _ => keys.join(", "),
+    };
+    let rows = rows.into_iter();
+    rows.map(|(keys, meaning)| (written(keys), meaning))
+        .collect()
+}
 
 pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context) {
     let frame = style::card_frame(session.look.theme);
@@ -31,14 +50,14 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
                         .num_columns(4)
                         .spacing([18.0, 5.0])
                         .show(ui, |ui| {
-                            let half = BINDINGS.len().div_ceil(2);
+                            let rows = rows();
+                            let half = rows.len().div_ceil(2);
                             for row in 0..half {
-                                for binding in [BINDINGS.get(row), BINDINGS.get(half + row)]
-                                    .into_iter()
-                                    .flatten()
+                                for (keys, meaning) in
+                                    [rows.get(row), rows.get(half + row)].into_iter().flatten()
                                 {
-                                    ui.label(style::strong(binding.shown, 13.0));
-                                    ui.label(session.localize(binding.strings));
+                                    ui.label(style::strong(keys, 13.0));
+                                    ui.label(session.localize(*meaning));
                                 }
                                 ui.end_row();
                             }

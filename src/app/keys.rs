@@ -42,7 +42,7 @@ const fn bind(
 
 use With::{Ctrl, Nothing, Shift, Sign};
 
-pub const BINDINGS: [Binding; 41] = [
+pub const BINDINGS: [Binding; 54] = [
     bind(
         Key::ArrowRight,
         Nothing,
@@ -129,6 +129,20 @@ pub const BINDINGS: [Binding; 41] = [
         "keys-explained-step-before",
     ),
     bind(
+        Key::PageDown,
+        Nothing,
+        "PageDown",
+        || Command::NextNarrated,
+        "keys-next-explained-step",
+    ),
+    bind(
+        Key::PageUp,
+        Nothing,
+        "PageUp",
+        || Command::PreviousNarrated,
+        "keys-explained-step-before",
+    ),
+    bind(
         Key::Space,
         Nothing,
         "Space",
@@ -195,6 +209,77 @@ pub const BINDINGS: [Binding; 41] = [
         || Command::Reset,
         "keys-start-the-lesson-over",
     ),
+    bind(
+        Key::Num1,
+        Nothing,
+        "1",
+        || Command::KeyNumber(1),
+        "keys-key-panel",
+    ),
+    bind(
+        Key::Num2,
+        Nothing,
+        "2",
+        || Command::KeyNumber(2),
+        "keys-key-panel",
+    ),
+    bind(
+        Key::Num3,
+        Nothing,
+        "3",
+        || Command::KeyNumber(3),
+        "keys-key-panel",
+    ),
+    bind(
+        Key::Num4,
+        Nothing,
+        "4",
+        || Command::KeyNumber(4),
+        "keys-key-panel",
+    ),
+    bind(
+        Key::Num5,
+        Nothing,
+        "5",
+        || Command::KeyNumber(5),
+        "keys-key-panel",
+    ),
+    bind(
+        Key::Num6,
+        Nothing,
+        "6",
+        || Command::KeyNumber(6),
+        "keys-key-panel",
+    ),
+    bind(
+        Key::Num7,
+        Nothing,
+        "7",
+        || Command::KeyNumber(7),
+        "keys-key-panel",
+    ),
+    bind(
+        Key::Num8,
+        Nothing,
+        "8",
+        || Command::KeyNumber(8),
+        "keys-key-panel",
+    ),
+    bind(
+        Key::Num9,
+        Nothing,
+        "9",
+        || Command::KeyNumber(9),
+        "keys-key-panel",
+    ),
+    bind(
+        Key::P,
+        Nothing,
+        "p",
+        || Command::Parameters,
+        "app-parameters",
+    ),
+    bind(Key::Z, Nothing, "z", || Command::Fill, "keys-fill"),
     bind(
         Key::I,
         Nothing,

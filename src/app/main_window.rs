@@ -37,7 +37,7 @@ pub fn open(lesson: Option<Lesson>, step: Option<usize>) -> Result<(), String> {
     if let Some(folder) = keeper::data_folder() {
         let (keeper, found) = Keeper::open(folder);
         match found {
-            Ok(found) => (kept, window.layout) = (found.session, found.layout),
+            Ok(found) => (kept, window.borders) = (found.session, found.layout),
             Err(why) => trouble = Some(why),
         }
         window.keeper = Some(keeper);

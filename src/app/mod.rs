@@ -1,17 +1,20 @@
 //! The window: a [`Session`] holds what is shown, [`window`] shows it, [`open`] puts it on the screen.
 
 mod button;
+mod cards;
 mod drag;
 mod forget;
 mod home;
 mod keeper;
 mod key_sheet;
 mod keys;
+mod layout;
 mod lesson_card;
 mod main_window;
 mod narration;
+mod notice;
 mod panel_view;
-mod parameter_card;
+mod parameter_drawer;
 mod picture_view;
 mod pressed;
 mod prose;
@@ -25,7 +28,6 @@ mod study_view;
 mod study_words;
 mod style;
 mod thumbnails;
-mod tiles;
 mod top_bar;
 mod transport;
 mod tree_controls;

@@ -1,75 +1,85 @@
 //! The left column: what this step is and why, the note on the slide, the question, pseudocode and formula.
 
+use super::cards::panel_on;
+use super::layout;
+use super::panel_view::Key;
 use super::prose::prose;
 use super::session::{Command, Session};
-use super::tiles::panel_on;
 use super::window_state::Window;
 use super::{panel_view, question_card, strings, style};
-use crate::panels::{Panel, kind_name};
+use crate::panels::{Panel, formula_height, kind_name};
 use crate::picture::{Ink, Tag};
 use egui::{Frame, Margin, Rect, RichText, ScrollArea, Ui};
 
-/// The least heights at which pseudocode and formula can be read, and what is between them.
-const CODE: f32 = 190.0;
-const FORMULA: f32 = 132.0;
-const RULE: f32 = 1.0;
-/// Between the card's frame and what is in it.
+/// Between a region of the card and what is in it.
 const MARGIN: f32 = 4.0;
 
-/// Shows the column; returns what lies under the pointer.
+/// Shows the column on the card `card`: three regions, none of which pushes another out. Returns what lies under the pointer.
 pub fn show(
     session: &Session,
     window: &mut Window,
+    card: Rect,
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) -> Option<Tag> {
-    let card = ui.max_rect();
-    ui.set_min_size(card.size());
     style::card(session.look.theme, card, ui);
-    let mut under = None;
-    let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(card.shrink(MARGIN)));
-    ScrollArea::vertical()
+    let formula = least_formula(session, window, card.width() - 2.0 * MARGIN);
+    // A picture stands on whole pixels, which takes up to one point.
+    let formula = formula + 2.0 * MARGIN + 1.0;
+    let column = layout::column(card, window.said_height, formula);
+    let mut said = ui.new_child(egui::UiBuilder::new().max_rect(column.said.shrink(MARGIN)));
+    let scrolled = ScrollArea::vertical()
         .auto_shrink(false)
-        .show(&mut ui, |ui| {
-            ui.spacing_mut().item_spacing.y = 0.0;
-            let said = Frame::new()
-                .inner_margin(Margin::symmetric(14, 12))
-                .show(ui, |ui| {
-                    ui.spacing_mut().item_spacing.y = 8.0;
-                    ui.set_width(ui.available_width());
-                    localize(session, window, commands, ui);
-                    question_card::show(session, window, commands, ui);
-                });
-            // Pseudocode and formula share what the words leave, as far as is known from the frame before.
-            let height = said.response.rect.height();
-            if (height - window.said_height).abs() > 0.5 {
-                window.said_height = height;
-                ui.ctx()
-                    .request_discard("the words of this step take another height");
-            }
-            let left = (card.height() - 2.0 * MARGIN - window.said_height - 2.0 * RULE)
-                .max(CODE + FORMULA);
-            let code = (0.64 * left).clamp(CODE, left - FORMULA);
-            for (panel, height) in [(Panel::Code, code), (Panel::Formula, left - code)] {
-                rule(session, ui);
-                let (_, rect) = ui.allocate_space(egui::vec2(ui.available_width(), height.floor()));
-                let view = window.views.entry(panel).or_default();
-                let shown = panel_on(session, panel, view, rect, ui);
-                commands.extend(shown.command);
-                under = shown.under.or(under);
-            }
+        // Another text begins at its beginning.
+        .id_salt((session.recording(), session.step()))
+        .show(&mut said, |ui| {
+            let frame = Frame::new().inner_margin(Margin::symmetric(12, 8));
+            frame.show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 8.0;
+                ui.set_width(ui.available_width());
+                narration(session, window, commands, ui);
+                question_card::show(session, window, commands, ui);
+            })
         });
+    // The words' height is known once they are set.
+    let height = scrolled.inner.response.rect.height() + 2.0 * MARGIN;
+    if (height - window.said_height).abs() > 0.5 {
+        window.said_height = height;
+        ui.ctx()
+            .request_discard("the words of this step take another height");
+    }
+    let mut under = None;
+    for (panel, region) in [(Panel::Code, column.code), (Panel::Formula, column.formula)] {
+        rule(session, region, ui);
+        let view = window.views.entry(panel).or_default();
+        let shown = panel_on(session, panel, view, region.shrink(MARGIN), ui);
+        commands.extend(shown.command);
+        under = shown.under.or(under);
+    }
     under
 }
 
-fn rule(session: &Session, ui: &mut Ui) {
-    let (_, rect) = ui.allocate_space(egui::vec2(ui.available_width(), RULE));
-    let line = Rect::from_x_y_ranges(rect.x_range().shrink(12.0), rect.y_range());
-    ui.painter()
-        .rect_filled(line, 0.0, style::color(session.look.theme, Ink::Rule));
+/// The least height at which the formula of this step can be read with its numbers.
+fn least_formula(session: &Session, window: &mut Window, width: f32) -> f32 {
+    let key = Key::new(session, Panel::Formula);
+    match &window.formula {
+        Some((known, at, height)) if *known == key && *at == width => *height,
+        _ => {
+            let height = formula_height(&session.panel_input(), width);
+            window.formula = Some((key, width, height));
+            height
+        }
+    }
 }
 
-fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut Ui) {
+/// Between a region and the one above it.
+fn rule(session: &Session, region: Rect, ui: &Ui) {
+    let stroke = egui::Stroke::new(1.0, style::color(session.look.theme, Ink::Rule));
+    ui.painter()
+        .hline(region.x_range().shrink(12.0), region.top(), stroke);
+}
+
+fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut Ui) {
     let language = session.look.language;
     let muted = style::color(session.look.theme, Ink::Muted);
     if !session.follows_lesson() {
@@ -93,7 +103,7 @@ fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui:
         }
     }
     if let Some(said) = session.narration_here() {
-        ui.label(prose(session, said.say(language), 15.0, Ink::Text));
+        ui.label(prose(session, said.say(language), 14.5, Ink::Text));
         if let Some(slide) = said.slide(language) {
             slide_note(session, slide, ui);
         }
@@ -103,7 +113,7 @@ fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui:
         let kind = kind_name(session.walk().kind(session.step()), language);
         ui.label(style::strong(kind, 14.0));
     }
-    ui.label(prose(session, in_words(session, window), 15.0, Ink::Text));
+    ui.label(prose(session, in_words(session, window), 14.5, Ink::Text));
     if session.follows_lesson() && session.last_narration().is_none() && !session.is_silent() {
         let summary = session.lesson().summary.in_language(language);
         ui.label(prose(session, summary, 14.0, Ink::Muted));
@@ -124,7 +134,7 @@ fn localize(session: &Session, window: &Window, commands: &mut Vec<Command>, ui:
 fn in_words<'a>(session: &Session, window: &'a Window) -> &'a str {
     let panels = [Panel::Formula, Panel::Code]
         .into_iter()
-        .chain(session.panels());
+        .chain(session.panels().iter().copied());
     let mut alts = panels
         .filter_map(|panel| window.views.get(&panel))
         .map(|view| view.alt());

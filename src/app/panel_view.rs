@@ -30,43 +30,37 @@ pub struct Key {
     answered: Answered,
 }
 
+/// What a panel is laid out for where it is shown smaller, in points: no text is crowded at that size.
+const SMALL: egui::Vec2 = egui::vec2(260.0, 180.0);
+
 /// A panel from frame to frame.
 pub type PanelView = PictureView<Key>;
 
 impl PanelView {
-    /// Shows the panel in `rect`. Returns the response, and what lies under the pointer.
+    /// Shows the panel in `rect`, or a small picture of it. Returns the response, and what lies under the pointer.
     pub fn show(
         &mut self,
         session: &Session,
         panel: Panel,
         rect: Rect,
+        small: bool,
         ui: &mut Ui,
     ) -> (Response, Option<Tag>) {
-        let place = Place::on_pixels(rect, session.look.theme, ui);
-        let key = Key {
-            recording: session.recording(),
-            pictures: match panel {
-                Panel::Image | Panel::Race => session.pictures(),
-                _ if panel.compares() => session.pictures(),
-                _ => 0,
-            },
-            step: session.step(),
-            language: session.look.language,
-            breakpoints: session.breakpoints().to_vec(),
-            tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
-            smooth: panel == Panel::Radiosity && session.look.smooth,
-            pending: session.panel_input().is_pending(),
-            answered: session.panel_input().answered,
-        };
+        let mut place = Place::on_pixels(rect, session.look.theme, ui);
+        if small {
+            place = place.laid_out_for(SMALL);
+        }
+        let key = Key::new(session, panel);
         let lit = session.hovered().into_iter().chain(session.lit());
         let lit = lit.flat_map(alike).collect();
         self.draw(place, key, lit, ui, |size| {
             draw(panel, &session.panel_input(), size)
         });
-        let sense = if matches!(
-            panel,
-            Panel::TimeLine | Panel::RayTree | Panel::Rays | Panel::Vectors
-        ) {
+        let sense = if !small
+            && matches!(
+                panel,
+                Panel::TimeLine | Panel::RayTree | Panel::Rays | Panel::Vectors
+            ) {
             Sense::click_and_drag()
         } else {
             Sense::click()
@@ -80,6 +74,26 @@ impl PanelView {
             None => response,
         };
         (response, under)
+    }
+}
+
+impl Key {
+    pub fn new(session: &Session, panel: Panel) -> Self {
+        Key {
+            recording: session.recording(),
+            pictures: match panel {
+                Panel::Image | Panel::Race => session.pictures(),
+                _ if panel.compares() => session.pictures(),
+                _ => 0,
+            },
+            step: session.step(),
+            language: session.look.language,
+            breakpoints: session.breakpoints().to_vec(),
+            tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
+            smooth: panel == Panel::Radiosity && session.look.smooth,
+            pending: session.panel_input().is_pending(),
+            answered: session.panel_input().answered,
+        }
     }
 }
 

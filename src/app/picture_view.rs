@@ -34,6 +34,8 @@ pub struct Place {
     pub rect: Rect,
     /// Pixels a point.
     scale: f32,
+    /// Size on the screen of a point of the picture.
+    zoom: f32,
     theme: Theme,
 }
 
@@ -49,14 +51,32 @@ impl Place {
         Place {
             rect: Rect::from_min_size(corner.to_pos2(), size / scale),
             scale,
+            zoom: 1.0,
             theme,
         }
+    }
+
+    /// As a small picture of what is laid out for `least` points at least.
+    pub fn laid_out_for(self, least: egui::Vec2) -> Self {
+        let zoom = (self.rect.size() / least).min_elem().min(1.0);
+        Place { zoom, ..self }
+    }
+
+    /// The size for which a picture is laid out.
+    fn size(&self) -> Vec2 {
+        Vec2::new(self.rect.width(), self.rect.height()) / self.zoom
+    }
+
+    /// Pixels a point of the picture.
+    fn pixels(&self) -> f32 {
+        self.scale * self.zoom
     }
 
     /// All that pixels depend on: a picture may move on the screen as it is.
     fn looks_like(&self, other: &Place) -> bool {
         let size = |place: &Place| (place.rect.size() * place.scale).round();
-        size(self) == size(other) && self.scale == other.scale && self.theme == other.theme
+        let looks = |place: &Place| (place.scale, place.zoom, place.theme);
+        size(self) == size(other) && looks(self) == looks(other)
     }
 }
 
@@ -80,8 +100,8 @@ impl<K: PartialEq> PictureView<K> {
         });
         let drawn = self.key.as_ref();
         if drawn.is_none_or(|(before, known)| !before.looks_like(&place) || *known != key) {
-            self.picture = draw(Vec2::new(place.rect.width(), place.rect.height()));
-            self.pixels = rasterize(&self.picture, place.theme, place.scale).ok();
+            self.picture = draw(place.size());
+            self.pixels = rasterize(&self.picture, place.theme, place.pixels()).ok();
             self.key = Some((place, key));
         } else if self.highlighted == lit {
             return;
@@ -100,7 +120,7 @@ impl<K: PartialEq> PictureView<K> {
             ColorImage::from_rgba_premultiplied(size, pixels.data())
         } else {
             let mut lit = pixels.clone();
-            draw_over(&mut lit, &items, place.theme, place.scale);
+            draw_over(&mut lit, &items, place.theme, place.pixels());
             ColorImage::from_rgba_premultiplied(size, lit.data())
         };
         self.highlighted = highlighted;
@@ -133,7 +153,7 @@ impl<K: PartialEq> PictureView<K> {
             ui.painter()
                 .rect_stroke(rect, 2.0, stroke, egui::StrokeKind::Inside);
         }
-        let at = response.hover_pos()? - rect.min;
+        let at = (response.hover_pos()? - rect.min) / place.zoom;
         let under = self.picture.hit(Vec2::new(at.x, at.y))?;
         ui.ctx().set_cursor_icon(egui::CursorIcon::PointingHand);
         Some(under)

@@ -133,6 +133,12 @@ pub const LARGER_TREE: Message = Message("app-larger-tree");
 pub const SMALLER_TREE: Message = Message("app-smaller-tree");
 pub const TREE_AS_IT_IS: Message = Message("app-tree-as-it-is");
 pub const INSPECTOR: Message = Message("app-inspector");
+pub const FILL: Message = Message("keys-fill");
+pub const UNFILL: Message = Message("app-unfill");
+pub const ENLARGE: Message = Message("app-enlarge");
+pub const NO_SUCH_PANEL: Message = Message("app-no-such-panel");
+pub const IS_KEY_PANEL: Message = Message("app-is-key-panel");
+pub const NO_PARAMETERS: Message = Message("app-no-parameters");
 pub const CLICK_A_ROW: Message = Message("app-click-a-row");
 
 pub const DRAG_THE_LIGHT: Message = Message("app-drag-the-light");

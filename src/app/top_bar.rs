@@ -1,5 +1,6 @@
 //! The bar on top: which lesson this is, and how things are shown.
 
+use super::layout::BAR;
 use super::prose::prose;
 use super::session::{Command, Session, StudyCommand};
 use super::{strings, style};
@@ -18,7 +19,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         .fill(style::BAR)
         .inner_margin(Margin::symmetric(16, 0));
     let bar = egui::Panel::top("bar")
-        .exact_size(44.0)
+        .exact_size(BAR)
         .frame(frame)
         .show_separator_line(false);
     bar.show(ui, |ui| {
@@ -157,13 +158,6 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             .clicked()
         {
             commands.push(Command::Questions);
-        }
-        let mut inspects = session.look.inspector;
-        if ui
-            .checkbox(&mut inspects, session.localize(strings::INSPECTOR))
-            .clicked()
-        {
-            commands.push(Command::Inspector);
         }
         ui.separator();
         let studies = session.localize(strings::STUDIES);

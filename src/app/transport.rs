@@ -1,31 +1,28 @@
 //! The row above the time line: buttons to walk and play, where we are, speed, loop, search.
 
 use super::button::button;
-use super::session::{Command, Direction, Session};
+use super::session::{Command, Direction, Drawer, Session};
 use super::window_state::Window;
 use super::{strings, style};
 use crate::panels::kind_name;
-use crate::picture::Ink;
 use crate::replay::query;
 use egui::containers::menu::MenuButton;
 use egui::{Button, Key, Rect, RichText, TextEdit, Ui};
 
-const HEIGHT: f32 = 42.0;
+/// A row narrower than this leaves the speed to the keys.
+const WIDE: f32 = 1100.0;
 
-/// Shows the row at the top of `rect`; returns where it ends.
+/// Shows the row in `rect`.
 pub fn show(
     session: &mut Session,
     window: &mut Window,
     commands: &mut Vec<Command>,
     rect: Rect,
     ui: &mut Ui,
-) -> f32 {
-    let mut row = Rect::from_min_size(rect.min, egui::vec2(rect.width(), HEIGHT))
-        .shrink2(egui::vec2(14.0, 0.0));
-    row.min.y += 4.0;
+) {
     let mut ui = ui.new_child(
         egui::UiBuilder::new()
-            .max_rect(row)
+            .max_rect(rect.shrink2(egui::vec2(12.0, 4.0)))
             .layout(egui::Layout::left_to_right(egui::Align::Center)),
     );
     let ui = &mut ui;
@@ -34,13 +31,36 @@ pub fn show(
     ui.add_space(6.0);
     ui.label(style::strong(session.place(), 15.0));
     ui.add_space(6.0);
-    speed(session, commands, ui);
-    ui.add_space(6.0);
+    if rect.width() > WIDE {
+        speed(session, commands, ui);
+        ui.add_space(6.0);
+    }
     looping(session, commands, ui);
     run_to(session, commands, ui);
-    search(session, window, commands, ui);
-    notice(session, window, ui);
-    row.max.y
+    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        drawers(session, commands, ui);
+        search(session, window, commands, ui);
+    });
+}
+
+/// What opens beside the key panel.
+fn drawers(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    // From the right.
+    for (drawer, name, command) in [
+        (Drawer::Inspector, strings::INSPECTOR, Command::Inspector),
+        (Drawer::Parameters, strings::PARAMETERS, Command::Parameters),
+    ] {
+        let name = session.localize(name);
+        let chosen = session.look.drawer == Some(drawer);
+        button(
+            session,
+            Button::new(name).selected(chosen),
+            name,
+            command,
+            commands,
+            ui,
+        );
+    }
 }
 
 fn walk_buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
@@ -66,7 +86,7 @@ fn walk_buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         ("▶‖", Command::NextNarrated, strings::NEXT_SAID),
     ];
     for (sign, command, name) in buttons {
-        let width = egui::vec2(34.0, 28.0);
+        let width = egui::vec2(30.0, 24.0);
         button(
             session,
             Button::new(RichText::new(sign).size(12.0)).min_size(width),
@@ -169,7 +189,7 @@ fn run_to(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 fn search(session: &mut Session, window: &mut Window, commands: &mut Vec<Command>, ui: &mut Ui) {
     let hint = format!("/ {}", session.localize(strings::SEARCH));
     let edit = TextEdit::singleline(&mut window.search)
-        .desired_width(150.0)
+        .desired_width((ui.available_width() - 24.0).clamp(40.0, 200.0))
         .hint_text(hint);
     let response = ui
         .add(edit)
@@ -193,18 +213,5 @@ fn search(session: &mut Session, window: &mut Window, commands: &mut Vec<Command
         });
         // Enter again finds the next one.
         response.request_focus();
-    }
-}
-
-/// Why the last command did nothing, or what it did.
-fn notice(session: &Session, window: &Window, ui: &mut Ui) {
-    let truncated = session
-        .walk()
-        .truncated()
-        .then(|| session.localize(strings::TRUNCATED));
-    if let Some(text) = window.notice.as_deref().or(truncated) {
-        let ink = style::color(session.look.theme, Ink::Warn);
-        let label = egui::Label::new(RichText::new(text).size(13.0).color(ink)).truncate();
-        ui.add(label).on_hover_text(text);
     }
 }

@@ -1,14 +1,16 @@
 //! The whole window, in a function of `&mut Ui`: it needs no screen, and tests show it as the screen would.
 
+use super::cards::panel_on;
+use super::layout::{GAP, Layout, TRANSPORT, Wishes, column_widths, layout};
 use super::session::{Command, Session};
-use super::tiles::{GAP, panel_on};
 use super::window_state::Window;
 use super::{
-    forget, home, key_sheet, narration, parameter_card, pressed, skipped, strings, study_view,
+    cards, forget, home, key_sheet, narration, notice, pressed, skipped, strings, study_view,
     style, top_bar, transport,
 };
-use crate::panels::Panel;
-use egui::{CursorIcon, Frame, Id, Margin, Popup, Rect, Sense, Stroke, Ui, ViewportCommand};
+use crate::panels::{Panel, time_line_heights};
+use crate::picture::Tag;
+use egui::{CursorIcon, Popup, Pos2, Rect, Sense, Stroke, Ui, Vec2, ViewportCommand};
 use std::time::Duration;
 
 /// How long to wait before looking whether more of the whole picture has come in.
@@ -30,82 +32,90 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     window.keep_up(session, &ctx);
 
     let mut commands = Vec::new();
-    let mut under_pointer = None;
-    let size = ui.available_size();
-    top_bar::show(session, &mut commands, ui);
     if session.look.home {
+        top_bar::show(session, &mut commands, ui);
         let notice = window.notice.as_deref();
         home::show(session, &mut window.home, notice, &mut commands, ui);
         return window.finish(session, commands, &ctx);
     }
     window.home.close();
     if session.studying().is_open {
+        top_bar::show(session, &mut commands, ui);
         study_view::show(session, &mut window.study_plot, &mut commands, ui);
         return window.finish(session, commands, &ctx);
     }
-    let margin = Margin::same(GAP as i8);
-
-    let height = (0.24 * size.y).clamp(150.0, 210.0);
-    egui::Panel::bottom("time line")
-        .exact_size(height)
-        .frame(Frame::new().inner_margin(Margin { top: 0, ..margin }))
-        .show_separator_line(false)
-        .show(ui, |ui| {
-            ui.set_min_size(ui.available_size());
-            style::card(session.look.theme, ui.max_rect(), ui);
-            let mut rect = ui.max_rect();
-            rect.max.y = transport::show(session, window, &mut commands, rect, ui);
-            let rect = Rect::from_min_max(rect.left_bottom(), ui.max_rect().max).shrink(4.0);
-            let view = window.views.entry(Panel::TimeLine).or_default();
-            let shown = panel_on(session, Panel::TimeLine, view, rect, ui);
-            commands.extend(shown.command);
-            under_pointer = shown.under.or(under_pointer);
-        });
-
-    // A small window may narrow the column for a while; what was chosen stays.
-    let usual = (0.27 * size.x).clamp(250.0, 460.0);
-    let limits = 230.0..=(0.45 * size.x).max(230.0);
-    let width = window.layout.column.unwrap_or(usual);
-    let column = egui::Panel::left("narration")
-        .resizable(false)
-        .exact_size(width.clamp(*limits.start(), *limits.end()))
-        .frame(Frame::new().inner_margin(Margin {
-            right: (GAP / 2.0) as i8,
-            ..margin
-        }))
-        .show_separator_line(false)
-        .show(ui, |ui| {
-            let under = narration::show(session, window, &mut commands, ui);
-            under_pointer = under.or(under_pointer);
-        });
-
-    egui::CentralPanel::no_frame()
-        .frame(Frame::new().inner_margin(Margin {
-            left: (GAP / 2.0) as i8,
-            ..margin
-        }))
-        .show(ui, |ui| {
-            let whole = ui.max_rect();
-            if let Some(height) = parameter_card::height(session, whole.width()) {
-                let card = Rect::from_min_size(whole.min, egui::vec2(whole.width(), height));
-                parameter_card::show(session, &mut commands, card, ui);
-                ui.allocate_space(egui::vec2(whole.width(), height + GAP));
-            }
-            window.arrangement.show(
-                session,
-                &mut window.views,
-                &mut commands,
-                &mut under_pointer,
-                ui,
-            );
-        });
-    if let Some(width) = dragged_border(column.response.rect, ui) {
-        window.layout.column = Some(width.clamp(*limits.start(), *limits.end()));
-    }
+    let whole = ui.max_rect();
+    let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(whole));
+    let under_pointer = if session.is_filled() {
+        let filled = Layout::filled(whole.size());
+        let filled = filled.shifted(whole.min.to_vec2());
+        cards::show(session, &mut window.views, &filled, &mut commands, &mut ui)
+    } else {
+        top_bar::show(session, &mut commands, &mut ui);
+        cards_and_time_line(session, window, whole, &mut commands, &mut ui)
+    };
     if under_pointer != session.hovered() {
         commands.push(Command::Hover(under_pointer));
     }
     window.finish(session, commands, &ctx);
+}
+
+/// Everything below the bar; returns what lies under the pointer.
+fn cards_and_time_line(
+    session: &mut Session,
+    window: &mut Window,
+    whole: Rect,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) -> Option<Tag> {
+    let heights = time_line_heights(session.walk());
+    let wishes = Wishes {
+        column: window.borders.column,
+        time_line: window.borders.time_line.map_or(*heights.start(), |height| {
+            height.clamp(*heights.start(), *heights.end())
+        }),
+        others: session.other_panels().len(),
+        drawer: session.look.drawer.is_some(),
+    };
+    let placed = layout(whole.size(), wishes).shifted(whole.min.to_vec2());
+
+    let mut under = narration::show(session, window, placed.column, commands, ui);
+    let of_cards = cards::show(session, &mut window.views, &placed, commands, ui);
+    under = of_cards.or(under);
+
+    let mut line = placed.time_line;
+    style::card(session.look.theme, line, ui);
+    let row = Rect::from_min_size(line.min, egui::vec2(line.width(), TRANSPORT));
+    transport::show(session, window, commands, row, ui);
+    line.min.y = row.max.y;
+    let view = window.views.entry(Panel::TimeLine).or_default();
+    let rows = line.shrink2(egui::vec2(4.0, 2.0));
+    let shown = panel_on(session, Panel::TimeLine, view, rows, ui);
+    commands.extend(shown.command);
+    under = shown.under.or(under);
+
+    notice::show(
+        session,
+        window,
+        placed.time_line.right_top() - Vec2::new(GAP, 2.0 * GAP),
+        ui,
+    );
+
+    // A small window may narrow the column for a while; what was chosen stays.
+    let x = placed.column.right() + GAP / 2.0;
+    let border = Rect::from_x_y_ranges(x - GAP / 2.0..=x + GAP / 2.0, placed.column.y_range());
+    if let Some(at) = dragged_border(border, CursorIcon::ResizeHorizontal, ui) {
+        let widths = column_widths(whole.width());
+        let width = at.x - placed.column.left();
+        window.borders.column = Some(width.clamp(*widths.start(), *widths.end()));
+    }
+    let y = placed.time_line.top() - GAP / 2.0;
+    let border = Rect::from_x_y_ranges(placed.time_line.x_range(), y - GAP / 2.0..=y + GAP / 2.0);
+    if let Some(at) = dragged_border(border, CursorIcon::ResizeVertical, ui) {
+        let height = placed.time_line.bottom() - TRANSPORT - at.y;
+        window.borders.time_line = Some(height.clamp(*heights.start(), *heights.end()));
+    }
+    under
 }
 
 impl Window {
@@ -188,22 +198,26 @@ impl Window {
     }
 }
 
-/// Lets the right border of the column be dragged, as those between the tiles can be; returns the width it is dragged to.
-fn dragged_border(column: Rect, ui: &mut Ui) -> Option<f32> {
-    let x = column.right();
-    let border = Rect::from_x_y_ranges(x - GAP / 2.0..=x + GAP / 2.0, column.y_range());
+/// Lets the border between two cards be dragged; returns where the pointer holds it.
+fn dragged_border(border: Rect, cursor: CursorIcon, ui: &mut Ui) -> Option<Pos2> {
+    let vertical = cursor == CursorIcon::ResizeHorizontal;
     let response = ui
-        .interact(border, Id::unique("column border"), Sense::DRAG)
-        .on_hover_and_drag_cursor(CursorIcon::ResizeHorizontal);
+        .interact(
+            border,
+            ui.scope_id().with(("border", vertical)),
+            Sense::DRAG,
+        )
+        .on_hover_and_drag_cursor(cursor);
     if response.hovered() || response.dragged() {
-        let color = ui.visuals().selection.stroke.color;
-        ui.painter()
-            .vline(x, column.y_range(), Stroke::new(2.0, color));
+        let stroke = Stroke::new(2.0, ui.visuals().selection.stroke.color);
+        let middle = border.center();
+        match vertical {
+            true => ui.painter().vline(middle.x, border.y_range(), stroke),
+            false => ui.painter().hline(border.x_range(), middle.y, stroke),
+        };
     }
-    let pointer = response
-        .interact_pointer_pos()
-        .filter(|_| response.dragged())?;
-    Some(pointer.x - column.left())
+    let pointer = response.interact_pointer_pos();
+    pointer.filter(|_| response.dragged())
 }
 
 /// Closes open menus when the pointer is let go elsewhere: egui itself does so for short clicks only.

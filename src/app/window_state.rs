@@ -2,9 +2,8 @@
 
 use super::home::HomePage;
 use super::keeper::Keeper;
-use super::panel_view::PanelView;
+use super::panel_view::{Key, PanelView};
 use super::study_plot::StudyPlot;
-use super::tiles::Arrangement;
 use crate::panels::Panel;
 use crate::picture::Theme;
 use serde::{Deserialize, Serialize};
@@ -16,7 +15,6 @@ pub struct Window {
     pub(super) views: HashMap<Panel, PanelView>,
     pub(super) study_plot: StudyPlot,
     pub(super) home: HomePage,
-    pub(super) arrangement: Arrangement,
     pub(super) answer: String,
     /// Whether the answer was given, and is no number.
     pub(super) misread: bool,
@@ -25,9 +23,11 @@ pub struct Window {
     pub(super) search: String,
     /// Why the last command was refused, or what it did, until the next one.
     pub(super) notice: Option<String>,
-    pub(super) layout: Layout,
+    pub(super) borders: Borders,
     /// Where progress is kept; nowhere in tests.
     pub(super) keeper: Option<Keeper>,
+    /// The least height of the formula with its numbers, and what it depends on.
+    pub(super) formula: Option<(Key, f32, f32)>,
     /// Height of narration and question in the frame before.
     pub(super) said_height: f32,
     pub(super) styled: Option<Theme>,
@@ -40,7 +40,9 @@ pub struct Window {
 /// How the user has divided the window; what was not chosen is as usual. It is kept from one start of the program to the next.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default)]
-pub(super) struct Layout {
+pub(super) struct Borders {
     /// Width of the left column.
     pub column: Option<f32>,
+    /// Height of the time line without its buttons.
+    pub time_line: Option<f32>,
 }

@@ -41,10 +41,10 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let says = filled(entry.sentence, &known, prepared, input.language);
 
     let mut picture = Picture::new(size.x, size.y);
-    let layout = |detail: &Detail, text: f32| {
+    let layout = |detail: &Detail, count: usize, text: f32| {
         Layout::new(
             &says,
-            &formulas,
+            &formulas[..count],
             &known,
             input.language,
             size.x,
@@ -53,16 +53,44 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         )
     };
     let room = size.y - 2.0 * MARGIN;
-    let fitting = DETAILS.iter().find_map(|detail| {
+    // Before the numbers of the first formula go, the formulas after it do.
+    let (with_numbers, short) = DETAILS.split_at(SHORT);
+    let whole = with_numbers.iter().map(|detail| (detail, formulas.len()));
+    let fewer = (1..formulas.len()).rev();
+    let fewer = fewer.flat_map(|count| with_numbers.iter().map(move |detail| (detail, count)));
+    let short = short.iter().map(|detail| (detail, formulas.len()));
+    let fitting = whole.chain(fewer).chain(short).find_map(|(detail, count)| {
         let steps = (detail.largest - detail.smallest) as usize;
         (0..=steps)
-            .map(|i| layout(detail, detail.largest - i as f32))
+            .map(|i| layout(detail, count, detail.largest - i as f32))
             .find(|layout| layout.fits && layout.height <= room)
     });
-    let layout = fitting.unwrap_or_else(|| layout(&DETAILS[DETAILS.len() - 1], 11.0));
+    let least = || layout(&DETAILS[DETAILS.len() - 1], formulas.len(), 11.0);
+    let layout = fitting.unwrap_or_else(least);
     layout.draw(&mut picture, room);
     picture.alt = in_words(&says, &formulas, &known, input.language);
     picture
+}
+
+/// The least height at which the first formula can be read with its numbers, in a panel of that width.
+pub fn least_height(input: &PanelInput, width: f32) -> f32 {
+    let walk = input.run.walk();
+    let mut known = match walk.is_empty() {
+        true => return 0.0,
+        false => Known::at(input.run, walk.position()),
+    };
+    let Some(entry) = entry(walk.declared(walk.position()), &known) else {
+        return 0.0;
+    };
+    let formulas = formulas(entry, &mut known);
+    let first = &formulas[..formulas.len().min(1)];
+    let heights = DETAILS[..SHORT].iter().map(|detail| {
+        let (text, language) = (detail.smallest, input.language);
+        Layout::new("", first, &known, language, width, text, detail)
+    });
+    let fitting = heights.filter(|layout| layout.fits);
+    let least = fitting.map(|layout| layout.height).reduce(f32::min);
+    least.map_or(0.0, |height| height + 2.0 * MARGIN)
 }
 
 const NO_FORMULA: Message = Message("formula-no-formula");
@@ -203,6 +231,9 @@ const fn detail(
         channels,
     }
 }
+
+/// From here on the details leave out numbers.
+const SHORT: usize = 7;
 
 const DETAILS: [Detail; 9] = [
     detail((17.0, 12.0), [true, true, true], 3),

@@ -99,10 +99,11 @@ fn finished(input: &PanelInput, size: Vec2) -> Picture {
     picture
 }
 
-/// Points a pixel: the largest whole number that fits; where not even 1 does, as much of the picture's size as fits.
+/// Points a pixel: the largest whole number that fits; where it is small, as many as fit, since pixels that differ by one
+/// point then matter less than a picture that is too small.
 fn zoom(picture: Vec2, area: Rect) -> f64 {
     let fitting = f64::from((Vec2::new(area.width, area.height) / picture).min_element());
-    if fitting >= 1.0 {
+    if fitting >= 3.0 {
         fitting.floor()
     } else {
         fitting
@@ -183,7 +184,10 @@ fn caption(
     zoom: f64,
 ) {
     let zoom = if zoom >= 1.0 {
-        format!("×{zoom}")
+        format!(
+            "×{}",
+            input.language.fixed(zoom, usize::from(zoom.fract() != 0.0))
+        )
     } else {
         format!("{:.0} %", 100.0 * zoom)
     };
@@ -253,10 +257,10 @@ mod tests {
     }
 
     #[test]
-    fn zoom_is_a_whole_number_or_a_reduction() {
+    fn large_pixels_are_enlarged_by_a_whole_number_and_small_ones_as_far_as_they_fit() {
         let area = Rect::new(0.0, 0.0, 460.0, 380.0);
         assert_eq!(zoom(Vec2::new(48.0, 36.0), area), 9.0);
-        assert_eq!(zoom(Vec2::new(460.0, 10.0), area), 1.0);
+        assert_eq!(zoom(Vec2::new(184.0, 10.0), area), 2.5);
         assert!((zoom(Vec2::new(640.0, 480.0), area) - 460.0 / 640.0).abs() < 1e-6);
     }
 

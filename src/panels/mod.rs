@@ -4,11 +4,11 @@
 
 mod shared;
 
-pub use list::formula::{Evaluated, evaluated};
+pub use list::formula::{Evaluated, evaluated, least_height as formula_height};
 pub use list::ray_tree::TreeView;
 pub use list::ray_tree::{area as tree_area, middle as tree_middle};
 pub use list::rays::{Grip, grip};
-pub use list::time_line::step_at;
+pub use list::time_line::{heights as time_line_heights, step_at};
 pub use list::vectors::{Held, PlaneGrip, grip as vector_grip};
 pub use shared::answered::Answered;
 pub use shared::horizon::Hidden;
@@ -25,9 +25,11 @@ use crate::picture::Picture;
 use crate::render::{DrawPatches, Finished};
 use crate::replay::Run;
 use glam::Vec2;
-use shared::{channels, horizon, message, names, values};
 #[cfg(test)]
-use shared::{fixture, fixtures};
+use shared::fixture;
+#[cfg(test)]
+pub(crate) use shared::fixtures;
+use shared::{channels, horizon, message, names, values};
 use strings::Language;
 
 /// What is known of a panel without drawing it.

@@ -16,7 +16,8 @@ use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::replay::Walk;
 use crate::vocabulary::Kind;
 use glam::Vec2;
-use rows::{Bar, MARGIN, Row, Span, TRACK, rows, track};
+use rows::{Bar, EDGE, MARGIN, Row, Span, TRACK, USUAL_ROWS, height, rows, track};
+use std::ops::RangeInclusive;
 
 const TEXT: f32 = 12.0;
 
@@ -37,7 +38,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     picture.alt = in_words(input, &rows);
 
     let whole = Span::new(0..walk.len(), track);
-    let y = MARGIN + 0.5 * TRACK;
+    let y = EDGE + 0.5 * TRACK;
     let rule = Ink::Rule.stroke(2.0);
     picture.line((track.x, y), (track.right(), y), rule);
     marks(&mut picture, input, &whole, y);
@@ -54,6 +55,15 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     }
     cursor(&mut picture, &whole, &rows, position, y);
     picture
+}
+
+/// The height that shows the usual rows of a run, and the one that shows all of them.
+pub fn heights(walk: &dyn Walk) -> RangeInclusive<f32> {
+    let outline = walk.outline();
+    // A scope around the whole run has no row.
+    let whole = !outline.is_empty() && outline.last(0) + 1 == outline.len();
+    let rows = outline.deepest() - usize::from(whole && outline.deepest() > 1);
+    height(rows.min(USUAL_ROWS))..=height(rows)
 }
 
 /// The step under `x` on the track that spans the whole run, in a time line of that size; 0 in an empty run.

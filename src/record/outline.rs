@@ -13,6 +13,7 @@ pub struct Outline {
     parent: Vec<u32>,
     last: Vec<u32>,
     depth: Vec<u16>,
+    deepest: usize,
 }
 
 impl Outline {
@@ -26,6 +27,7 @@ impl Outline {
             parent: Vec::with_capacity(len),
             last: Vec::with_capacity(len),
             depth: Vec::with_capacity(len),
+            deepest: 0,
         };
         let mut open: Vec<u32> = Vec::new();
         let depth = |open: &[u32]| u16::try_from(open.len()).unwrap_or(u16::MAX);
@@ -39,6 +41,7 @@ impl Outline {
                 Mark::Enter => {
                     outline.depth.push(depth(&open));
                     open.push(step);
+                    outline.deepest = outline.deepest.max(open.len());
                 }
                 Mark::Leave => {
                     let scope = open.pop();
@@ -80,6 +83,11 @@ impl Outline {
         self.depth[step] as usize
     }
 
+    /// How many scopes are within each other at most.
+    pub fn deepest(&self) -> usize {
+        self.deepest
+    }
+
     /// Whether `step` opens a scope.
     pub fn opens(&self, step: usize) -> bool {
         self.last[step] as usize > step
@@ -118,6 +126,7 @@ mod tests {
             (0..6).map(|i| outline.depth(i)).collect::<Vec<_>>(),
             [0, 0, 1, 1, 1, 0]
         );
+        assert_eq!(outline.deepest(), 2);
         assert_eq!(outline.scopes(4).collect::<Vec<_>>(), [3, 1]);
     }
     #[test]

@@ -3,7 +3,7 @@
 use crate::algorithms::focus::Focus;
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Guess};
-use crate::panels::TreeView;
+use crate::panels::{Panel, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::scene::Part;
 
@@ -87,13 +87,22 @@ pub enum Command {
     Share,
     /// Presentation: the whole screen, larger and with more contrast.
     Present,
-    /// Ends the presentation, if there is one.
+    /// Ends what fills the window, or the presentation.
     StopPresenting,
     /// The sheet of keys.
     Keys,
     /// The view of what is left out, because the scene does not need it.
     Skipped,
+    /// All values of the step, in a drawer.
     Inspector,
+    /// What may be changed, in a drawer.
+    Parameters,
+    /// Shows a panel large, until the lesson turns to another one.
+    Key(Panel),
+    /// The same by the panel's number, from 1.
+    KeyNumber(usize),
+    /// The key panel alone in the window, or no longer.
+    Fill,
     /// Rooms smooth, or patch by patch.
     Smooth,
     LargerText,

@@ -5,6 +5,7 @@ mod command;
 mod focus;
 mod forced;
 mod kept;
+mod key_panel;
 mod lessons;
 mod play;
 mod playing;
@@ -59,7 +60,7 @@ pub struct Look {
     pub forgetting: bool,
     /// The view of what is left out.
     pub skipped: bool,
-    pub inspector: bool,
+    pub drawer: Option<Drawer>,
     /// Whether rooms are shown smooth, not patch by patch.
     pub smooth: bool,
     pub questions: bool,
@@ -77,7 +78,7 @@ impl Look {
             home: false,
             forgetting: false,
             skipped: false,
-            inspector: true,
+            drawer: None,
             smooth: false,
             questions: true,
         }
@@ -95,6 +96,13 @@ fn methods(open: &OpenLesson) -> Methods {
         picture: open.lesson.method,
         compared: open.lesson.compare.clone(),
     }
+}
+
+/// What opens beside the key panel, in place of the other panels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drawer {
+    Inspector,
+    Parameters,
 }
 
 /// How a question stands.
@@ -141,6 +149,10 @@ pub struct Session {
     hovered: Option<Tag>,
     /// Highlighted by a click, until the next one.
     lit: Option<Tag>,
+    /// The key panel that the user has chosen.
+    chosen: Option<Panel>,
+    /// Whether the key panel fills the window.
+    filled: bool,
     /// The search text of the last search.
     pub search: String,
     /// Whether the keyboard should go to the search field; the window takes this.
@@ -173,6 +185,8 @@ impl Session {
             look: Look::new(),
             hovered: None,
             lit: None,
+            chosen: None,
+            filled: false,
             search: String::new(),
             search_wanted: false,
             shared: None,
@@ -197,7 +211,8 @@ impl Session {
 
     fn start_over(&mut self) {
         self.recording += 1;
-        self.look.inspector = self.open.lesson.panels.contains(&Panel::Inspector);
+        self.chosen = None;
+        self.filled = false;
         let radiosity: enclosure::Settings = self.open.setup.settings.get();
         self.look.smooth = radiosity.smooth;
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
@@ -325,16 +340,6 @@ impl Session {
 
     pub fn lit(&self) -> Option<Tag> {
         self.lit
-    }
-
-    /// The panels in the middle of the window.
-    pub fn panels(&self) -> Vec<Panel> {
-        let lesson = self.open.lesson.panels.iter().copied();
-        let mut panels: Vec<Panel> = lesson.filter(|&panel| panel != Panel::Inspector).collect();
-        if self.look.inspector {
-            panels.push(Panel::Inspector);
-        }
-        panels
     }
 
     pub fn localize(&self, strings: Message) -> &'static str {

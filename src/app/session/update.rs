@@ -2,7 +2,7 @@
 
 use super::lessons::Neighbour;
 use super::search::in_program_names;
-use super::{Command, Direction, Guess, Refused, Session, TEXT_SIZES};
+use super::{Command, Direction, Drawer, Guess, Refused, Session, TEXT_SIZES};
 use crate::app::strings;
 use crate::language::{Language, Message};
 use crate::lesson::builtin;
@@ -76,6 +76,16 @@ impl Session {
             Command::PreviousLesson => return self.open_neighbour(Neighbour::Previous),
             Command::Home => self.toggle_home(),
             Command::Study(command) => return self.study(command),
+            Command::Key(panel) => self.choose_key(panel),
+            Command::KeyNumber(number) => self.choose_key(self.numbered(number)?),
+            Command::Fill => self.fill(),
+            Command::Inspector => self.toggle_drawer(Drawer::Inspector),
+            Command::Parameters => {
+                if self.lesson().parameters.is_empty() {
+                    return Err(strings::NO_PARAMETERS.into());
+                }
+                self.toggle_drawer(Drawer::Parameters);
+            }
             Command::Share => {
                 self.shared = Some(self.command_line()?);
             }
@@ -104,6 +114,13 @@ impl Session {
             Command::Share => self.command_line().err(),
             Command::NextLesson => self.neighbour(Neighbour::Next).err(),
             Command::PreviousLesson => self.neighbour(Neighbour::Previous).err(),
+            Command::Parameters if self.lesson().parameters.is_empty() => {
+                Some(strings::NO_PARAMETERS)
+            }
+            Command::Key(panel) if self.key_panel() == Some(panel) => Some(strings::IS_KEY_PANEL),
+            Command::KeyNumber(number) => {
+                return self.numbered(number).map(drop);
+            }
             Command::Change(change) => self.cannot_change(change.parameter()),
             Command::Study(command) => self.cannot_study(command),
             Command::Force(part) => self.cannot_leave_out(part),
@@ -154,7 +171,9 @@ impl Session {
     }
 
     pub(super) fn seek(&mut self, step: usize) {
+        let from = self.step();
         self.open.run.walk_mut().seek(step);
+        self.follow_narration(from);
     }
 
     fn find(&mut self, text: String, forward: bool) -> Result<(), Refused> {
@@ -258,6 +277,7 @@ impl Session {
                     look.theme = look.before_presenting;
                 }
             }
+            Command::StopPresenting if self.filled => self.filled = false,
             Command::StopPresenting if look.presenting => {
                 return self.change_look(&Command::Present);
             }
@@ -265,7 +285,6 @@ impl Session {
             Command::Keys => look.keys = !look.keys,
             Command::AskToForget => look.forgetting = !look.forgetting,
             Command::Skipped => look.skipped = !look.skipped,
-            Command::Inspector => look.inspector = !look.inspector,
             Command::Smooth => look.smooth = !look.smooth,
             Command::NormalText => look.text = super::Look::new().text,
             Command::LargerText if look.text + 1 == TEXT_SIZES.len() => {

@@ -97,3 +97,32 @@ fn an_open_menu_leaves_keys_their_meaning_and_closes() {
         assert!(!open(&screen), "after a click of {seconds} s");
     }
 }
+
+#[test]
+fn a_number_a_title_and_the_lesson_choose_the_key_panel() {
+    let mut screen = triangle([]);
+    let panels = screen.session().panels().to_vec();
+    screen.press(Modifiers::NONE, Key::Num2);
+    assert_eq!(screen.session().key_panel(), Some(panels[1]));
+    let title = panels[2].title().text(Language::English);
+    let enlarge = strings::ENLARGE.format(Language::English, &[("panel", title)]);
+    screen.click(&enlarge);
+    assert_eq!(screen.session().key_panel(), Some(panels[2]));
+    assert!(!screen.session().other_panels().contains(&panels[2]));
+    screen.press(Modifiers::NONE, Key::Num9);
+    assert_eq!(screen.session().key_panel(), Some(panels[2]));
+    screen
+        .harness
+        .get_by_label(strings::NO_SUCH_PANEL.text(Language::English));
+}
+
+#[test]
+fn the_key_panel_fills_the_window_until_escape() {
+    let mut screen = triangle([]);
+    let before = screen.panel(Panel::Image);
+    screen.press(Modifiers::NONE, Key::Z);
+    let filled = screen.panel(Panel::Image);
+    assert!(filled.area() > 0.85 * 1280.0 * 800.0, "{filled}");
+    screen.press(Modifiers::NONE, Key::Escape);
+    assert_eq!(screen.panel(Panel::Image), before);
+}

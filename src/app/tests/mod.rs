@@ -154,12 +154,12 @@ fn every_input_has_a_name() {
 fn the_column_is_as_wide_as_before_after_the_window_was_small() {
     let mut screen = triangle([]);
     let usual = screen.painted();
-    screen.harness.hover_at(egui::pos2(349.0, 300.0));
-    screen.harness.drag_at(egui::pos2(349.0, 300.0));
+    screen.harness.hover_at(egui::pos2(309.0, 300.0));
+    screen.harness.drag_at(egui::pos2(309.0, 300.0));
     screen.harness.run();
-    screen.harness.hover_at(egui::pos2(449.0, 300.0));
+    screen.harness.hover_at(egui::pos2(409.0, 300.0));
     screen.harness.run();
-    screen.harness.drop_at(egui::pos2(449.0, 300.0));
+    screen.harness.drop_at(egui::pos2(409.0, 300.0));
     screen.harness.remove_cursor();
     screen.harness.run();
     let chosen = screen.painted();

@@ -82,6 +82,7 @@ fn a_light_is_dragged_where_the_lesson_allows_it() {
 #[test]
 fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
     let mut screen = ball();
+    screen.press(Modifiers::NONE, Key::P);
     let step = screen.session().step();
     let before = lights(&screen);
     let name = strings::DISTANCE.format(Language::English, &[("thing", "light 0")]);
@@ -106,18 +107,19 @@ fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
 }
 
 #[test]
-fn what_cannot_be_changed_has_no_card() {
-    let screen = triangle([]);
-    let title = screen
-        .harness
-        .query_by_label(strings::PARAMETERS.text(Language::English));
-    assert!(title.is_none());
+fn where_nothing_can_be_changed_no_drawer_opens() {
+    let mut screen = triangle([]);
+    screen.press(Modifiers::NONE, Key::P);
+    assert_eq!(screen.session().look.drawer, None);
+    let why = strings::NO_PARAMETERS.text(Language::English);
+    screen.harness.get_by_label(why);
 }
 
 #[test]
 fn the_eye_is_dragged_by_its_vector_and_stays_as_far_away() {
-    let narrated = [const { Command::NextNarrated }; 3];
-    let mut screen = screen("illumination-model", [1280, 800], 1.0, narrated);
+    let mut commands = vec![Command::NextNarrated; 3];
+    commands.push(Command::Key(Panel::Vectors));
+    let mut screen = screen("illumination-model", [1280, 800], 1.0, commands);
     let panel = screen
         .harness
         .get_by_role_and_label(Role::Image, Panel::Vectors.title().text(Language::English));
@@ -133,7 +135,7 @@ fn the_eye_is_dragged_by_its_vector_and_stays_as_far_away() {
     let target = DVec3::new(0.48, 0.64, 0.6);
     let before = eye(&screen);
     let from = rect.min + egui::vec2(at.x, at.y);
-    drag(&mut screen, from, egui::vec2(-12.0, 12.0));
+    drag(&mut screen, from, egui::vec2(-60.0, 60.0));
     let after = eye(&screen);
     assert!(before.distance(after) > 0.1, "{before} {after}");
     let distances = [before, after].map(|eye| eye.distance(target));

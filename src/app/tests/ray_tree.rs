@@ -12,7 +12,11 @@ fn tree_screen() -> Screen {
         "ray-tree",
         [1280, 800],
         1.0,
-        [Command::Questions, Command::End],
+        [
+            Command::Questions,
+            Command::End,
+            Command::Key(Panel::RayTree),
+        ],
     )
 }
 

@@ -116,7 +116,9 @@ impl<'a> Marks<'a> {
             }
         }
         let points = self.outline.iter().map(|&corner| fit.place(corner));
-        picture.polygon(points, Ink::Linked.stroke(2.0));
+        if !self.outline.is_empty() {
+            picture.polygon(points, Ink::Linked.stroke(2.0));
+        }
         if let (Some(y), Some(span)) = (self.row, &self.span) {
             let span = fit.pixels(span.start, span.end, y);
             picture.rect(at_least(span, 3.0), Ink::This.stroke(1.5));

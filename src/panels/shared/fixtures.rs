@@ -308,27 +308,36 @@ pub fn texts(picture: &Picture) -> Vec<(&str, Rect)> {
 
 /// Everything lies within the picture, no text is too small or covers another, and the step is said in words.
 pub fn assert_legible(picture: &Picture, what: &str) {
+    let faults = illegible(picture);
+    assert!(faults.is_empty(), "{what}: {}", faults.join("; "));
+}
+
+/// What cannot be read in a picture.
+pub fn illegible(picture: &Picture) -> Vec<String> {
+    let mut faults = Vec::new();
     let bounds = picture.bounds().grown(0.01);
     for item in &picture.items {
         let shape = item.shape.bounds();
-        assert!(
-            bounds.encloses(&shape),
-            "{what}: {:?} lies outside, at {shape:?}",
-            item.shape
-        );
-        if let Drawn::Text { set, text, .. } = &item.shape {
-            assert!(set.size >= 11.0, "{what}: {text} has {} points", set.size);
+        if !bounds.encloses(&shape) {
+            faults.push(format!("{:?} lies outside, at {shape:?}", item.shape));
+        }
+        if let Drawn::Text { set, text, .. } = &item.shape
+            && set.size < 11.0
+        {
+            faults.push(format!("{text} has {} points", set.size));
         }
     }
     let texts = texts(picture);
     for (i, (text, rect)) in texts.iter().enumerate() {
         for (other, other_rect) in &texts[..i] {
             let common = rect.intersection(other_rect);
-            assert!(
-                common.width < 0.5 || common.height < 0.5,
-                "{what}: “{text}” covers “{other}”"
-            );
+            if common.width >= 0.5 && common.height >= 0.5 {
+                faults.push(format!("“{text}” covers “{other}”"));
+            }
         }
     }
-    assert!(!picture.alt.is_empty(), "{what}: nothing is said in words");
+    if picture.alt.is_empty() {
+        faults.push("nothing is said in words".into());
+    }
+    faults
 }

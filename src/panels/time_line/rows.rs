@@ -7,11 +7,14 @@ use glam::Vec2;
 use std::ops::Range;
 
 pub const MARGIN: f32 = 10.0;
+/// Above the track and below the rows.
+pub const EDGE: f32 = 4.0;
 /// Height of the track with the marks.
-pub const TRACK: f32 = 18.0;
-pub const ROW: f32 = 20.0;
-pub const ROW_GAP: f32 = 5.0;
-pub const MOST_ROWS: usize = 5;
+pub const TRACK: f32 = 14.0;
+pub const ROW: f32 = 16.0;
+pub const ROW_GAP: f32 = 3.0;
+/// Rows shown unless there is more room.
+pub const USUAL_ROWS: usize = 3;
 /// Bars are at least this wide, and so are the places of the marks.
 pub const NARROWEST: f64 = 3.0;
 /// The bars of a run are all drawn on one scale where a step has this width.
@@ -20,7 +23,7 @@ pub const WHOLE_RUN: f64 = 2.0;
 /// The place of the track; names of the rows stand to the left of it.
 pub fn track(size: Vec2) -> Rect {
     let names = (0.16 * size.x).clamp(64.0, 140.0);
-    Rect::new(MARGIN + names, MARGIN, size.x - 2.0 * MARGIN - names, TRACK)
+    Rect::new(MARGIN + names, EDGE, size.x - 2.0 * MARGIN - names, TRACK)
 }
 
 /// Steps laid out from left to right, all of the same width.
@@ -99,6 +102,11 @@ impl Row {
     }
 }
 
+/// Of the track and so many rows below it.
+pub fn height(rows: usize) -> f32 {
+    EDGE + TRACK + 4.0 + rows as f32 * (ROW + ROW_GAP)
+}
+
 /// The rows that fit, those of the outermost depths first; where the cursor is deeper, the rows around it.
 pub fn rows(walk: &dyn Walk, size: Vec2) -> Vec<Row> {
     let outline = walk.outline();
@@ -135,8 +143,8 @@ pub fn rows(walk: &dyn Walk, size: Vec2) -> Vec<Row> {
         rows.remove(0);
     }
 
-    let top = MARGIN + TRACK + 4.0;
-    let room = (((size.y - top - MARGIN + ROW_GAP) / (ROW + ROW_GAP)) as usize).min(MOST_ROWS);
+    let top = height(0);
+    let room = ((size.y - top - EDGE + ROW_GAP) / (ROW + ROW_GAP)) as usize;
     rows.drain(..rows.len().saturating_sub(room));
     for (i, row) in rows.iter_mut().enumerate() {
         row.place.y = top + i as f32 * (ROW + ROW_GAP);

@@ -1,8 +1,8 @@
-//! The parameters that the lesson lets be changed, each with a slider and its value, on a card over the panels.
+//! The parameters that the lesson lets be changed, each with a slider and its value.
 
 use super::button::button;
 use super::session::{Command, Session};
-use super::{prose, slider_focus, strings, style};
+use super::{prose, slider_focus, strings};
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Coefficient, DIVISIONS, Parameter, read_number};
 use crate::picture::Ink;
@@ -11,12 +11,9 @@ use egui::{Button, DragValue, FontId, Rect, Response, RichText, Slider, Ui, Widg
 use glam::DVec3;
 use std::ops::RangeInclusive;
 
-const TITLE: f32 = 32.0;
 const ROW: f32 = 28.0;
 const MARGIN: f32 = 12.0;
-/// The least width of a parameter.
-const CELL: f32 = 272.0;
-/// Of the name in it, of its number, and at least of its slider.
+/// Width of a parameter's name, of its number, and at least of its slider.
 const NAME: f32 = 112.0;
 const NUMBER: f32 = 72.0;
 const RAIL: f32 = 60.0;
@@ -42,47 +39,28 @@ fn cells(session: &Session) -> Vec<Cell> {
         .collect()
 }
 
-fn columns(width: f32) -> usize {
-    (((width - MARGIN) / CELL) as usize).max(1)
-}
-
-/// How high the card is; none where the lesson lets nothing be changed.
-pub fn height(session: &Session, width: f32) -> Option<f32> {
-    let count = cells(session).len();
-    let rows = count.div_ceil(columns(width)) as f32;
-    (count > 0).then_some(TITLE + rows * ROW + 0.5 * MARGIN)
-}
-
-/// Shows the card in `rect`.
+/// Shows the parameters in `rect`, below each other, and a button that puts all of them back.
 pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut Ui) {
-    style::card(session.look.theme, rect, ui);
-    let title = Rect::from_min_size(rect.min, egui::vec2(rect.width(), TITLE))
-        .shrink2(egui::vec2(MARGIN, 4.0));
-    let mut top = ui.new_child(inside(title));
-    top.label(style::strong(session.localize(strings::PARAMETERS), 15.0));
-    top.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+    let mut ui =
+        ui.new_child(egui::UiBuilder::new().max_rect(rect.shrink2(egui::vec2(MARGIN, 4.0))));
+    let mut on_slider = false;
+    egui::ScrollArea::vertical().show(&mut ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 4.0;
+        for (index, cell) in cells(session).into_iter().enumerate() {
+            let (_, place) = ui.allocate_space(egui::vec2(ui.available_width(), ROW));
+            let mut ui = ui.new_child(inside(place).id_salt(index));
+            let change = match cell {
+                Cell::Value(parameter) => value(session, parameter, &mut on_slider, &mut ui),
+                Cell::Place(parameter) => coordinates(session, parameter, &mut ui),
+            };
+            commands.extend(change.map(Command::Change));
+        }
         let reset = Button::new(RichText::new(session.localize(strings::PUT_BACK_ALL)).size(13.0));
         let name = session.localize(strings::PUT_BACK);
         ui.add_enabled_ui(session.is_changed(), |ui| {
             button(session, reset, name, Command::Reset, commands, ui);
         });
     });
-    let cells = cells(session);
-    let columns = columns(rect.width());
-    let width = (rect.width() - MARGIN) / columns as f32;
-    let mut on_slider = false;
-    for (index, &cell) in cells.iter().enumerate() {
-        let (row, column) = (index / columns, index % columns);
-        let corner = egui::vec2(MARGIN + column as f32 * width, TITLE + row as f32 * ROW);
-        let size = egui::vec2(width - MARGIN, ROW);
-        let place = Rect::from_min_size(rect.min + corner, size);
-        let mut ui = ui.new_child(inside(place).id_salt(index));
-        let change = match cell {
-            Cell::Value(parameter) => value(session, parameter, &mut on_slider, &mut ui),
-            Cell::Place(parameter) => coordinates(session, parameter, &mut ui),
-        };
-        commands.extend(change.map(Command::Change));
-    }
     slider_focus::set(on_slider, ui.ctx());
 }
 

@@ -1,0 +1,276 @@
+//! The lesson's panels as cards: the key panel large, the others live beside it, and what opens in their place.
+
+use super::button::button;
+use super::layout::{Layout, TITLE};
+use super::panel_view::{self, PanelView};
+use super::session::{Command, Drawer, Session};
+use super::{drag, parameter_drawer, strings, style, tree_controls};
+use crate::panels::{Panel, step_at};
+use crate::picture::{Ink, Tag};
+use egui::{Button, Rect, RichText, Sense, Ui};
+use std::collections::HashMap;
+
+/// Between a card's frame and its picture.
+const MARGIN: f32 = 4.0;
+/// A card narrower than this has a title and nothing beside it.
+const WIDE: f32 = 360.0;
+
+/// Shows the key panel, the others, and the drawer; returns what lies under the pointer.
+pub fn show(
+    session: &Session,
+    views: &mut HashMap<Panel, PanelView>,
+    layout: &Layout,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) -> Option<Tag> {
+    let mut under = None;
+    let key = session.key_panel();
+    let others = session.other_panels();
+    if let Some(key) = key {
+        let named = layout.side.is_empty() && layout.drawer.is_none();
+        let names: &[Panel] = if named { &others } else { &[] };
+        under = card(session, views, key, names, layout.key, commands, ui);
+    }
+    for (&panel, &rect) in others.iter().zip(&layout.side) {
+        under = small_card(session, views, panel, rect, commands, ui).or(under);
+    }
+    if let (Some(drawer), Some(rect)) = (session.look.drawer, layout.drawer) {
+        under = show_drawer(session, views, drawer, rect, commands, ui).or(under);
+    }
+    under
+}
+
+/// The key panel, with the names of other panels that have no card.
+fn card(
+    session: &Session,
+    views: &mut HashMap<Panel, PanelView>,
+    panel: Panel,
+    names: &[Panel],
+    rect: Rect,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) -> Option<Tag> {
+    style::card(session.look.theme, rect, ui);
+    let mut row = title_row(rect, ui);
+    let title = style::strong(session.localize(panel.title()), 14.0);
+    let fill = egui::Label::new(title)
+        .selectable(false)
+        .sense(Sense::click());
+    let response = row.add(fill);
+    if response
+        .on_hover_text(session.localize(strings::FILL))
+        .double_clicked()
+    {
+        commands.push(Command::Fill);
+    }
+    for &other in names {
+        name_button(session, other, commands, &mut row);
+    }
+    row.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        let (sign, name) = match session.is_filled() {
+            true => ("×", strings::UNFILL),
+            false => ("□", strings::FILL),
+        };
+        let fill = Button::new(RichText::new(sign).size(13.0)).min_size(egui::vec2(24.0, 20.0));
+        button(
+            session,
+            fill,
+            session.localize(name),
+            Command::Fill,
+            commands,
+            ui,
+        );
+        if rect.width() < WIDE {
+            return;
+        }
+        controls(session, panel, commands, ui);
+        let muted = style::color(session.look.theme, Ink::Muted);
+        let caption = RichText::new(panel_view::caption(session, panel))
+            .size(13.0)
+            .color(muted);
+        ui.add(egui::Label::new(caption).truncate().selectable(false));
+    });
+    let view = views.entry(panel).or_default();
+    let shown = panel_on(session, panel, view, inside(rect), ui);
+    if shown.filled {
+        commands.push(Command::Fill);
+    }
+    commands.extend(shown.command);
+    shown.under
+}
+
+/// Another panel, small, whose title makes it the key panel.
+fn small_card(
+    session: &Session,
+    views: &mut HashMap<Panel, PanelView>,
+    panel: Panel,
+    rect: Rect,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) -> Option<Tag> {
+    style::card(session.look.theme, rect, ui);
+    name_button(session, panel, commands, &mut title_row(rect, ui));
+    let view = views.entry(panel).or_default();
+    let (response, under) = view.show(session, panel, inside(rect), true, ui);
+    if response.double_clicked() {
+        commands.push(Command::Key(panel));
+    } else if response.clicked() {
+        commands.extend(under.map(Command::Click));
+    }
+    under
+}
+
+fn title_row(rect: Rect, ui: &mut Ui) -> Ui {
+    let row = Rect::from_min_size(rect.min, egui::vec2(rect.width(), TITLE));
+    let mut row = ui.new_child(
+        egui::UiBuilder::new()
+            .id_salt((rect.min.x as i32, rect.min.y as i32))
+            .max_rect(row.shrink2(egui::vec2(10.0, 3.0)))
+            .layout(egui::Layout::left_to_right(egui::Align::Center)),
+    );
+    row.spacing_mut().item_spacing.x = 6.0;
+    row.spacing_mut().button_padding = egui::vec2(6.0, 2.0);
+    row.spacing_mut().interact_size.y = 20.0;
+    row
+}
+
+fn inside(card: Rect) -> Rect {
+    let mut inside = card.shrink(MARGIN);
+    inside.min.y = card.min.y + TITLE;
+    inside
+}
+
+/// The number and the name of a panel; pressed, it becomes the key panel.
+fn name_button(session: &Session, panel: Panel, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let title = session.localize(panel.title());
+    let number = session.panels().iter().position(|&known| known == panel);
+    let text = match number {
+        Some(number) => format!("{}  {title}", number + 1),
+        None => title.to_owned(),
+    };
+    let text = style::strong(text, 13.0);
+    let enlarge = strings::ENLARGE.format(session.look.language, &[("panel", title)]);
+    let frameless = Button::new(text).frame_when_inactive(false).truncate();
+    button(
+        session,
+        frameless,
+        &enlarge,
+        Command::Key(panel),
+        commands,
+        ui,
+    );
+}
+
+/// What a panel lets be changed, from the right.
+fn controls(session: &Session, panel: Panel, commands: &mut Vec<Command>, ui: &mut Ui) {
+    if panel == Panel::RayTree {
+        tree_controls::buttons(session, commands, ui);
+    }
+    if panel == Panel::Radiosity {
+        let text = RichText::new(session.localize(strings::SMOOTH)).size(13.0);
+        let smooth = Button::new(text).selected(session.look.smooth);
+        let name = session.localize(strings::SMOOTH_ROOM);
+        button(session, smooth, name, Command::Smooth, commands, ui);
+    }
+}
+
+fn show_drawer(
+    session: &Session,
+    views: &mut HashMap<Panel, PanelView>,
+    drawer: Drawer,
+    rect: Rect,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) -> Option<Tag> {
+    style::card(session.look.theme, rect, ui);
+    let mut row = title_row(rect, ui);
+    let (title, command) = match drawer {
+        Drawer::Inspector => (strings::INSPECTOR, Command::Inspector),
+        Drawer::Parameters => (strings::PARAMETERS, Command::Parameters),
+    };
+    row.label(style::strong(session.localize(title), 14.0));
+    row.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        let close = Button::new(RichText::new("×").size(13.0)).min_size(egui::vec2(24.0, 20.0));
+        button(
+            session,
+            close,
+            session.localize(strings::CLOSE),
+            command,
+            commands,
+            ui,
+        );
+    });
+    match drawer {
+        Drawer::Parameters => {
+            parameter_drawer::show(session, commands, inside(rect), ui);
+            None
+        }
+        Drawer::Inspector => {
+            let view = views.entry(Panel::Inspector).or_default();
+            let shown = panel_on(session, Panel::Inspector, view, inside(rect), ui);
+            commands.extend(shown.command);
+            shown.under
+        }
+    }
+}
+
+/// What came of showing a panel.
+pub struct Shown {
+    pub command: Option<Command>,
+    pub under: Option<Tag>,
+    /// Whether a place that shows nothing was clicked twice.
+    pub filled: bool,
+}
+
+/// Shows a panel in `rect` and reads clicks: plain ones go there, with shift to the scan line, with Ctrl to the polygon.
+pub fn panel_on(
+    session: &Session,
+    panel: Panel,
+    view: &mut PanelView,
+    rect: Rect,
+    ui: &mut Ui,
+) -> Shown {
+    let (response, under) = view.show(session, panel, rect, false, ui);
+    let mut command = None;
+    if response.clicked() {
+        let held = ui.input(|input| input.modifiers);
+        command = under.map(|tag| match tag {
+            Tag::Pixel { x, y } if held.command => Command::FocusOnPolygonAt { x, y },
+            Tag::Pixel { y, .. } if held.shift => Command::Click(Tag::ScanLine(y as i32)),
+            tag => Command::Click(tag),
+        });
+    }
+    if panel == Panel::TimeLine && (response.dragged() || response.clicked() && command.is_none()) {
+        // The track spans the whole run: dragging along it walks through all of it.
+        let at = response
+            .interact_pointer_pos()
+            .map_or(0.0, |at| at.x - response.rect.min.x);
+        let size = glam::Vec2::new(response.rect.width(), response.rect.height());
+        let step = step_at(&session.panel_input(), size, at);
+        command = (step != session.step()).then_some(Command::Seek(step));
+    }
+    if matches!(panel, Panel::Rays | Panel::Vectors) {
+        command = drag::dragged(session, panel, &response, ui).or(command);
+    }
+    if panel == Panel::RayTree {
+        command = tree_controls::pointed(session, &response, ui).or(command);
+    }
+    if panel == Panel::Image {
+        // The menu is about the place where it was opened, not where the pointer went since.
+        let id = response.id.with("menu");
+        if response.secondary_clicked() {
+            ui.data_mut(|data| data.insert_temp(id, under));
+        }
+        response.context_menu(|ui| {
+            let tag = ui.data(|data| data.get_temp::<Option<Tag>>(id)).flatten();
+            command = panel_view::menu(session, tag, ui).or(command.take());
+        });
+    }
+    // A double click into the ray tree fits it.
+    let filled = response.double_clicked() && under.is_none() && panel != Panel::RayTree;
+    Shown {
+        command,
+        under,
+        filled,
+    }
+}

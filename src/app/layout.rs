@@ -1,0 +1,173 @@
+//! Where everything stands in the window: a function of its size alone, so that what must hold can be tested without a screen.
+
+use egui::{Rect, Vec2, pos2, vec2};
+
+/// Between cards, and around them.
+pub const GAP: f32 = 8.0;
+/// Height of the bar on top.
+pub const BAR: f32 = 40.0;
+/// Height of a card's title.
+pub const TITLE: f32 = 28.0;
+/// Height of the row of buttons above the time line.
+pub const TRANSPORT: f32 = 36.0;
+/// Least part of the window that the key panel's card takes.
+const KEY_SHARE: f32 = 0.455;
+/// The least width and height at which another panel is worth showing beside the key panel.
+const LEAST_SIDE: Vec2 = vec2(150.0, 104.0);
+const WIDEST_SIDE: f32 = 0.24;
+const DRAWER: f32 = 320.0;
+/// The least width of the left column.
+const LEAST_COLUMN: f32 = 230.0;
+
+/// The least height of the pseudocode: the current line with two on either side.
+const LEAST_CODE: f32 = 104.0;
+/// The least height of the formula: two lines.
+const LEAST_FORMULA: f32 = 64.0;
+/// Parts of the column's height that code and formula have unless the words need them.
+const CODE_SHARE: f32 = 0.32;
+const FORMULA_SHARE: f32 = 0.3;
+/// The least part of the column's height for the words.
+const LEAST_SAID: f32 = 0.24;
+
+/// What is to be placed.
+#[derive(Clone, Copy)]
+pub struct Wishes {
+    /// Width of the left column, where the user has chosen one.
+    pub column: Option<f32>,
+    /// Height of the time line without its buttons.
+    pub time_line: f32,
+    /// Panels beside the key panel.
+    pub others: usize,
+    pub drawer: bool,
+}
+
+/// The cards of the window, in points from its upper left corner.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layout {
+    pub column: Rect,
+    pub key: Rect,
+    /// A card for each other panel; empty where there is no room: then their names stand on the key panel's card.
+    pub side: Vec<Rect>,
+    /// In place of the cards at the side.
+    pub drawer: Option<Rect>,
+    pub time_line: Rect,
+}
+
+impl Layout {
+    /// The key panel alone.
+    pub fn filled(window: Vec2) -> Self {
+        let none = Rect::from_min_size(egui::Pos2::ZERO, Vec2::ZERO);
+        Layout {
+            column: none,
+            key: Rect::from_min_size(egui::Pos2::ZERO, window).shrink(GAP),
+            side: Vec::new(),
+            drawer: None,
+            time_line: none,
+        }
+    }
+
+    pub fn shifted(mut self, by: Vec2) -> Self {
+        let side = self.side.iter_mut().chain(self.drawer.as_mut());
+        let cards = [&mut self.column, &mut self.key, &mut self.time_line];
+        for card in cards.into_iter().chain(side) {
+            *card = card.translate(by);
+        }
+        self
+    }
+}
+
+/// Between what widths the left column can be dragged.
+pub fn column_widths(window: f32) -> std::ops::RangeInclusive<f32> {
+    LEAST_COLUMN..=(0.45 * window).max(LEAST_COLUMN)
+}
+
+/// Places the cards in a window of that size.
+pub fn layout(window: Vec2, wishes: Wishes) -> Layout {
+    let bottom = window.y - GAP;
+    let time_line = Rect::from_min_max(
+        pos2(GAP, bottom - TRANSPORT - wishes.time_line),
+        pos2(window.x - GAP, bottom),
+    );
+    let (top, bottom) = (BAR + GAP, time_line.top() - GAP);
+    let height = (bottom - top).max(0.0);
+    let card =
+        |left: f32, width: f32| Rect::from_min_size(pos2(left, top), vec2(width.max(0.0), height));
+
+    let widths = column_widths(window.x);
+    let usual = (0.232 * window.x).clamp(LEAST_COLUMN, 440.0);
+    let width = wishes.column.unwrap_or(usual);
+    let column = card(GAP, width.clamp(*widths.start(), *widths.end()));
+
+    let left = column.right() + GAP;
+    let room = window.x - GAP - left;
+    let side = if wishes.drawer {
+        DRAWER.min(0.5 * room)
+    } else {
+        let least_key = (KEY_SHARE * window.x * window.y / height.max(1.0)).ceil();
+        let count = wishes.others as f32;
+        let width = (room - least_key - GAP).min(WIDEST_SIDE * window.x);
+        let each = (height + GAP) / count - GAP;
+        let fits = count > 0.0 && width >= LEAST_SIDE.x && each >= LEAST_SIDE.y;
+        if fits { width } else { -GAP }
+    };
+    let key = card(left, room - side - GAP);
+    let strip = card(key.right() + GAP, side);
+    Layout {
+        column,
+        key,
+        side: if wishes.drawer || side <= 0.0 {
+            Vec::new()
+        } else {
+            rows(strip, wishes.others)
+        },
+        drawer: wishes.drawer.then_some(strip),
+        time_line,
+    }
+}
+
+/// `count` cards of equal height below each other.
+fn rows(strip: Rect, count: usize) -> Vec<Rect> {
+    let height = (strip.height() + GAP) / count.max(1) as f32 - GAP;
+    let row = |i: usize| {
+        let top = strip.top() + i as f32 * (height + GAP);
+        Rect::from_min_size(pos2(strip.left(), top), vec2(strip.width(), height))
+    };
+    (0..count).map(row).collect()
+}
+
+/// The regions of the left column, below each other; none takes from another what that needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Column {
+    /// Narration and question; scrolls by itself.
+    pub said: Rect,
+    pub code: Rect,
+    pub formula: Rect,
+}
+
+/// Divides the column's card. `said` is the height that the words take, `formula` the least one that shows a formula with its numbers.
+pub fn column(card: Rect, said: f32, formula: f32) -> Column {
+    let height = card.height();
+    let least_formula = formula.max(LEAST_FORMULA).min(0.5 * height);
+    let usual_formula = (FORMULA_SHARE * height).max(least_formula);
+    let usual_code = (CODE_SHARE * height).max(LEAST_CODE);
+    // Long words take first what the formula does not need, then what the code does not.
+    let formula = (height - usual_code - said).clamp(least_formula, usual_formula);
+    let code = (height - formula - said).clamp(LEAST_CODE, usual_code);
+    let least_said = LEAST_SAID * height;
+    let code = code.min(height - formula - least_said);
+    let said = height - formula - code;
+    let part = |from: f32, height: f32| {
+        Rect::from_min_size(
+            pos2(card.left(), card.top() + from),
+            vec2(card.width(), height),
+        )
+    };
+    Column {
+        said: part(0.0, said),
+        code: part(said, code),
+        formula: part(said + code, formula),
+    }
+}
+
+#[cfg(test)]
+mod tests;

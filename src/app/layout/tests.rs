@@ -1,0 +1,82 @@
+use super::*;
+
+/// Windows in points: those of the usual screens, and what the projector's larger text leaves of them.
+const WINDOWS: [Vec2; 6] = [
+    vec2(1280.0, 800.0),
+    vec2(1366.0, 768.0),
+    vec2(1920.0, 1080.0),
+    vec2(1024.0, 640.0),
+    vec2(1092.8, 614.4),
+    vec2(1536.0, 864.0),
+];
+
+fn wishes(others: usize) -> Wishes {
+    Wishes {
+        column: None,
+        time_line: 76.0,
+        others,
+        drawer: false,
+    }
+}
+
+#[test]
+fn the_key_panel_has_at_least_45_percent_of_the_window() {
+    for window in WINDOWS {
+        for others in 0..5 {
+            let key = layout(window, wishes(others)).key;
+            let share = key.area() / window.x / window.y;
+            assert!(share >= 0.45, "{share} of {window} with {others} others");
+        }
+    }
+}
+
+#[test]
+fn no_card_covers_another_or_leaves_the_window() {
+    for window in WINDOWS
+        .into_iter()
+        .chain([vec2(900.0, 600.0), vec2(720.0, 480.0)])
+    {
+        for (others, drawer) in [(0, false), (3, false), (5, false), (3, true)] {
+            let layout = layout(
+                window,
+                Wishes {
+                    drawer,
+                    ..wishes(others)
+                },
+            );
+            let cards = [layout.column, layout.key, layout.time_line].into_iter();
+            let cards: Vec<Rect> = cards.chain(layout.side).chain(layout.drawer).collect();
+            let whole = Rect::from_min_size(egui::Pos2::ZERO, window);
+            for (i, card) in cards.iter().enumerate() {
+                assert!(
+                    whole.contains_rect(*card) && card.is_positive(),
+                    "{card} in {window}"
+                );
+                let covers = |other: &Rect| card.intersect(*other).is_positive();
+                assert!(!cards[..i].iter().any(covers), "{card} in {window}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_regions_of_the_column_share_its_height_and_none_is_pushed_out() {
+    let card = Rect::from_min_size(pos2(8.0, 48.0), vec2(300.0, 450.0));
+    for said in [0.0, 100.0, 300.0, 2000.0] {
+        for formula in [0.0, 120.0, 400.0] {
+            let column = column(card, said, formula);
+            let heights = [column.said, column.code, column.formula].map(|part| part.height());
+            assert!((heights.iter().sum::<f32>() - card.height()).abs() < 1e-3);
+            let least = [
+                LEAST_SAID * card.height(),
+                100.0,
+                formula.clamp(64.0, 225.0),
+            ];
+            let enough = heights
+                .iter()
+                .zip(least)
+                .all(|(&height, least)| height >= least);
+            assert!(enough, "{heights:?}, {least:?}");
+        }
+    }
+}

@@ -1,0 +1,61 @@
+//! Which panel is shown large: the one that the explanation names, or the user's choice.
+
+use super::{Drawer, Refused, Session};
+use crate::app::strings;
+use crate::panels::Panel;
+
+impl Session {
+    /// The lesson's panels; their numbers count from 1.
+    pub fn panels(&self) -> &[Panel] {
+        &self.open.lesson.panels
+    }
+
+    /// The panel shown large. None in a lesson without panels.
+    pub fn key_panel(&self) -> Option<Panel> {
+        let named = || self.last_narration().and_then(|said| said.key);
+        let panels = self.panels();
+        self.chosen
+            .or_else(named)
+            .or_else(|| panels.first().copied())
+    }
+
+    /// The others, in their order.
+    pub fn other_panels(&self) -> Vec<Panel> {
+        let key = self.key_panel();
+        let panels = self.panels().iter().copied();
+        panels.filter(|&panel| Some(panel) != key).collect()
+    }
+
+    /// Whether the key panel fills the window.
+    pub fn is_filled(&self) -> bool {
+        self.filled
+    }
+
+    pub(super) fn choose_key(&mut self, panel: Panel) {
+        self.chosen = Some(panel);
+    }
+
+    /// The panel of that number, from 1.
+    pub(super) fn numbered(&self, number: usize) -> Result<Panel, Refused> {
+        let panel = number.checked_sub(1).and_then(|i| self.panels().get(i));
+        panel.copied().ok_or(strings::NO_SUCH_PANEL.into())
+    }
+
+    pub(super) fn fill(&mut self) {
+        self.filled = !self.filled;
+    }
+
+    /// Where the lesson names a panel at an explanation just reached, that panel is shown.
+    pub(super) fn follow_narration(&mut self, from: usize) {
+        let before = self.narrated.partition_point(|&step| step <= from);
+        let now = self.narrated.partition_point(|&step| step <= self.step());
+        let named = |count: usize| self.open.narrated.get(count.checked_sub(1)?)?.key;
+        if before != now && named(now).is_some() {
+            self.chosen = None;
+        }
+    }
+
+    pub(super) fn toggle_drawer(&mut self, drawer: Drawer) {
+        self.look.drawer = Some(drawer).filter(|_| self.look.drawer != Some(drawer));
+    }
+}
