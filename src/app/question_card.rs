@@ -17,9 +17,10 @@ pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>,
         return;
     };
     let theme = session.look.theme;
-    let (fill, line) = match standing {
-        Standing::Open => (Ink::WarnTint, Ink::Warn),
-        _ => (Ink::Surface, Ink::Rule),
+    let waits = session.question_at(session.step());
+    let (fill, line) = match waits {
+        true => (Ink::WarnTint, Ink::Warn),
+        false => (Ink::Surface, Ink::Rule),
     };
     let frame = Frame::new()
         .fill(style::color(theme, fill))
@@ -33,7 +34,7 @@ pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>,
                 session.localize(strings::BEFORE_YOU_GO_ON),
                 14.0,
             ));
-            if standing == Standing::Open {
+            if waits {
                 ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
                     skip(session, commands, ui);
                 });
@@ -45,7 +46,7 @@ pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>,
             14.0,
             Ink::Text,
         ));
-        if standing == Standing::Open {
+        if standing == Standing::Open || question.answer == Answer::Undecided {
             ask(session, question, window, commands, ui);
         } else {
             window.asked = None;
@@ -63,10 +64,11 @@ fn ask(
     ui: &mut Ui,
 ) {
     let language = session.look.language;
-    if let Some(guess) = session.guesses().last() {
+    let waits = session.question_at(session.step());
+    if let Some(guess) = session.guesses().last().filter(|_| waits) {
         let own = question.hint(language).map(str::to_owned);
         let hint = own.unwrap_or_else(|| question.answer.hint(guess, language));
-        let hint = format!("{hint} {}", session.localize(strings::ONCE_MORE));
+        let hint = strings::ONCE_MORE.format(language, &[("hint", &hint)]);
         ui.label(prose(session, &hint, 14.0, Ink::Warn));
     }
     match &question.answer {
@@ -75,6 +77,26 @@ fn ask(
         Answer::Pixel { .. } => {
             ui.label(RichText::new(session.localize(strings::CLICK_A_PIXEL)).strong());
         }
+        Answer::Undecided => undecided(session, commands, ui),
+    }
+}
+
+/// Offers the values with which the lesson asks.
+fn undecided(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    ui.label(prose(
+        session,
+        session.localize(strings::UNDECIDED),
+        14.0,
+        Ink::Muted,
+    ));
+    if ui
+        .button(session.localize(strings::LESSONS_VALUES))
+        .clicked()
+    {
+        let lesson = session.lesson();
+        let values = lesson.parameters.iter();
+        let values = values.filter_map(|parameter| parameter.value(&lesson.scene));
+        commands.extend(values.map(Command::Change));
     }
 }
 
@@ -117,7 +139,13 @@ fn verdict(
         session.localize(strings),
         session.localize(strings::THE_ANSWER_IS),
     );
-    let recorded = format!("{sign}{strings} {is} {}.", answer.trim_end_matches('.'));
+    // After a change the answer may be another one than the one that was judged.
+    let is_right = standing == Standing::Right;
+    let mut last = session.guesses().last().into_iter();
+    let recorded = match last.any(|guess| question.answer.judge(guess) != Ok(is_right)) {
+        true => strings::ANSWER_NOW.format(language, &[("answer", answer.trim_end_matches('.'))]),
+        false => format!("{sign}{strings} {is} {}.", answer.trim_end_matches('.')),
+    };
     ui.label(set(
         session,
         &recorded,

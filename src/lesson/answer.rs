@@ -25,6 +25,8 @@ pub enum Answer {
         y: u32,
         tolerance: u32,
     },
+    /// After a change the run has no answer: what is asked about does not happen, or no option holds, or several do.
+    Undecided,
 }
 
 /// An answer that was given.
@@ -97,6 +99,7 @@ impl Answer {
             &Answer::Number { value, tolerance } => language.number(rounded(value, tolerance)),
             Answer::Choice { right, .. } => self.guess_in_words(&Guess::Choice(*right), language),
             &Answer::Pixel { x, y, .. } => pixel::in_words(x, y),
+            Answer::Undecided => String::new(),
         }
     }
 

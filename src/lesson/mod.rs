@@ -5,6 +5,8 @@
 
 mod answer;
 mod builtin;
+#[cfg(test)]
+mod changed;
 mod contents;
 mod error;
 mod file;

@@ -6,14 +6,19 @@ use super::file::{AnswerFile, QuestionFile, StepFile, Text};
 use super::narrated::{Narrated, Question};
 use super::template::fill;
 use crate::panels::{Hidden, Panel};
-use crate::record::Value;
+use crate::record::{Fields, Value};
 use crate::replay::{Query, Walk, query};
 use crate::scene::document::{Keyed, Problem};
 
-/// Finds every narrated step, in order, and fills in its texts.
-pub(super) fn narrate(steps: &[StepFile], walk: &dyn Walk) -> Result<Vec<Narrated>, LessonError> {
+/// Finds every narrated step, in order, and fills in its texts. In a `changed` run a question may have no answer.
+pub(super) fn narrate(
+    steps: &[StepFile],
+    walk: &dyn Walk,
+    changed: bool,
+) -> Result<Vec<Narrated>, LessonError> {
     let mut search = Search {
         walk,
+        changed,
         problems: Vec::new(),
     };
     let mut narrated = Vec::new();
@@ -53,6 +58,7 @@ pub(super) fn narrate(steps: &[StepFile], walk: &dyn Walk) -> Result<Vec<Narrate
 /// Looks things up in a run, and keeps what it does not find.
 struct Search<'a> {
     walk: &'a dyn Walk,
+    changed: bool,
     problems: Vec<Problem>,
 }
 
@@ -76,9 +82,12 @@ impl Search<'_> {
 
     /// A text in both languages, with the values of `step`.
     fn fill(&mut self, text: &Text, step: usize, place: &str) -> [String; 2] {
-        let fields = self.walk.fields(step);
+        self.fill_with(text, &self.walk.fields(step), place)
+    }
+
+    fn fill_with(&mut self, text: &Text, fields: &Fields, place: &str) -> [String; 2] {
         text.both().map(|(language, text)| {
-            fill(text, &fields, language).unwrap_or_else(|message| {
+            fill(text, fields, language).unwrap_or_else(|message| {
                 self.problems
                     .push(problem(format!("{place}.{}", language.code()), message));
                 String::new()
@@ -92,26 +101,36 @@ impl Search<'_> {
         asked_at: usize,
         place: &str,
     ) -> Option<Question> {
-        let step = self.find(&question.at, asked_at + 1, place)?;
-        let ask = self.fill(&question.ask, asked_at, &format!("{place}.ask"));
+        let before = self.problems.len();
+        let step = self.find(&question.at, asked_at + 1, place);
+        // What is given for an answer may be recorded only where it is used: there it is read where it is not known before.
+        let mut given = step.map_or_else(Fields::default, |step| self.walk.fields(step));
+        given.0.extend(self.walk.fields(asked_at).0);
+        let ask = self.fill_with(&question.ask, &given, &format!("{place}.ask"));
         let hint = question.hint.as_ref();
         let hint = hint.map(|hint| self.fill(hint, asked_at, &format!("{place}.hint")));
-        let why = self.fill(&question.why, step, &format!("{place}.why"));
-        match read_answer(question, self.walk, step) {
-            Ok(answer) => Some(Question {
-                ask,
-                why,
-                hint,
-                step,
-                answer,
-                hide: hidden(question),
-            }),
-            Err(message) => {
-                self.problems
-                    .push(problem(format!("{place}.answer"), message));
-                None
-            }
+        let why = step.map(|step| self.fill(&question.why, step, &format!("{place}.why")));
+        let answer = step.map(|step| read_answer(question, self.walk, step));
+        if let Some(Err(message)) = &answer {
+            let problem = problem(format!("{place}.answer"), message.clone());
+            self.problems.push(problem);
         }
+        let answer = match answer {
+            Some(Ok(answer)) if self.problems.len() == before => answer,
+            _ if self.changed => {
+                self.problems.truncate(before);
+                Answer::Undecided
+            }
+            _ => return None,
+        };
+        Some(Question {
+            ask,
+            why: why.unwrap_or_default(),
+            hint,
+            step: step.unwrap_or(asked_at),
+            answer,
+            hide: hidden(question),
+        })
     }
 }
 

@@ -180,7 +180,7 @@ impl Lesson {
             self.focus,
             RecordingLimit::default(),
         );
-        let narrated = self.narrate(&run)?;
+        let narrated = narrate(&self.steps, run.walk(), false)?;
         Ok(OpenLesson {
             lesson: self,
             setup,
@@ -197,9 +197,10 @@ impl Lesson {
         Some(Setup::new(prepared, self.settings.clone()))
     }
 
-    /// What is said in a run of the lesson's own part. Errors: every anchor, value and answer that is not in the run.
+    /// What is said in a run of the lesson's own part, whose scene may be changed: questions that have no answer then are
+    /// undecided. Errors: every anchor and value that is not in the run.
     pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
-        narrate(&self.steps, run.walk())
+        narrate(&self.steps, run.walk(), true)
     }
 }
 

@@ -17,15 +17,18 @@ impl Session {
     pub fn question_at(&self, step: usize) -> bool {
         self.look.questions
             && self.narrated.binary_search(&step).is_ok_and(|index| {
+                let question = self.open.narrated[index].question.as_ref();
                 self.standings[index] == Standing::Open
-                    && self.open.narrated[index].question.is_some()
+                    && question.is_some_and(|question| question.answer != Answer::Undecided)
             })
     }
 
     /// What the question hides that waits at this step; none where no question waits.
     pub(super) fn pending(&self) -> Option<&[Hidden]> {
         match self.question() {
-            Some((question, Standing::Open)) => Some(&question.hide),
+            Some((question, Standing::Open)) if question.answer != Answer::Undecided => {
+                Some(&question.hide)
+            }
             _ => None,
         }
     }

@@ -41,6 +41,7 @@ fn a_question_is_answered_in_its_card() {
             screen.press(Modifiers::NONE, Key::Enter);
         }
         Answer::Choice { options, right } => screen.click(&options[right][0]),
+        Answer::Undecided => panic!("nothing is changed"),
         Answer::Pixel { x, y, .. } => {
             let click = Command::Click(Tag::Pixel { x, y });
             screen

@@ -2,8 +2,10 @@
 //! steps by.
 
 mod file;
+mod multiple;
 mod text;
 
+pub use multiple::Multiple;
 pub use text::QueryError;
 
 use super::Walk;
@@ -49,6 +51,7 @@ pub enum Operand {
     Number(f64),
     Truth(bool),
     Word(String),
+    Multiple(Multiple),
 }
 
 /// Two real numbers are equal within this part of the larger one: a user types fewer digits than a run computes with.
@@ -113,7 +116,14 @@ impl Query {
             .is_none_or(|kind| walk.kind(step) == kind)
             && self.conditions.iter().all(|condition| {
                 let (name, part) = split_part(&condition.field);
-                known(walk, step, name, fields).is_some_and(|value| condition.holds(value, part))
+                let value = known(walk, step, name, fields);
+                match &condition.value {
+                    Operand::Multiple(multiple) => value.is_some_and(|value| {
+                        let number = multiple.value(walk, step);
+                        number.is_some_and(|number| condition.compares(value, part, number))
+                    }),
+                    _ => value.is_some_and(|value| condition.holds(value, part)),
+                }
             })
     }
 }
@@ -133,22 +143,24 @@ fn known(walk: &dyn Walk, step: usize, name: &str, fields: &mut Fields) -> Optio
 }
 
 impl Condition {
+    /// Whether the numbers of a value compare so with `operand`.
+    fn compares(&self, value: Value, part: Option<&str>, operand: f64) -> bool {
+        let (numbers, exact) = numbers(value, part);
+        let equal = |&number: &f64| number == operand || !exact && nearly_equal(number, operand);
+        !numbers.is_empty()
+            && match self.comparison {
+                Comparison::Equal => numbers.iter().all(equal),
+                Comparison::NotEqual => !numbers.iter().all(equal),
+                Comparison::Below => numbers.iter().all(|&number| number < operand),
+                Comparison::AtMost => numbers.iter().all(|&number| number <= operand),
+                Comparison::Above => numbers.iter().all(|&number| number > operand),
+                Comparison::AtLeast => numbers.iter().all(|&number| number >= operand),
+            }
+    }
+
     fn holds(&self, value: Value, part: Option<&str>) -> bool {
         match &self.value {
-            Operand::Number(operand) => {
-                let (numbers, exact) = numbers(value, part);
-                let equal =
-                    |&number: &f64| number == *operand || !exact && nearly_equal(number, *operand);
-                !numbers.is_empty()
-                    && match self.comparison {
-                        Comparison::Equal => numbers.iter().all(equal),
-                        Comparison::NotEqual => !numbers.iter().all(equal),
-                        Comparison::Below => numbers.iter().all(|number| number < operand),
-                        Comparison::AtMost => numbers.iter().all(|number| number <= operand),
-                        Comparison::Above => numbers.iter().all(|number| number > operand),
-                        Comparison::AtLeast => numbers.iter().all(|number| number >= operand),
-                    }
-            }
+            &Operand::Number(operand) => self.compares(value, part, operand),
             Operand::Truth(operand) => match (value, part) {
                 (Value::Truth(truth), None) => self.same(truth == *operand),
                 _ => false,
@@ -157,6 +169,7 @@ impl Condition {
                 (Value::Word(word), None) => self.same(word == operand),
                 _ => false,
             },
+            Operand::Multiple(_) => false,
         }
     }
 
@@ -297,6 +310,28 @@ mod tests {
             }
             let all = matches(&replay, &query, 0..replay.timeline().len());
             prop_assert!(all.eq(hits));
+        }
+
+        #[test]
+        fn a_multiple_is_that_of_the_same_step_or_of_the_last_one_of_a_kind_before(trace in trace()) {
+            let replay = Replay::new(Timeline::new(trace.recording(), History::default()));
+            let number = |step: usize, name: &str| number_of(&Walk::fields(&replay, step), name);
+            let found = |query: &str| {
+                let query: Query = query.parse().expect("a query");
+                matches(&replay, &query, 0..replay.timeline().len()).collect::<Vec<usize>>()
+            };
+            let expected = |other: &dyn Fn(usize) -> Option<f64>| -> Vec<usize> {
+                let steps = 0..replay.timeline().len();
+                steps
+                    .filter(|&step| match (number(step, "b"), other(step)) {
+                        (Some(b), Some(other)) => b >= 2.0 * other,
+                        _ => false,
+                    })
+                    .collect()
+            };
+            prop_assert_eq!(found("b>=2*a"), expected(&|step| number(step, "a")));
+            let red = |step: usize| (0..step).rev().find(|&before| replay.kind(before) == "Red");
+            prop_assert_eq!(found("b>=2*a@Red"), expected(&|step| number(red(step)?, "a")));
         }
 
         #[test]

@@ -1,6 +1,6 @@
 //! Queries as a user types them: a kind, then conditions, apart by spaces.
 
-use super::{Comparison, Condition, Operand, Query, check_field, is_name};
+use super::{Comparison, Condition, Multiple, Operand, Query, check_field, is_name};
 use std::fmt;
 use std::str::FromStr;
 
@@ -65,6 +65,8 @@ impl FromStr for Query {
 
 const KIND_OR_CONDITION: &str = "a kind of event or a condition, such as y=15";
 
+const A_MULTIPLE: &str = "a multiple of a field, such as 0.5*I or 0.5*I@Illuminated";
+
 struct Scanner<'a> {
     text: &'a str,
     /// In bytes, at the start of a character.
@@ -108,6 +110,10 @@ impl<'a> Scanner<'a> {
                 "true" => Operand::Truth(true),
                 "false" => Operand::Truth(false),
                 word if is_name(word) => Operand::Word(word.to_owned()),
+                word if word.contains('*') => match Multiple::parse(word) {
+                    Some(multiple) => Operand::Multiple(multiple),
+                    None => return Err(self.error(start, A_MULTIPLE)),
+                },
                 word => match word.parse::<f64>() {
                     Ok(number) if number.is_finite() && !word.ends_with(char::is_alphabetic) => {
                         Operand::Number(number)
@@ -119,7 +125,7 @@ impl<'a> Scanner<'a> {
             }
         };
         let ordered = !matches!(comparison, Comparison::Equal | Comparison::NotEqual);
-        if ordered && !matches!(operand, Operand::Number(_)) {
+        if ordered && !matches!(operand, Operand::Number(_) | Operand::Multiple(_)) {
             return Err(self.error(start, "a number after <, <=, > or >="));
         }
         Ok(operand)
@@ -192,6 +198,7 @@ impl fmt::Display for Operand {
                 f.write_str(word)
             }
             Operand::Word(word) => write!(f, "\"{word}\""),
+            Operand::Multiple(multiple) => write!(f, "{multiple}"),
         }
     }
 }
@@ -299,6 +306,14 @@ mod tests {
                 "column 7: expected a number after <, <=, > or >=, found `high`",
             ),
             (
+                "I>2*",
+                "column 3: expected a multiple of a field, such as 0.5*I or 0.5*I@Illuminated, found `2*`",
+            ),
+            (
+                "I>2*I@3",
+                "column 3: expected a multiple of a field, such as 0.5*I or 0.5*I@Illuminated, found `2*I@3`",
+            ),
+            (
                 "why=\"no",
                 "column 8: expected a closing quotation mark, found the end",
             ),
@@ -328,7 +343,7 @@ mod tests {
             conditions in prop::collection::vec(("[a-zA-Z_]{1,4}(\\.[rgbxyz])?", 0..6_usize, operand()), 1..4),
         ) {
             let comparisons = SIGNS[1..].iter().map(|&(_, comparison)| comparison);
-            let equal_only = |value: &Operand| !matches!(value, Operand::Number(_));
+            let equal_only = |value: &Operand| matches!(value, Operand::Truth(_) | Operand::Word(_));
             let conditions = conditions.into_iter().map(|(field, index, value)| Condition {
                 comparison: if equal_only(&value) { Comparison::NotEqual } else { comparisons.clone().nth(index).expect("six") },
                 field,
@@ -351,6 +366,16 @@ mod tests {
             prop::num::f64::NORMAL.prop_map(Operand::Number),
             any::<bool>().prop_map(Operand::Truth),
             "[^\"]{0,8}".prop_map(Operand::Word),
+            (
+                prop::num::f64::NORMAL,
+                "[a-z_]{1,4}(\\.[rgb])?",
+                prop::option::of("[A-Z]{1,4}")
+            )
+                .prop_map(|(factor, field, at)| Operand::Multiple(Multiple {
+                    factor,
+                    field,
+                    at
+                })),
         ]
     }
 }

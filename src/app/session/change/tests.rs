@@ -334,3 +334,45 @@ fn what_does_not_happen_any_more_is_not_narrated() {
     assert_eq!(put(-3.0), (true, step, false));
     assert_eq!(put(3.5), (false, step, true));
 }
+
+#[test]
+fn a_question_that_no_option_answers_says_so_and_stops_nobody() {
+    let ball = builtin("illumination-model").unwrap().read().unwrap();
+    let specular = |&parameter: &Parameter| {
+        matches!(parameter, Parameter::Coefficient(_, Coefficient::Specular))
+    };
+    let parameter = ball.parameters.iter().copied().find(specular).unwrap();
+    let opened = parameter.value(&ball.scene).unwrap();
+    let mut session = Session::new(ball).unwrap();
+    let Change::Coefficient {
+        material,
+        coefficient,
+        ..
+    } = opened
+    else {
+        panic!("a coefficient")
+    };
+    // What is left of nothing is neither much nor little.
+    let change = Change::Coefficient {
+        material,
+        coefficient,
+        value: 0.0,
+    };
+    session.update(Command::Change(change)).unwrap();
+    let is_undecided = |session: &Session| {
+        let question = session.question();
+        question.is_some_and(|(question, _)| question.answer == Answer::Undecided)
+    };
+    while !is_undecided(&session) {
+        if session.question_at(session.step()) {
+            session.update(Command::Skip).unwrap();
+        }
+        session.update(Command::NextNarrated).unwrap();
+    }
+    let step = session.step();
+    assert!(!session.question_at(step) && session.panel_input().pending.is_none());
+    session.update(Command::Forward(1)).unwrap();
+    session.update(Command::Back(1)).unwrap();
+    session.update(Command::Change(opened)).unwrap();
+    assert!(session.question_at(step) && !is_undecided(&session));
+}

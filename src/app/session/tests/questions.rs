@@ -61,6 +61,7 @@ fn answers_are_held_against_the_run() {
             }
             Answer::Choice { right, .. } => Guess::Choice(right),
             Answer::Pixel { x, y, .. } => Guess::Pixel { x, y },
+            Answer::Undecided => panic!("nothing is changed"),
         };
         let wrong = match right {
             Guess::Number(_) => Guess::Number("1e9".into()),

@@ -1,0 +1,193 @@
+//! When parameters are moved, every lesson runs, and no verdict is wrong: a question whose conditions do not decide has no answer.
+
+use super::file::AnswerFile;
+use super::narrated::Question;
+use super::{Answer, Change, Coefficient, Lesson, Parameter, builtins};
+use crate::record::{RecordingLimit, Value};
+use crate::replay::query::{self, number_of};
+use crate::replay::{Operand, Run, Walk};
+use crate::scene::document::Keyed;
+use glam::DVec3;
+use std::sync::Arc;
+
+fn lessons() -> impl Iterator<Item = Lesson> {
+    let lessons = builtins().iter().map(|builtin| builtin.read().unwrap());
+    lessons.filter(|lesson| !lesson.parameters.is_empty())
+}
+
+/// Values all over the range of a parameter: near and far, on all sides, at the ends.
+fn values(parameter: Parameter, lesson: &Lesson) -> Vec<Change> {
+    let around = |center: DVec3, make: &dyn Fn(DVec3) -> Change| {
+        let offsets = [-5.0, -1.0, 0.4, 3.0];
+        let moved = offsets
+            .into_iter()
+            .flat_map(|offset| DVec3::AXES.map(|axis| make(center + offset * axis)));
+        moved.chain([make(-center)]).collect()
+    };
+    match parameter.value(&lesson.scene).unwrap() {
+        Change::Light { light, position } => {
+            around(position, &|position| Change::Light { light, position })
+        }
+        Change::Eye { position } => around(position, &|position| Change::Eye { position }),
+        Change::Divisions { object, .. } => [2, 3, 5, 24, 64]
+            .map(|divisions| Change::Divisions { object, divisions })
+            .into(),
+        Change::Coefficient {
+            material,
+            coefficient,
+            ..
+        } => {
+            let values = match coefficient {
+                Coefficient::Shininess => [0.0, 1.0, 5.0, 60.0, 1000.0],
+                _ => [0.0, 0.05, 0.3, 0.7, 1.0],
+            };
+            values
+                .map(|value| Change::Coefficient {
+                    material,
+                    coefficient,
+                    value,
+                })
+                .into()
+        }
+    }
+}
+
+/// What a question of a lesson is about, put in other words than its conditions; by the lesson and the step of the answer. The
+/// option that is right then; none where the ratio is not a number.
+fn other_words(lesson: &str, at: &str, walk: &dyn Walk, question: &Question) -> Option<usize> {
+    let number = |step: usize, name: &str| number_of(&walk.fields(step), name).unwrap();
+    let before = |kind: &str| {
+        (0..question.step)
+            .rev()
+            .find(|&step| walk.kind(step) == kind)
+    };
+    let ratio = |name: &str| {
+        let before = before(walk.kind(question.step)).unwrap();
+        let before = number(before, name);
+        // Of what is not positive there is no multiple to speak of.
+        if before > 0.0 {
+            number(question.step, name) / before
+        } else {
+            f64::NAN
+        }
+    };
+    let one_of = |ratio: f64, limits: [f64; 2]| {
+        let above = limits.iter().filter(|&&limit| ratio > limit).count();
+        (!ratio.is_nan()).then_some(above)
+    };
+    match (lesson, at) {
+        ("illumination-model", "Specular") => {
+            // Of k_s what R·V to the power n_s leaves
+            let cosine = number(question.step, "R_dot_V").max(0.0);
+            let left = cosine.powf(number(question.step, "n_s"));
+            (number(question.step, "k_s.r") > 0.0)
+                .then(|| one_of(left, [0.5, 0.9]).map(|above| 2 - above))
+                .flatten()
+        }
+        ("illumination-model", "LightAdded") => {
+            let [specular, diffuse] = ["I_s.b", "I_d.b"].map(|name| number(question.step, name));
+            Some(usize::from(specular <= diffuse))
+        }
+        ("distance", "Diffuse light=1") => one_of(ratio("slide_factor"), [0.5, 1.5]),
+        ("flat-shading", "Illuminated object=1") => {
+            let side = one_of(ratio("I"), [0.98, 1.02])?;
+            Some([1, 0, 2][side])
+        }
+        ("depth-attenuation", "PixelColored") => {
+            let local = number(before("Illuminated").unwrap(), "I");
+            let more = local * (2.0_f64 / 3.0).powi(7) / number(question.step, "color");
+            Some(2 - one_of(more, [0.01, 0.1])?)
+        }
+        _ => match question.answer {
+            Answer::Choice { right, .. } => Some(right),
+            _ => None,
+        },
+    }
+}
+
+/// The verdicts of a lesson after one change: how many questions have an answer, or why the lesson is silent.
+fn verdicts(lesson: &Lesson, change: Change) -> Option<usize> {
+    let mut scene = lesson.scene.clone();
+    change.make(&mut scene, &lesson.scene).ok()?;
+    let setup = Arc::new(lesson.setup(scene)?);
+    let run = Run::record(
+        setup,
+        lesson.method,
+        lesson.focus,
+        RecordingLimit::default(),
+    );
+    let narrated = lesson.narrate(&run).ok()?;
+    let mut decided = 0;
+    for (said, step) in narrated.iter().zip(&lesson.steps) {
+        let (Some(question), Some(Keyed(file))) = (&said.question, &step.question) else {
+            continue;
+        };
+        let place = format!("{} {}: {change:?}", lesson.id, file.at);
+        let AnswerFile::Choice(options) = &file.answer else {
+            continue;
+        };
+        let walk = run.walk();
+        let holds = |index: usize| {
+            let at = question.step..question.step + 1;
+            query::matches(walk, &options[index].when, at)
+                .next()
+                .is_some()
+        };
+        let holding: Vec<usize> = (0..options.len()).filter(|&index| holds(index)).collect();
+        match question.answer {
+            Answer::Choice { right, .. } => {
+                assert_eq!(holding, [right], "{place}");
+                let expected = other_words(&lesson.id, &file.at.to_string(), walk, question);
+                assert_eq!(expected.unwrap_or(right), right, "{place}");
+                decided += 1;
+            }
+            _ => assert!(question.step == said.step || holding.len() != 1, "{place}"),
+        }
+    }
+    Some(decided)
+}
+
+#[test]
+fn moved_parameters_make_no_verdict_wrong() {
+    for lesson in lessons() {
+        let parameters = lesson.parameters.iter();
+        let changes = parameters.flat_map(|&parameter| values(parameter, &lesson));
+        let decided: usize = changes.filter_map(|change| verdicts(&lesson, change)).sum();
+        let asks = |step: &super::file::StepFile| {
+            let question = step.question.as_ref();
+            question.is_some_and(|question| matches!(question.0.answer, AnswerFile::Choice(_)))
+        };
+        assert!(
+            decided > 0 || !lesson.steps.iter().any(asks),
+            "{}",
+            lesson.id
+        );
+    }
+}
+
+#[test]
+fn a_typed_limit_is_one_that_the_option_says() {
+    for lesson in lessons() {
+        let run = lesson.clone().open().unwrap();
+        for (said, step) in run.narrated.iter().zip(&lesson.steps) {
+            let (Some(question), Some(Keyed(file))) = (&said.question, &step.question) else {
+                continue;
+            };
+            let AnswerFile::Choice(options) = &file.answer else {
+                continue;
+            };
+            let fields = run.run.walk().fields(question.step);
+            for option in options {
+                for condition in &option.when.conditions {
+                    let Operand::Number(limit) = condition.value else {
+                        continue;
+                    };
+                    let whole = matches!(fields.get(&condition.field), Some(Value::Integer(_)));
+                    let said = option.text.en.contains(&limit.to_string());
+                    let place = format!("{} {}: {condition}", lesson.id, file.at);
+                    assert!(whole || limit == 0.0 || said, "{place}");
+                }
+            }
+        }
+    }
+}
