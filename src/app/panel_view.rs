@@ -10,6 +10,7 @@ use crate::language::Language;
 use crate::panels::{self, Answered, Panel, TreeView, draw};
 use crate::picture::{Ink, Tag};
 use crate::record::Value;
+use crate::vocabulary::counted;
 use egui::{Rect, Response, Sense, Ui};
 
 /// All that a panel's picture depends on, its place and highlights aside.
@@ -158,8 +159,11 @@ pub fn caption(session: &Session, panel: Panel) -> String {
     let whole = |name| match walk.is_empty() {
         true => None,
         false => match walk.fields(session.step()).get(name) {
-            Some(Value::Integer(value)) => Some(value),
-            _ => None,
+            Some(value) => match counted(name, value) {
+                Value::Integer(value) => Some(value),
+                _ => None,
+            },
+            None => None,
         },
     };
     match panel {

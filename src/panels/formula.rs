@@ -16,7 +16,7 @@ use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Style, wrap};
 use crate::record::Value;
 use crate::vocabulary::expression::{Equation, Expression, Relation, Term, evaluate};
-use crate::vocabulary::{Entry, Formula, Kind, When};
+use crate::vocabulary::{Entry, Formula, Kind, When, counted};
 pub use evaluated::{Evaluated, evaluated};
 use glam::Vec2;
 use known::Known;
@@ -183,7 +183,7 @@ fn filled(
         if let Value::Word(word) = value {
             return Some(names::word(word, language));
         }
-        let number = shown(value, 4, language);
+        let number = shown(counted(name, value), 4, language);
         // Lights have no names, only kinds.
         let thing = names::of_field(prepared, name, value, language).filter(|_| name != "light");
         Some(match thing {

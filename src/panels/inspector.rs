@@ -10,6 +10,7 @@ use crate::language::Message;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, elide};
 use crate::record::{Field, Value};
 use crate::replay::{RecordedField, Walk};
+use crate::vocabulary::counted;
 use glam::Vec2;
 
 const MARGIN: f32 = 10.0;
@@ -184,7 +185,8 @@ impl Layout {
         let prepared = input.run.prepared();
         let this_step = Message("inspector-this-step").text(input.language);
         let value = |field: Field| {
-            let value = shown(field.value, decimals, input.language);
+            let counted = counted(field.name, field.value);
+            let value = shown(counted, decimals, input.language);
             match names::of_field(prepared, field.name, field.value, input.language) {
                 Some(name) => format!("{value} · {name}"),
                 None => value,
@@ -282,8 +284,9 @@ impl Layout {
             .iter()
             .filter(|recorded| recorded.step == step)
             .map(|recorded| {
-                let value = shown(recorded.field.value, 4, input.language);
-                let name = names::field(recorded.field.name, input.language);
+                let Field { name, value } = recorded.field;
+                let value = shown(counted(name, value), 4, input.language);
+                let name = names::field(name, input.language);
                 format!("{name} = {value}")
             })
             .collect();

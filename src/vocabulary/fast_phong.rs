@@ -115,8 +115,8 @@ vocabulary! {
                 When::Is("cosine", "N_dot_L"),
                 "event-cosine-evaluated-n-dot-l",
                 &[
-                    is("c = {c′=c<<light,cosine,x_0,y,x-1} + {Δc′=dc<<light,cosine,x_0,y,x-1}"),
-                    is("dc = {Δc′=dc<<light,cosine,x_0,y,x-1} + d2c"),
+                    is("c = {c_{old}=c<<light,cosine,x_0,y,x-1} + {Δc_{old}=dc<<light,cosine,x_0,y,x-1}"),
+                    is("dc = {Δc_{old}=dc<<light,cosine,x_0,y,x-1} + d2c"),
                     is("{Δ=difference}").noted(INCREMENTAL),
                     is("error").noted(APPROXIMATE),
                     ],
@@ -124,8 +124,8 @@ vocabulary! {
             entry(
                 "event-cosine-evaluated-highlight",
                 &[
-                    is("c = {c′=c<<light,cosine,x_0,y,x-1} + {Δc′=dc<<light,cosine,x_0,y,x-1}"),
-                    is("dc = {Δc′=dc<<light,cosine,x_0,y,x-1} + d2c"),
+                    is("c = {c_{old}=c<<light,cosine,x_0,y,x-1} + {Δc_{old}=dc<<light,cosine,x_0,y,x-1}"),
+                    is("dc = {Δc_{old}=dc<<light,cosine,x_0,y,x-1} + d2c"),
                     is("{Δ=difference}").noted(INCREMENTAL),
                     is("error").noted(APPROXIMATE),
                     ],

@@ -88,7 +88,7 @@ vocabulary! {
                     is("r = |y − x|"),
                     is("term = 'w_x w_y' [cos_theta_x · cos_theta_y; π r^2]")
                         .unevaluated("the weights of the Gauss points are not recorded"),
-                    is("{A_i F_{ij}=sum} = {A_i F_{ij}′=sum<0/Pieces} + term"),
+                    is("{A_i F_{ij}=sum} = {(A_i F_{ij})_{old}=sum<0/Pieces} + term"),
                     ],
             ),
         ];
@@ -117,7 +117,7 @@ vocabulary! {
                     is("R_k"),
                     is("{|Γ_k|=Gamma_k}"),
                     is("term = ['N · Γ_k'; 2π]").unevaluated("the corner R_k+1 is recorded only by the next step"),
-                    is("F_x = {F_x′=F_x<0} + term"),
+                    is("F_x = {F_{x,old}=F_x<0} + term"),
                     ],
             ),
         ];
@@ -130,9 +130,9 @@ vocabulary! {
             entry(
                 "event-element-seen",
                 &[
-                    is("{A_i F_{ij}=sum} = {A_i F_{ij}′=sum<<0/Pieces} + w · F_x")
+                    is("{A_i F_{ij}=sum} = {(A_i F_{ij})_{old}=sum<<0/Pieces} + w · F_x")
                         .when(When::Not(&ADAPTIVE)),
-                    is("{A_i F_{ij}=sum} = 'A_i F_{ij}′' + w · F_x")
+                    is("{A_i F_{ij}=sum} = '(A_i F_{ij})_{old}' + w · F_x")
                         .when(ADAPTIVE)
                         .unevaluated("each part of the patch begins a sum of its own"),
                 ],
@@ -218,7 +218,7 @@ vocabulary! {
                 "event-hemicube-seen",
                 &[
                     is("F_x = {Σ ΔF=F_x<0}"),
-                    is("{F_{ij}=F_mean} = {F_{ij}′=F_mean<<0} + [F_x; hemicube_points]"),
+                    is("{F_{ij}=F_mean} = {F_{ij,old}=F_mean<<0} + [F_x; hemicube_points]"),
                     ],
             ),
         ];
@@ -270,7 +270,7 @@ vocabulary! {
             entry(
                 "event-form-factor-found",
                 &[
-                    is("A_i_F_ij = 'A_i F_{ij}′' · {V_{ij}=share}")
+                    is("A_i_F_ij = '(A_i F_{ij})_{old}' · {V_{ij}=share}")
                         .unevaluated("the sum over all pieces is not recorded")
                         .when(When::Recorded("share")),
                     is("F_ij = [A_i_F_ij; area_of_i]"),
@@ -289,14 +289,14 @@ const INTEGRAL: &str = "an integral";
 const ADAPTIVE: When = When::Equals("points", 0);
 const EDGES: &[Formula] = &[
     is("I = '∫∫ ln r ds dt'").unevaluated(INTEGRAL),
-    is("{A_i F_{ij}=sum} = {A_i F_{ij}′=sum<0/Pieces} + 'L^2' [e_dot_f · I; 2π]")
+    is("{A_i F_{ij}=sum} = {(A_i F_{ij})_{old}=sum<0/Pieces} + 'L^2' [e_dot_f · I; 2π]")
         .unevaluated("the extent L is not recorded"),
 ];
 const RAY: &[Formula] = &[is("x"), is("{u=direction}"), is("hits")];
 const ACROSS: &str = "{u=u_pixel} := 2 ({x=pixel_x} + 0.5) / {n=resolution} − 1";
 const ALONG: &str = "{v=v_pixel} := 2 ({y=pixel_y} + 0.5) / {n=resolution} − 1";
 const AREA: &str = "{ΔA=pixel_area} := ([2; {n=resolution}])^2";
-const SEEN: &str = "F_x = {F_x′=F_x<0} + delta_F";
+const SEEN: &str = "F_x = {F_{x,old}=F_x<0} + delta_F";
 const SIGHT: &[Formula] = &[is("{V_{ij}=share} = ['Σ K V(x, y)'; 'Σ K']")
     .unevaluated("what single lines of sight would carry is not recorded")];
 const SEEN_FROM: &[Formula] = &[is("x"), is("F_x"), is("F_visible")];

@@ -28,7 +28,7 @@ mod wireframe;
 pub use declare::Declared;
 pub use entry::{Entry, Formula, When};
 pub use kind::Kind;
-pub use quantity::{Quantity, Unit, find, quantity};
+pub use quantity::{Quantity, Unit, counted, find, quantity};
 pub use scene_value::{Given, SceneValue};
 
 /// All declared kinds, a family after another.

@@ -1,5 +1,7 @@
 //! The values that events have: how they are written in formulas, and in what they are measured.
 
+use crate::record::Value;
+
 /// A named value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Quantity {
@@ -30,6 +32,18 @@ pub const fn quantity(name: &str) -> Quantity {
         i += 1;
     }
     panic!("no quantity of this name is declared");
+}
+
+/// A recorded value as people count: the vertices of an object and the corners of a polygon from 1, as drawings number them,
+/// although events, searches and `steps` number them from 0.
+pub fn counted(name: &str, value: Value) -> Value {
+    match (name, value) {
+        (
+            "vertex" | "corner" | "upper" | "lower" | "from" | "to" | "a" | "b" | "c",
+            Value::Integer(number),
+        ) => Value::Integer(number + 1),
+        _ => value,
+    }
 }
 
 /// The quantity of that name, if there is one.
@@ -246,7 +260,7 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 218] = [
     ("solver", "solver", Unit::None),
     ("gain", "gain", Unit::None),
     ("B_i", "B_i", Unit::None),
-    ("unshot_i", "unshot i", Unit::None),
+    ("unshot_i", "unshot_i", Unit::None),
     ("k", "k", Unit::None),
     ("omega", "ω", Unit::None),
     ("alpha", "α", Unit::None),
@@ -262,7 +276,7 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 218] = [
     ("A_i", "A_i", Unit::None),
     ("F_ji", "F_{ji}", Unit::None),
     ("rho_j", "ρ_j", Unit::None),
-    ("unshot_j", "unshot j", Unit::None),
+    ("unshot_j", "unshot_j", Unit::None),
     ("residual", "residual", Unit::None),
     ("error_bound", "error bound", Unit::None),
     ("iterations", "iterations", Unit::None),

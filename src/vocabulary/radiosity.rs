@@ -99,7 +99,7 @@ vocabulary! {
                 "event-weighted-chebyshev",
                 &[
                     is("omega = [1; 1 − {μ=gain}^2 · 2 / 4]").when(SECOND),
-                    is("omega = [1; 1 − {μ=gain}^2 {ω′=omega<<k-1} / 4]").when(When::Not(&SECOND)),
+                    is("omega = [1; 1 − {μ=gain}^2 {ω_{old}=omega<<k-1} / 4]").when(When::Not(&SECOND)),
                 ],
             ),
         ];
@@ -136,7 +136,7 @@ vocabulary! {
             "sum" = sum,
         }
         [
-            entry("event-exchanged", &[is("sum = {sum′=sum<0} + F_ij · B_j")]),
+            entry("event-exchanged", &[is("sum = {sum_{old}=sum<0} + F_ij · B_j")]),
         ];
     Event { recorded: S::Gathered { i, b_new, change }, .. } => "Gathered" at "gathered"
         {
@@ -170,7 +170,7 @@ vocabulary! {
             only(
                 When::Recorded("ambient"),
                 "event-ambient-radiosity",
-                &[is("ambient = ['⟨ρ⟩ ⟨ΔB⟩'; 1 − '⟨ρ⟩']").unevaluated(ALL_PATCHES)],
+                &[is("ambient = ['⟨ρ⟩ ⟨unshot⟩'; 1 − '⟨ρ⟩']").unevaluated(ALL_PATCHES)],
             ),
         ];
     Event { recorded: S::Shooting { i, unshot, shot, a_i }, .. } => "Shooting" at "shooting" number "i" scope "scope-patch"
@@ -184,9 +184,9 @@ vocabulary! {
             only(
                 When::Recorded("ambient"),
                 "event-overshooting",
-                &[is("shot = {ΔB_i=unshot_i} + ambient"), is("A_i")],
+                &[is("shot = unshot_i + ambient"), is("A_i")],
             ),
-            entry("event-shooting", &[is("{ΔB_i=unshot_i}"), is("A_i")]),
+            entry("event-shooting", &[is("unshot_i"), is("A_i")]),
         ];
     Event { recorded: S::Received { j, f_ji, rho_j, delta, b_j, unshot_j }, .. } => "Received" at "received"
         {
@@ -202,15 +202,15 @@ vocabulary! {
                 "event-received",
                 &[
                     is("F_ji = matrix_F_ij · A_i / area_of_j"),
-                    is("{ΔRad=DeltaB} = rho_j · F_ji · {ΔB_i=shot}"),
+                    is("{ΔB_j=DeltaB} = rho_j · F_ji · shot"),
                     // The patch that shoots has its unshot light no longer.
-                    is("{ΔB_j=unshot_j} = −ambient + {ΔRad=DeltaB}")
+                    is("unshot_j = −ambient + {ΔB_j=DeltaB}")
                         .when(When::All(&[SAME, When::Recorded("ambient")])),
-                    is("{ΔB_j=unshot_j} = {ΔRad=DeltaB}")
+                    is("unshot_j = {ΔB_j=DeltaB}")
                         .when(When::All(&[SAME, When::Unrecorded("ambient")])),
-                    is("{ΔB_j=unshot_j} = {ΔB_j′=unshot_i<<i:j} + {ΔRad=DeltaB}")
+                    is("unshot_j = {unshot_{j,old}=unshot_i<<i:j} + {ΔB_j=DeltaB}")
                         .when(When::All(&[When::Not(&SAME), FIRST])),
-                    is("{ΔB_j=unshot_j} = {ΔB_j′=unshot_j<<j,k-1|unshot_i<<i:j,k-1} + {ΔRad=DeltaB}")
+                    is("unshot_j = {unshot_{j,old}=unshot_j<<j,k-1|unshot_i<<i:j,k-1} + {ΔB_j=DeltaB}")
                         .when(When::All(&[When::Not(&SAME), When::Not(&FIRST)])),
                     ],
             ),
@@ -225,9 +225,9 @@ vocabulary! {
             entry(
                 "event-shot-done",
                 &[
-                    is("B_i = {B_i′=B_i<<i} + shot").when(FIRST),
-                    is("B_i = {B_i′=B_j<<j:i,k-1|B_i<<i,k-1} + shot").when(When::Not(&FIRST)),
-                    is("{ΔB_i=unshot_i}"),
+                    is("B_i = {B_{i,old}=B_i<<i} + shot").when(FIRST),
+                    is("B_i = {B_{i,old}=B_j<<j:i,k-1|B_i<<i,k-1} + shot").when(When::Not(&FIRST)),
+                    is("unshot_i"),
                 ],
             ),
         ];

@@ -175,7 +175,7 @@ vocabulary! {
             ),
             entry(
                 "event-branch-added-transmitted",
-                &[is("{I=I_sum} = {I′=I_sum<} + k_t · {I_T=carried}")],
+                &[is("{I=I_sum} = {I_{old}=I_sum<} + k_t · {I_T=carried}")],
             ),
         ];
     Event::Returned { color } => "Returned" at "returned"

@@ -127,7 +127,7 @@ vocabulary! {
                     is(
                     "N_4 = [y_4 − y_2; y_1 − y_2] · N_1 + [y_1 − y_4; y_1 − y_2] · N_2",
                     ),
-                    is("N_4_incremental = {N_4′=N_4_incremental<<polygon,edge,y-1} + {dN_dy@edge:edge}"),
+                    is("N_4_incremental = {N_{4,old}=N_4_incremental<<polygon,edge,y-1} + {dN_dy@edge:edge}"),
                     is("{Δ=difference}").noted(INCREMENTAL),
                     ],
             ),
@@ -137,7 +137,7 @@ vocabulary! {
                     is(
                     "I_4 = [y_4 − y_2; y_1 − y_2] · I_1 + [y_1 − y_4; y_1 − y_2] · I_2",
                     ),
-                    is("I_4_incremental = {I_4′=I_4_incremental<<polygon,edge,y-1} + {dI_dy@edge:edge}"),
+                    is("I_4_incremental = {I_{4,old}=I_4_incremental<<polygon,edge,y-1} + {dI_dy@edge:edge}"),
                     is("{Δ=difference}").noted(INCREMENTAL),
                     ],
             ),
@@ -200,7 +200,7 @@ vocabulary! {
                     is(
                     "N_P = [x_5 − x_P; x_5 − x_4] · N_4 + [x_P − x_4; x_5 − x_4] · N_5",
                     ),
-                    is("N_P_incremental = {N_P′=N_P_incremental<<polygon,y,first,x-1} + [N_5 − N_4; x_5 − x_4]"),
+                    is("N_P_incremental = {N_{P,old}=N_P_incremental<<polygon,y,first,x-1} + [N_5 − N_4; x_5 − x_4]"),
                     is("{Δ=difference}").noted(INCREMENTAL),
                     ],
             ),
@@ -210,7 +210,7 @@ vocabulary! {
                     is(
                     "I_P = [x_5 − x_P; x_5 − x_4] · I_4 + [x_P − x_4; x_5 − x_4] · I_5",
                     ),
-                    is("I_P_incremental = {I_P′=I_P_incremental<<polygon,y,first,x-1} + [I_5 − I_4; x_5 − x_4]"),
+                    is("I_P_incremental = {I_{P,old}=I_P_incremental<<polygon,y,first,x-1} + [I_5 − I_4; x_5 − x_4]"),
                     is("{Δ=difference}").noted(INCREMENTAL),
                     ],
             ),

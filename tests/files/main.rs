@@ -6,4 +6,5 @@ mod broken_lessons;
 mod broken_scenes;
 mod hostile;
 mod lessons;
+mod typed_numbers;
 mod typography;

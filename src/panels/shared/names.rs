@@ -9,7 +9,7 @@ use crate::record::Value;
 use crate::replay::{Run, Walk};
 use crate::scene::Light;
 use crate::vocabulary::expression::Reference;
-use crate::vocabulary::{Kind, Quantity, find};
+use crate::vocabulary::{Kind, Quantity, counted, find};
 
 /// A word that an event records, as people read it.
 pub fn word(word: &'static str, language: Language) -> String {
@@ -152,7 +152,7 @@ pub fn scope_known_at(run: &Run, step: usize, now: usize, language: Language) ->
 /// What distinguishes a scope from others of its kind, by the declaration of the kind: a number, a word, or two numbers.
 pub fn scope_number(walk: &dyn Walk, scope: usize, language: Language) -> Option<String> {
     let own = walk.own_fields(scope);
-    let number = |&name: &&str| match own.get(name)? {
+    let number = |&name: &&str| match counted(name, own.get(name)?) {
         Value::Integer(number) => Some(number.to_string()),
         Value::Word(value) => Some(word(value, language)),
         _ => None,

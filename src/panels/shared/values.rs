@@ -6,6 +6,7 @@ use crate::language::{Language, Message};
 use crate::panels::PanelInput;
 use crate::picture::Ink;
 use crate::record::Value;
+use crate::vocabulary::counted;
 
 /// A value with at most `digits` decimals: one number for a grey colour, three for another.
 pub fn short(value: Value, digits: usize, language: Language) -> String {
@@ -109,7 +110,8 @@ pub fn step_as_sentence(input: &PanelInput) -> String {
         .iter()
         .map(|field| {
             let name = names::field(field.name, input.language);
-            format!("{name} = {}", short(field.value, 6, input.language))
+            let value = counted(field.name, field.value);
+            format!("{name} = {}", short(value, 6, input.language))
         })
         .collect();
     sentence(&step_in_words(input), &values, input.language)
