@@ -1,7 +1,7 @@
 //! The picture so far: what is drawn in full colour, what is still to come as a faint ghost, and what the step works on.
 //!
 //! Where the rays of one pixel are followed, the picture so far is that pixel: the finished picture is shown in full colour
-//! around it, so that it can be seen what the pixel is part of.
+//! around it, so that it can be seen what the pixel is part of. So it is where a run begins and ends.
 
 mod marks;
 
@@ -122,7 +122,7 @@ fn image(
     let mut bytes = vec![0; 3 * canvas.width() * canvas.height()];
     let (pixels, _) = bytes.as_chunks_mut();
     let follows_rays = matches!(input.run, Run::Rays(..));
-    let around = follows_rays && matches!(input.focus, Focus::Pixel { .. });
+    let around = follows_rays && matches!(input.focus, Focus::Pixel { .. }) || is_outermost(input);
     let mut both = iter::zip(pixels, &input.finished.picture.color).enumerate();
     let mut drawn = 0;
     // `for_each`, not `for`: the canvas hands out its tiles' rows much faster.
@@ -146,6 +146,12 @@ fn image(
     });
     let (width, height) = (canvas.width() as u32, canvas.height() as u32);
     (Image::new(width, height, bytes), drawn)
+}
+
+/// Whether the step opens or closes the frame: a run begins and ends with the picture that it is about.
+fn is_outermost(input: &PanelInput) -> bool {
+    let walk = input.run.walk();
+    !walk.is_empty() && walk.outline().depth(walk.position()) == 0
 }
 
 /// A colour of the finished picture, faint: nearer to the background than to itself.
