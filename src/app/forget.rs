@@ -1,6 +1,6 @@
 //! Asks before the progress in all lessons is forgotten.
 
-use super::session::{Command, Session};
+use super::session::{Command, Session, Sheet};
 use super::{strings, style};
 use egui::{Id, Modal};
 
@@ -19,7 +19,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
                     keep.request_focus();
                 }
                 if keep.clicked() {
-                    commands.push(Command::AskToForget);
+                    commands.push(Command::Sheet(Sheet::Forget));
                 }
                 if ui.button(session.localize(strings::FORGET_IT)).clicked() {
                     commands.push(Command::Forget);
@@ -27,6 +27,6 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
             });
         });
     if modal.should_close() && commands.is_empty() {
-        commands.push(Command::AskToForget);
+        commands.push(Command::Sheet(Sheet::Forget));
     }
 }

@@ -1,6 +1,6 @@
 //! The keys: one table, which `pressed` obeys and the sheet of keys prints.
 
-use super::session::{Command, StudyCommand};
+use super::session::{Command, Sheet, StudyCommand};
 use crate::language::Message;
 use egui::{Key, Modifiers};
 
@@ -42,7 +42,7 @@ const fn bind(
 
 use With::{Ctrl, Nothing, Shift, Sign};
 
-pub const BINDINGS: [Binding; 54] = [
+pub const BINDINGS: [Binding; 55] = [
     bind(
         Key::ArrowRight,
         Nothing,
@@ -188,6 +188,13 @@ pub const BINDINGS: [Binding; 54] = [
         "keys-look-at-what-the-pointer",
     ),
     bind(Key::H, Nothing, "h", || Command::Home, "keys-all-lessons"),
+    bind(
+        Key::O,
+        Nothing,
+        "o",
+        || Command::Sheet(Sheet::Outline),
+        "app-outline",
+    ),
     bind(
         Key::PageDown,
         Ctrl,

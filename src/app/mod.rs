@@ -3,6 +3,7 @@
 mod button;
 mod cards;
 mod drag;
+mod finished;
 mod forget;
 mod home;
 mod keeper;
@@ -13,6 +14,7 @@ mod lesson_card;
 mod main_window;
 mod narration;
 mod notice;
+mod outline;
 mod panel_view;
 mod parameter_drawer;
 mod picture_view;
@@ -31,6 +33,7 @@ mod thumbnails;
 mod top_bar;
 mod transport;
 mod tree_controls;
+mod whereabouts;
 pub mod window;
 mod window_state;
 

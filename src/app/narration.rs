@@ -6,7 +6,7 @@ use super::panel_view::Key;
 use super::prose::prose;
 use super::session::{Command, Session};
 use super::window_state::Window;
-use super::{panel_view, question_card, strings, style};
+use super::{panel_view, question_card, strings, style, whereabouts};
 use crate::panels::{Panel, formula_height, kind_name};
 use crate::picture::{Ink, Tag};
 use egui::{Frame, Margin, Rect, RichText, ScrollArea, Ui};
@@ -82,6 +82,7 @@ fn rule(session: &Session, region: Rect, ui: &Ui) {
 fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui: &mut Ui) {
     let language = session.look.language;
     let muted = style::color(session.look.theme, Ink::Muted);
+    whereabouts::show(session, commands, ui);
     if !session.follows_lesson() {
         ui.label(style::strong(panel_view::focus_words(session), 14.0));
         ui.label(RichText::new(session.localize(strings::OTHER_FOCUS)).color(muted));
@@ -114,19 +115,12 @@ fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui
         ui.label(style::strong(kind, 14.0));
     }
     ui.label(prose(session, in_words(session, window), 14.5, Ink::Text));
-    if session.follows_lesson() && session.last_narration().is_none() && !session.is_silent() {
+    if session.follows_lesson() && session.explanation().is_none() && !session.is_silent() {
         let summary = session.lesson().summary.in_language(language);
         ui.label(prose(session, summary, 14.0, Ink::Muted));
         if ui.link(session.localize(strings::NEXT_SAID)).clicked() {
             commands.push(Command::NextNarrated);
         }
-    }
-    if let Some(said) = session.last_narration() {
-        let link = strings::LAST_SAID.format(language, &[("step", &said.step.to_string())]);
-        if ui.link(RichText::new(link).size(12.0)).clicked() {
-            commands.push(Command::Seek(said.step));
-        }
-        ui.label(prose(session, said.say(language), 13.0, Ink::Muted));
     }
 }
 

@@ -7,9 +7,8 @@ use egui::{Event, Key, Popup};
 
 /// The commands of the keys pressed in this frame.
 ///
-/// Keys are the user's own while text is edited, and where a focused button waits for its space, or a slider or the page of all lessons
-/// for arrows. A key that acts closes
-/// an open menu; escape does nothing else there.
+/// Keys are the user's own while text is edited, where a focused button waits for its space, and where a slider, a sheet or the page
+/// of all lessons waits for arrows. A key that acts closes an open menu; escape does nothing else there.
 pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
     if ctx.text_edit_focused() {
         return Vec::new();
@@ -36,7 +35,7 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
         let ours = bound.filter(|binding| match binding.key {
             Key::Space => !focused,
             Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown => {
-                !on_slider && !session.look.home
+                !on_slider && !session.look.home && session.look.sheet.is_none()
             }
             Key::Escape => !menu,
             _ => true,
@@ -51,7 +50,10 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
         // Over the sheet of keys, only what closes it.
         commands
             .filter(|command| !session.look.keys || *command == Command::Keys)
-            .filter(|_| !session.look.forgetting)
+            .filter(|command| match session.look.sheet {
+                Some(sheet) => *command == Command::Sheet(sheet),
+                None => true,
+            })
             .filter_map(|command| match session.look.home {
                 true => over_page(command, Command::Home),
                 false if session.studying().is_open => {

@@ -57,6 +57,19 @@ pub const BEGIN: Message = Message("app-begin");
 pub const CONTINUE: Message = Message("app-continue");
 pub const EXPLANATIONS: Message = Message("app-explanations");
 pub const EXPLANATION_OF: Message = Message("app-explanation-of");
+pub const OUTLINE: Message = Message("app-outline");
+pub const OUTLINE_AT: Message = Message("app-outline-at");
+pub const START_AGAIN: Message = Message("app-start-again");
+pub const PREVIOUS_SAID: Message = Message("keys-explained-step-before");
+pub const FINISH: Message = Message("app-finish");
+pub const FINISHED: Message = Message("app-finished");
+pub const LEARNED: Message = Message("app-learned");
+pub const QUESTIONS_RIGHT: Message = Message("app-questions-right");
+pub const LOOK_AGAIN: Message = Message("app-look-again");
+pub const NEXT_LESSON_IS: Message = Message("app-next-lesson-is");
+pub const NOT_ANSWERED: Message = Message("app-not-answered");
+pub const ENTRY: Message = Message("app-entry");
+pub const ENTRY_ASKS: Message = Message("app-entry-asks");
 pub const SCORE: Message = Message("app-score");
 
 pub const FORGET: Message = Message("app-forget");
@@ -96,7 +109,6 @@ pub const UNSAID: Message = Message("app-unsaid");
 pub const PUT_BACK: Message = Message("app-put-back");
 
 pub const SLIDE: Message = Message("app-slide");
-pub const LAST_SAID: Message = Message("app-last-said");
 pub const NEXT_SAID: Message = Message("keys-next-explained-step");
 pub const OTHER_FOCUS: Message = Message("app-other-focus");
 pub const BACK_TO_LESSON: Message = Message("app-back-to-the-run");

@@ -2,7 +2,7 @@
 
 use super::layout::BAR;
 use super::prose::prose;
-use super::session::{Command, Session, StudyCommand};
+use super::session::{Command, Session, Sheet, StudyCommand};
 use super::{strings, style};
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Theme};
@@ -167,7 +167,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             (strings::PRESENT, Command::Present),
             (strings::SHARE, Command::Share),
             (strings::LEFT_OUT, Command::Skipped),
-            (strings::FORGET, Command::AskToForget),
+            (strings::FORGET, Command::Sheet(Sheet::Forget)),
         ] {
             let strings = session.localize(strings);
             super::button::button(

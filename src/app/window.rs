@@ -2,11 +2,11 @@
 
 use super::cards::panel_on;
 use super::layout::{GAP, Layout, TRANSPORT, Wishes, column_widths, layout};
-use super::session::{Command, Session};
+use super::session::{Command, Session, Sheet};
 use super::window_state::Window;
 use super::{
-    cards, forget, home, key_sheet, narration, notice, pressed, skipped, strings, study_view,
-    style, top_bar, transport,
+    cards, finished, forget, home, key_sheet, narration, notice, outline, pressed, skipped,
+    strings, study_view, style, top_bar, transport,
 };
 use crate::panels::{Panel, time_line_heights};
 use crate::picture::Tag;
@@ -127,8 +127,11 @@ impl Window {
         if session.look.skipped {
             skipped::show(session, &mut commands, ctx);
         }
-        if session.look.forgetting {
-            forget::show(session, &mut commands, ctx);
+        match session.look.sheet {
+            Some(Sheet::Forget) => forget::show(session, &mut commands, ctx),
+            Some(Sheet::Outline) => outline::show(session, &mut commands, ctx),
+            Some(Sheet::Finished) => finished::show(session, &mut commands, ctx),
+            None => {}
         }
         let acted = !commands.is_empty();
         for command in commands {

@@ -7,6 +7,7 @@ mod pixel;
 
 use crate::language::Language;
 pub use number::{read_number, rounded};
+use serde::{Deserialize, Serialize};
 
 /// The right answer, as it was read from the run.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +31,8 @@ pub enum Answer {
 }
 
 /// An answer that was given.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Guess {
     /// As it was typed.
     Number(String),

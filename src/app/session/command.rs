@@ -1,5 +1,6 @@
 //! What a user can ask of a session, and why it may be refused.
 
+use super::outline::Sheet;
 use crate::algorithms::focus::Focus;
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Guess};
@@ -67,8 +68,8 @@ pub enum Command {
     Force(Part),
     /// The lesson from its beginning, as it was before anything was changed or answered.
     Reset,
-    /// Asks whether the progress in all lessons shall be forgotten, or stops asking.
-    AskToForget,
+    /// Lays a sheet over the lesson, or takes it away.
+    Sheet(Sheet),
     /// Forgets the position and the answers in all lessons.
     Forget,
     /// Error against run time.

@@ -2,7 +2,7 @@
 
 use super::{Session, Standing, TEXT_SIZES};
 use crate::language::Language;
-use crate::lesson::Lesson;
+use crate::lesson::{Guess, Lesson};
 use crate::picture::Theme;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -29,7 +29,7 @@ pub struct Kept {
 }
 
 /// How far a lesson has come.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default)]
 pub struct Progress {
     pub(super) place: Place,
@@ -37,6 +37,8 @@ pub struct Progress {
     pub reached: usize,
     /// How the questions stand that were answered or skipped, by the index of the explanation that asks.
     pub answers: BTreeMap<usize, Standing>,
+    /// What was answered, one try after the other.
+    pub(super) guesses: BTreeMap<usize, Vec<Guess>>,
 }
 
 /// The index of the last explanation at or before a step, none before the first one; and how many steps lie between. So a place
@@ -110,9 +112,16 @@ impl Session {
         };
         let step = progress.place.step(&self.narrated, self.last_step());
         for (index, said) in self.open.narrated.iter().enumerate() {
-            let answered = progress.answers.get(&index);
-            if let Some(&standing) = answered.filter(|_| said.question.is_some()) {
+            let Some(question) = &said.question else {
+                continue;
+            };
+            if let Some(&standing) = progress.answers.get(&index) {
                 self.standings[index] = standing;
+            }
+            let mut guesses = progress.guesses.get(&index).cloned().unwrap_or_default();
+            guesses.retain(|guess| question.answer.judge(guess).is_ok());
+            if !guesses.is_empty() {
+                self.guesses.insert(index, guesses);
             }
         }
         self.seek(step);
@@ -129,11 +138,7 @@ impl Session {
         if lesson.number == Lesson::UNNUMBERED || narrated.is_empty() {
             return;
         }
-        let step = match self.follows_lesson() {
-            true => self.step(),
-            false => self.left_at,
-        };
-        let place = Place::of(step, &narrated);
+        let place = Place::of(self.lesson_step(), &narrated);
         let reached = place.0.map_or(0, |explanation| explanation + 1);
         let answers = self.standings.iter().copied().enumerate();
         let answers = answers.filter(|(_, standing)| *standing != Standing::Open);
@@ -143,6 +148,7 @@ impl Session {
             place,
             reached: reached.max(progress.reached).min(narrated.len()),
             answers: answers.collect(),
+            guesses: self.guesses.clone(),
         };
     }
 
@@ -153,7 +159,7 @@ impl Session {
 
     /// Forgets the progress in all lessons; this one starts again.
     pub(super) fn forget(&mut self) {
-        self.look.forgetting = false;
+        self.look.sheet = None;
         self.progress.clear();
         self.standings.fill(Standing::Open);
         self.guesses.clear();

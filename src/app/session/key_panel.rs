@@ -12,7 +12,8 @@ impl Session {
 
     /// The panel shown large. None in a lesson without panels.
     pub fn key_panel(&self) -> Option<Panel> {
-        let named = || self.last_narration().and_then(|said| said.key);
+        let said = self.explanation().map(|index| &self.open.narrated[index]);
+        let named = || said.and_then(|said| said.key);
         let panels = self.panels();
         self.chosen
             .or_else(named)

@@ -86,6 +86,10 @@ impl Session {
         there.and_then(|there| listed().get(there)).ok_or(none)
     }
 
+    pub fn next_lesson(&self) -> Option<&'static Listed> {
+        self.neighbour(Neighbour::Next).ok()
+    }
+
     pub(super) fn open_neighbour(&mut self, which: Neighbour) -> Result<(), Refused> {
         let id = self.neighbour(which)?.id.to_owned();
         self.update(Command::Open(id))
@@ -95,6 +99,7 @@ impl Session {
         self.note_progress();
         self.play = None;
         self.studying.is_open = false;
+        self.look.sheet = None;
         self.look.home = !self.look.home;
     }
 }

@@ -7,6 +7,7 @@ mod forced;
 mod kept;
 mod key_panel;
 mod lessons;
+mod outline;
 mod play;
 mod playing;
 mod preview;
@@ -22,6 +23,7 @@ mod tests;
 pub use command::{Command, PointAt, Refused, StudyCommand};
 pub use kept::{Kept, Progress};
 pub use lessons::{Listed, listed};
+pub use outline::{Entry, Sheet};
 pub use playing::Direction;
 pub use study::{Outcome, Studying};
 
@@ -56,8 +58,8 @@ pub struct Look {
     pub keys: bool,
     /// The page of all lessons, in place of the lesson.
     pub home: bool,
-    /// Whether the user is asked before progress is forgotten.
-    pub forgetting: bool,
+    /// What lies over the lesson.
+    pub sheet: Option<Sheet>,
     /// The view of what is left out.
     pub skipped: bool,
     pub drawer: Option<Drawer>,
@@ -76,7 +78,7 @@ impl Look {
             before_presenting: Theme::Light,
             keys: false,
             home: false,
-            forgetting: false,
+            sheet: None,
             skipped: false,
             drawer: None,
             smooth: false,
@@ -213,6 +215,7 @@ impl Session {
         self.recording += 1;
         self.chosen = None;
         self.filled = false;
+        self.look.sheet = None;
         let radiosity: enclosure::Settings = self.open.setup.settings.get();
         self.look.smooth = radiosity.smooth;
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
@@ -313,12 +316,6 @@ impl Session {
     /// What is said at exactly this step.
     pub fn narration_here(&self) -> Option<&Narrated> {
         self.narrated_here().map(|index| &self.open.narrated[index])
-    }
-
-    /// What was said last, at this step or before.
-    pub fn last_narration(&self) -> Option<&Narrated> {
-        let behind = self.narrated.partition_point(|&step| step <= self.step());
-        self.open.narrated.get(behind.checked_sub(1)?)
     }
 
     fn narrated_here(&self) -> Option<usize> {

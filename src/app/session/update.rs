@@ -17,6 +17,9 @@ impl Session {
             self.play = None;
             return self.go_to(target);
         }
+        if command == Command::NextNarrated {
+            return self.finish();
+        }
         match command {
             Command::Search => self.search_wanted = true,
             Command::Find(text) => return self.find(text, true),
@@ -64,6 +67,7 @@ impl Session {
                 self.start_over();
                 self.forget_lesson();
             }
+            Command::Sheet(sheet) => self.toggle_sheet(sheet),
             Command::Forget => self.forget(),
             Command::Open(id) => {
                 let builtin = builtin(&id).ok_or(strings::NO_SUCH_LESSON)?;
@@ -105,6 +109,7 @@ impl Session {
             };
         }
         let refusal = match *command {
+            Command::NextNarrated if self.question_at(self.step()) => Some(strings::ANSWER_FIRST),
             Command::Play if self.playing().is_none() => self.cannot_play(Direction::Forward),
             Command::PlayBackwards if self.playing().is_none() => {
                 self.cannot_play(Direction::Backward)
@@ -146,6 +151,7 @@ impl Session {
             Command::Into => go(moves::into, strings::AT_THE_END),
             Command::Over => go(moves::over, strings::AT_THE_END),
             Command::Out => go(moves::out, strings::NOTHING_AROUND),
+            Command::NextNarrated if self.is_last_explanation() => return Ok(None),
             Command::NextNarrated => narrated(
                 self.narrated.iter().find(|&&step| step > here),
                 strings::NOTHING_NARRATED_AHEAD,
@@ -283,7 +289,6 @@ impl Session {
             }
             Command::StopPresenting => {}
             Command::Keys => look.keys = !look.keys,
-            Command::AskToForget => look.forgetting = !look.forgetting,
             Command::Skipped => look.skipped = !look.skipped,
             Command::Smooth => look.smooth = !look.smooth,
             Command::NormalText => look.text = super::Look::new().text,

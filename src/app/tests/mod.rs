@@ -4,6 +4,7 @@ mod home;
 mod kept;
 mod keys;
 mod meanings;
+mod outline;
 mod painter;
 mod parameters;
 mod questions;

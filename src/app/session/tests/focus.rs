@@ -27,12 +27,12 @@ fn another_focus_keeps_the_place_and_the_way_back_brings_the_narration() {
         let recording = session.recording();
         go(&mut session, Command::Focus(focus));
         assert_eq!((session.focus(), place(&session)), (focus, here));
-        assert!(session.recording() > recording && session.last_narration().is_none());
+        assert!(session.recording() > recording && session.explanation().is_none());
     }
     let own = session.lesson().focus;
     go(&mut session, Command::Focus(own));
     assert_eq!((session.step(), place(&session)), (step, here));
-    assert!(session.last_narration().is_some());
+    assert!(session.explanation().is_some());
     assert_eq!(
         session.update(Command::Focus(Focus::ScanLine(9999))),
         Err(strings::OUTSIDE.into())

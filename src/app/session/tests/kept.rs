@@ -42,6 +42,22 @@ fn a_lesson_goes_on_where_it_was_left() {
     assert_eq!(again.look.zoom(), larger.look.zoom());
 }
 
+/// A second try stays one.
+#[test]
+fn the_answers_given_are_kept() {
+    let mut session = session("gouraud-triangle");
+    go(&mut session, Command::End);
+    let (question, _) = session.question().expect("a question");
+    let wrong = match &question.answer {
+        Answer::Number { .. } => Guess::Number("1e9".into()),
+        Answer::Choice { right, .. } => Guess::Choice((right + 1) % 2),
+        Answer::Pixel { x, y, .. } => Guess::Pixel { x: x + 1000, y: *y },
+        Answer::Undecided => panic!("the lesson's own values decide"),
+    };
+    go(&mut session, Command::Answer(wrong.clone()));
+    assert_eq!(reopened(&mut session).guesses(), [wrong]);
+}
+
 #[test]
 fn another_lesson_and_back_loses_nothing() {
     let mut session = session("gouraud-triangle");
@@ -89,6 +105,9 @@ fn what_makes_no_sense_here_is_passed_over() {
         place: Place(Some(usize::MAX), usize::MAX),
         reached: usize::MAX,
         answers: (0..100).map(|index| (index, Standing::Right)).collect(),
+        guesses: (0..100)
+            .map(|index| (index, vec![Guess::Choice(99)]))
+            .collect(),
     };
     kept.lessons.insert("gouraud-triangle".into(), progress);
     let mut session = session("gouraud-triangle");
@@ -100,6 +119,7 @@ fn what_makes_no_sense_here_is_passed_over() {
     let kept = session.keep();
     let progress = &kept.lessons["gouraud-triangle"];
     assert_eq!(progress.answers.len(), asked);
+    assert!(progress.guesses.is_empty());
     assert_eq!(progress.reached, session.open.narrated.len());
 }
 

@@ -1,3 +1,4 @@
+use super::super::Sheet;
 use super::*;
 
 #[test]
@@ -94,4 +95,27 @@ fn answers_are_held_against_the_run() {
         );
     }
     assert!(answered >= 3, "a lesson asks three questions or more");
+}
+
+#[test]
+fn a_lesson_ends_behind_its_last_explanation_and_not_before_a_question() {
+    let mut session = session("gouraud-triangle");
+    session.start_at(usize::MAX);
+    assert!(session.is_last_explanation());
+    go(&mut session, Command::NextNarrated);
+    assert_eq!(session.look.sheet, Some(Sheet::Finished));
+    go(&mut session, Command::Sheet(Sheet::Finished));
+    assert_eq!(session.look.sheet, None);
+    // As if the last explanation had a question.
+    let mut narrated = session.open.narrated.iter();
+    let index = narrated.position(|said| said.question.is_some());
+    let index = index.expect("a question");
+    session.narrated.truncate(index + 1);
+    session.open.narrated.truncate(index + 1);
+    session.standings[index] = Standing::Open;
+    session.seek(session.narrated[index]);
+    let refused = Err(strings::ANSWER_FIRST.into());
+    assert_eq!(session.allows(&Command::NextNarrated), refused);
+    assert_eq!(session.update(Command::NextNarrated), refused);
+    assert_eq!(session.look.sheet, None);
 }
