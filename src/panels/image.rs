@@ -274,7 +274,9 @@ mod tests {
     fn what_is_to_come_is_fainter_than_what_is_drawn() {
         let mut fixture = Fixture::triangle(Method::Gouraud);
         let size = Vec2::new(480.0, 380.0);
-        // Before anything is drawn, and once the whole run is over.
+        // Within the frame, before anything is drawn, and once the whole run is over.
+        let opening = draw(&fixture.input(), size);
+        fixture.run.walk_mut().seek(1);
         let ghost = draw(&fixture.input(), size);
         let last = fixture.run.walk().len() - 1;
         fixture.run.walk_mut().seek(last);
@@ -289,6 +291,7 @@ mod tests {
         };
         let finished = fixture.finished.picture.pixel(22, 16).to_srgb8();
         assert_eq!(color(&drawn, 22, 16), finished);
+        assert_eq!(color(&opening, 22, 16), finished);
         // A ghost is nearer to the background than to the finished colour, and not the background.
         let background = fixture.finished.picture.pixel(2, 33).to_srgb8();
         let faint = color(&ghost, 22, 16)[0];
