@@ -38,7 +38,7 @@ pub fn show(
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) {
-    page.thumbnails.bring_on(ui.ctx());
+    page.thumbnails.bring_on(&session.lesson().id, ui.ctx());
     let margin = Margin::symmetric(18, 0);
     let frame = Frame::new().inner_margin(margin);
     egui::CentralPanel::no_frame().frame(frame).show(ui, |ui| {

@@ -9,7 +9,7 @@ use egui::{Grid, Id, Modal, ScrollArea};
 /// The keys of each meaning, and the meaning.
 fn rows() -> Vec<(String, Message)> {
     let mut rows: Vec<(Vec<&str>, Message)> = Vec::new();
-    for binding in &BINDINGS {
+    for binding in BINDINGS {
         match rows.iter_mut().find(|row| row.1 == binding.strings) {
             Some((keys, _)) => keys.push(binding.shown),
             None => rows.push((vec![binding.shown], binding.strings)),

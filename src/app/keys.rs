@@ -1,48 +1,11 @@
 //! The keys: one table, which `pressed` obeys and the sheet of keys prints.
 
+use super::binding::With::{Ctrl, Nothing, Shift, Sign};
+use super::binding::{Binding, bind};
 use super::session::{Command, Sheet, StudyCommand};
-use crate::language::Message;
-use egui::{Key, Modifiers};
+use egui::Key;
 
-/// Which of the modifier keys must be held.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum With {
-    Nothing,
-    Shift,
-    Ctrl,
-    /// Nothing or shift: signs that need it on some keyboards.
-    Sign,
-}
-
-/// A key and what it does.
-pub struct Binding {
-    pub key: Key,
-    with: With,
-    pub command: fn() -> Command,
-    /// As the sheet of keys writes it.
-    pub shown: &'static str,
-    pub strings: Message,
-}
-
-const fn bind(
-    key: Key,
-    with: With,
-    shown: &'static str,
-    command: fn() -> Command,
-    text: &'static str,
-) -> Binding {
-    Binding {
-        key,
-        with,
-        command,
-        shown,
-        strings: Message(text),
-    }
-}
-
-use With::{Ctrl, Nothing, Shift, Sign};
-
-pub const BINDINGS: [Binding; 55] = [
+pub const BINDINGS: &[Binding] = &[
     bind(
         Key::ArrowRight,
         Nothing,
@@ -388,18 +351,6 @@ pub const BINDINGS: [Binding; 55] = [
     bind(Key::F1, Nothing, "F1", || Command::Keys, "keys-all-keys"),
 ];
 
-impl Binding {
-    pub fn is_pressed(&self, key: Key, held: Modifiers) -> bool {
-        let with = match self.with {
-            With::Nothing => !held.shift && !held.command,
-            With::Shift => held.shift && !held.command,
-            With::Ctrl => held.command,
-            With::Sign => !held.command,
-        };
-        self.key == key && with && !held.alt
-    }
-}
-
 /// The key of a command, for the hint on its button.
 pub fn key_of(command: &Command) -> Option<&'static str> {
     let binding = BINDINGS
@@ -411,6 +362,7 @@ pub fn key_of(command: &Command) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use egui::Modifiers;
 
     #[test]
     fn no_key_means_two_things() {

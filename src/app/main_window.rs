@@ -1,7 +1,7 @@
 //! The window on the screen: eframe's part of the app.
 
 use super::keeper::{self, Keeper};
-use super::session::{Kept, Session};
+use super::session::{Kept, Session, listed};
 use super::style;
 use super::window;
 use super::window_state::Window;
@@ -52,6 +52,8 @@ pub fn open(lesson: Option<Lesson>, step: Option<usize>) -> Result<(), String> {
             read.map_err(|error| error.to_string())?
         }
     };
+    // Read here, so that no frame waits for it.
+    listed();
     let mut session = Session::new(lesson).map_err(|error| error.to_string())?;
     kept.language = kept.language.or_else(sys_locale::get_locale);
     session.restore(kept);

@@ -1,5 +1,6 @@
 //! The window: a [`Session`] holds what is shown, [`window`] shows it, [`open`] puts it on the screen.
 
+mod binding;
 mod button;
 mod cards;
 mod drag;

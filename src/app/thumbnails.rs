@@ -48,11 +48,17 @@ impl Drop for Maker {
 }
 
 impl Thumbnails {
-    /// Takes what has been made, and lets what is missing be made.
-    pub fn bring_on(&mut self, ctx: &Context) {
+    /// Takes what has been made, and lets what is missing be made: first what stands near the lesson `here` in the list.
+    pub fn bring_on(&mut self, here: &str, ctx: &Context) {
         let maker = self.maker.get_or_insert_with(|| {
-            let missing = listed().iter().map(|listed| listed.id);
-            let missing = missing.filter(|id| !self.made.contains_key(id));
+            let ids = listed().iter().map(|listed| listed.id);
+            let at = ids.clone().position(|id| id == here).unwrap_or(0);
+            let missing = ids
+                .enumerate()
+                .filter(|(_, id)| !self.made.contains_key(id));
+            let mut missing: Vec<(usize, &'static str)> = missing.collect();
+            missing.sort_by_key(|(index, _)| index.abs_diff(at));
+            let missing = missing.into_iter().map(|(_, id)| id);
             Maker::start(missing.collect(), ctx.clone())
         });
         for Made {
