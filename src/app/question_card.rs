@@ -18,6 +18,9 @@ pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>,
     };
     let theme = session.look.theme;
     let waits = session.question_at(session.step());
+    let tried = (session.recording(), session.step(), session.guesses().len());
+    let opens = waits && window.asked != Some(tried);
+    window.asked = waits.then_some(tried);
     let (fill, line) = match waits {
         true => (Ink::WarnTint, Ink::Warn),
         false => (Ink::Surface, Ink::Rule),
@@ -27,7 +30,7 @@ pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>,
         .stroke(Stroke::new(1.0, style::color(theme, line)))
         .corner_radius(5)
         .inner_margin(Margin::symmetric(12, 10));
-    frame.show(ui, |ui| {
+    let card = frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.horizontal(|ui| {
             ui.label(style::strong(
@@ -47,18 +50,21 @@ pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>,
             Ink::Text,
         ));
         if standing == Standing::Open || question.answer == Answer::Undecided {
-            ask(session, question, window, commands, ui);
+            ask(session, question, opens, window, commands, ui);
         } else {
-            window.asked = None;
             verdict(session, question, standing, commands, ui);
         }
     });
+    if opens {
+        card.response.scroll_to_me(None);
+    }
 }
 
 /// What is asked for, and after a first wrong answer what helps.
 fn ask(
     session: &Session,
     question: &Question,
+    opens: bool,
     window: &mut Window,
     commands: &mut Vec<Command>,
     ui: &mut Ui,
@@ -72,7 +78,7 @@ fn ask(
         ui.label(prose(session, &hint, 14.0, Ink::Warn));
     }
     match &question.answer {
-        Answer::Number { .. } => number::ask(session, window, commands, ui),
+        Answer::Number { .. } => number::ask(session, opens, window, commands, ui),
         Answer::Choice { options, .. } => choice::ask(session, options, commands, ui),
         Answer::Pixel { .. } => {
             ui.label(RichText::new(session.localize(strings::CLICK_A_PIXEL)).strong());

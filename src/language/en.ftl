@@ -125,6 +125,7 @@ app-lessons-values = Put the lesson's values back
 app-answer-now = With the values set now, the answer is { $answer }.
 app-once-more = { $hint } Try once more.
 app-you-answered = Your answer was { $answer }.
+app-matrix = Matrix of form factors
 app-right = Right.
 app-wrong = Not quite.
 app-skipped = Skipped.

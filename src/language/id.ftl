@@ -125,6 +125,7 @@ app-lessons-values = Kembalikan nilai pelajaran
 app-answer-now = Dengan nilai yang diatur sekarang, jawabannya { $answer }.
 app-once-more = { $hint } Coba sekali lagi.
 app-you-answered = Jawaban Anda { $answer }.
+app-matrix = Matriks faktor bentuk
 app-right = Benar.
 app-wrong = Belum tepat.
 app-skipped = Dilewati.

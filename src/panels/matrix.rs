@@ -65,7 +65,7 @@ impl Hand {
     }
 }
 
-pub const PANEL: Properties = Properties::titled(Message("common-matrix-of-form-factors"));
+pub const PANEL: Properties = Properties::titled(Message("app-matrix"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let (setup, replay) = match input.run {

@@ -119,3 +119,19 @@ pub struct PanelInput<'a> {
     /// The pixel that was answered to the question at the step.
     pub answered: Answered,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_title_is_a_message_without_arguments() {
+        for panel in Panel::ALL {
+            for language in Language::ALL {
+                // A missing argument is a panic of the catalogue.
+                let title = panel.title().text(language);
+                assert_ne!(title, panel.title().0, "{}", panel.name());
+            }
+        }
+    }
+}

@@ -11,6 +11,7 @@ use egui::{Key, RichText, TextEdit, Ui};
 /// The field has the keyboard when the question opens, and again for the second try.
 pub(super) fn ask(
     session: &Session,
+    opens: bool,
     window: &mut Window,
     commands: &mut Vec<Command>,
     ui: &mut Ui,
@@ -20,9 +21,7 @@ pub(super) fn ask(
             .desired_width(96.0)
             .hint_text("…");
         let response = ui.add(edit);
-        let tried = (session.recording(), session.step(), session.guesses().len());
-        if window.asked != Some(tried) {
-            window.asked = Some(tried);
+        if opens {
             response.request_focus();
         }
         if response.changed() {
