@@ -2,7 +2,7 @@
 
 use super::keys;
 use super::session::{Command, Session};
-use egui::Ui;
+use egui::{Response, Ui};
 
 /// A button for a command: off, with the reason, where it cannot act; its hint names its key.
 pub(super) fn button(
@@ -12,7 +12,7 @@ pub(super) fn button(
     command: Command,
     commands: &mut Vec<Command>,
     ui: &mut Ui,
-) {
+) -> Response {
     let allowed = session.allows(&command);
     let response = ui.add_enabled(allowed.is_ok(), button);
     let enabled = allowed.is_ok();
@@ -21,8 +21,10 @@ pub(super) fn button(
         keys::key_of(&command).map_or_else(|| name.to_owned(), |key| format!("{name}  ({key})"));
     let response = response.on_hover_text(hint);
     if let Err(refused) = allowed {
-        response.on_disabled_hover_text(refused.in_language(session.look.language));
-    } else if response.clicked() {
+        return response.on_disabled_hover_text(refused.in_language(session.look.language));
+    }
+    if response.clicked() {
         commands.push(command);
     }
+    response
 }

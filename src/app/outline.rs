@@ -6,7 +6,10 @@ use super::session::{Command, Entry, Session, Sheet, Standing};
 use super::{strings, style};
 use crate::language::Message;
 use crate::picture::{Ink, plain};
-use egui::{Align2, Button, FontFamily, FontId, Id, Modal, ScrollArea, Ui, vec2};
+use egui::{
+    Align, Align2, Button, FontFamily, FontId, Id, LayerId, Modal, Order, Response, ScrollArea, Ui,
+    vec2,
+};
 
 /// Of the drawer.
 const WIDTH: f32 = 380.0;
@@ -16,6 +19,8 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
     let area = Modal::default_area(id).anchor(Align2::LEFT_TOP, vec2(10.0, 10.0));
     let frame = style::card_frame(session.look.theme);
     let close = Command::Sheet(Sheet::Outline);
+    let layer = LayerId::new(Order::Foreground, id);
+    let opens = !ctx.memory(|memory| memory.areas().visible_last_frame(&layer));
     let modal = Modal::new(id).area(area).frame(frame).show(ctx, |ui| {
         let room = ctx.content_rect().size();
         ui.set_width(WIDTH.min(room.x - 60.0));
@@ -27,7 +32,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
         ScrollArea::vertical()
             .min_scrolled_height(height)
             .max_height(height)
-            .show(ui, |ui| list(session, commands, ui));
+            .show(ui, |ui| list(session, opens, commands, ui));
         ui.separator();
         ui.horizontal(|ui| {
             for (name, command) in [
@@ -44,7 +49,8 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
     }
 }
 
-fn list(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+/// The lines; as the outline opens, the keyboard goes to the one where one is.
+fn list(session: &Session, opens: bool, commands: &mut Vec<Command>, ui: &mut Ui) {
     let entries = session.outline();
     if entries.is_empty() {
         ui.label(session.localize(strings::UNSAID));
@@ -52,7 +58,12 @@ fn list(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let at = session.explanation();
     for (index, entry) in entries.iter().enumerate() {
         let mut chosen = Vec::new();
-        line(session, index, entry, at == Some(index), &mut chosen, ui);
+        let current = at == Some(index);
+        let response = line(session, index, entry, current, &mut chosen, ui);
+        if opens && current {
+            response.request_focus();
+            response.scroll_to_me(Some(Align::Center));
+        }
         if let Some(go) = chosen.pop() {
             commands.push(Command::Sheet(Sheet::Outline));
             if !session.follows_lesson() {
@@ -71,7 +82,7 @@ pub(super) fn line(
     current: bool,
     commands: &mut Vec<Command>,
     ui: &mut Ui,
-) {
+) -> Response {
     let number = (index + 1).to_string();
     let title = entry.title.as_deref().unwrap_or("…");
     let (mark, standing, ink) = mark(entry.standing);
@@ -102,15 +113,10 @@ pub(super) fn line(
             .right_text("")
             .selected(current)
             .min_size(vec2(ui.available_width(), 0.0));
-        button(
-            session,
-            wide,
-            &name,
-            Command::Seek(entry.step),
-            commands,
-            ui,
-        );
-    });
+        let go = Command::Seek(entry.step);
+        button(session, wide, &name, go, commands, ui)
+    })
+    .inner
 }
 
 /// How a question stands, as a sign and in words.
