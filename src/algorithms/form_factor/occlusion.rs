@@ -21,20 +21,29 @@ pub struct Passing {
     pub points: u32,
 }
 
-/// The error that is aimed at, as a share of what is seen.
+/// The error that is aimed at, as a share of what is seen; and where F, seen from the smaller patch, is so small that the error stays
+/// below [`OF_SMALL`].
 const RELATIVE: f64 = 1e-3;
-/// The same where F is so small that the error stays below [`SMALL`], seen from the smaller patch.
-const RELATIVE_OF_SMALL: f64 = 4e-3;
-const SMALL: f64 = 1e-6;
+const RELATIVE_OF_SMALL: f64 = 3e-3;
+const OF_SMALL: f64 = 1e-6;
 /// The error of F that is of no account, and the one that is never allowed.
 const LEAST: f64 = 3e-8;
 const MOST: f64 = 3e-5;
+/// Many patches see next to nothing of each other: below this F, [`LEAST_OF_LEAST`] is of no account.
+const LEAST_SEEN: f64 = 4e-6;
+const LEAST_OF_LEAST: f64 = 1e-7;
 
 /// How far ∫F may be off.
 fn tolerance(visible: f64, smaller_area: f64) -> f64 {
-    let of_small = (SMALL * smaller_area).min(RELATIVE_OF_SMALL * visible);
-    let of_all = of_small.max(RELATIVE * visible).min(MOST * smaller_area);
-    of_all.max(LEAST * smaller_area)
+    let f = visible / smaller_area;
+    let of_f = match f < LEAST_SEEN {
+        true => LEAST_OF_LEAST,
+        false => {
+            let of_small = OF_SMALL.min(RELATIVE_OF_SMALL * f);
+            of_small.max(RELATIVE * f).clamp(LEAST, MOST)
+        }
+    };
+    of_f * smaller_area
 }
 
 /// The estimate that is reported, in units of the one that cells are divided by: true errors of rows reach twice that (in a Cornell box of 236

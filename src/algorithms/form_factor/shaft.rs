@@ -24,6 +24,7 @@ pub struct Shaft<'a> {
 }
 
 const MOST_CORNERS: usize = 16;
+const MOST_CROSSINGS: usize = MOST_CORNERS * (MOST_CORNERS - 1) / 2;
 
 impl<'a> Shaft<'a> {
     pub fn of(i: &'a [DVec3], j: &'a [DVec3]) -> Self {
@@ -67,21 +68,30 @@ impl<'a> Shaft<'a> {
         // Where the plane parts the two, the shaft crosses it in the hull of the crossings from each corner of i to each of j.
         let parted = |a: usize, b: usize| lowest[a] > slack && highest[b] < -slack;
         let is_parted = parted(0, 1) || parted(1, 0);
-        const MOST_EDGES: usize = 16;
-        if face.inward.len() > MOST_EDGES {
-            return Sight::Unclear;
+        match count {
+            ..=8 => self.at_plane::<28>(&corners[..count], face, is_parted, slack),
+            _ => self.at_plane::<MOST_CROSSINGS>(&corners[..count], face, is_parted, slack),
         }
-        let mut reach = [f64::NEG_INFINITY; MOST_EDGES];
-        let mut is_within = is_parted;
-        for (k, &(a, height_a)) in corners[..count].iter().enumerate() {
-            let others = if is_parted {
-                of_i.len()..count
-            } else {
-                k + 1..count
+    }
+
+    /// The same by `corners` and their heights above the plane of the face, of which no more than `N` pairs have it between them.
+    fn at_plane<const N: usize>(
+        &self,
+        corners: &[(DVec3, f64)],
+        face: &Face,
+        is_parted: bool,
+        slack: f64,
+    ) -> Sight {
+        let (first, count) = (self.of[0].len(), corners.len());
+        // Where lines from corner to corner cross the plane, by axis.
+        let mut crossings = [[0.0; N]; 3];
+        let mut met = 0;
+        for (k, &(a, height_a)) in corners.iter().enumerate() {
+            let others = match is_parted {
+                true if k >= first => break,
+                true => first..count,
+                false => k + 1..count,
             };
-            if is_parted && k >= of_i.len() {
-                break;
-            }
             for &(b, height_b) in &corners[others] {
                 if (height_a > 0.0) == (height_b > 0.0) && height_a != 0.0 && height_b != 0.0 {
                     continue;
@@ -89,24 +99,30 @@ impl<'a> Shaft<'a> {
                 let rise = height_b - height_a;
                 let share = if rise == 0.0 { 0.0 } else { -height_a / rise };
                 let crossing = a + share * (b - a);
-                for (k, (&inward, &corner)) in
-                    face.inward.iter().zip(&face.outline.corners).enumerate()
-                {
-                    let depth = inward.dot(crossing - corner);
-                    reach[k] = reach[k].max(depth);
-                    is_within &= depth >= -slack;
+                for axis in 0..3 {
+                    crossings[axis][met] = crossing[axis];
                 }
+                met += 1;
             }
         }
-        if reach[..face.inward.len()]
-            .iter()
-            .any(|&depth| depth <= slack)
-        {
-            Sight::Free
-        } else if is_within {
-            Sight::Hidden
-        } else {
-            Sight::Unclear
+        let mut is_within = is_parted;
+        let [xs, ys, zs] = crossings.each_ref().map(|axis| &axis[..met]);
+        for (inward, corner) in face.inward.iter().zip(&face.outline.corners) {
+            let of_corner = inward.dot(*corner);
+            let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+            for ((x, y), z) in xs.iter().zip(ys).zip(zs) {
+                let depth = inward.x * x + inward.y * y + inward.z * z - of_corner;
+                least = if depth < least { depth } else { least };
+                most = if depth > most { depth } else { most };
+            }
+            if most <= slack {
+                return Sight::Free;
+            }
+            is_within &= least >= -slack;
+        }
+        match is_within {
+            true => Sight::Hidden,
+            false => Sight::Unclear,
         }
     }
 }

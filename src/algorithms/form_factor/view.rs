@@ -83,8 +83,12 @@ impl Side {
     /// The lowest and the highest corner.
     fn heights(&self, corners: &[DVec3]) -> [f64; 2] {
         let heights = corners.iter().map(|&corner| self.normal.dot(corner));
+        // Comparisons, since `min` and `max` take longer for the sake of NaN.
         heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| {
-            [low.min(height), high.max(height)]
+            [
+                if height < low { height } else { low },
+                if height > high { height } else { high },
+            ]
         })
     }
 }
@@ -176,7 +180,12 @@ impl View {
                     true => corner.cross(before),
                     false => before.cross(corner),
                 };
-                let slack = slack * (reach * length.max(length_before) + length * length_before);
+                let longer = if length > length_before {
+                    length
+                } else {
+                    length_before
+                };
+                let slack = slack * (reach * longer + length * length_before);
                 let side = Side { normal, slack };
                 let [lowest, highest] = side.heights(&parts.corners);
                 is_outside = highest <= slack && lowest < -slack;
@@ -305,7 +314,7 @@ fn clip(corners: &[DVec3], part: &mut Vec<DVec3>, height: impl Fn(DVec3) -> f64,
     let mut highest = f64::NEG_INFINITY;
     for &corner in corners {
         let height = height(corner);
-        highest = highest.max(height);
+        highest = if height > highest { height } else { highest };
         // A corner within the slack lies in the plane, and belongs to both sides.
         if (height_before < -slack && height > slack) || (height_before > slack && height < -slack)
         {

@@ -6,6 +6,7 @@ mod ends;
 mod occluded;
 mod pairs;
 mod scenes;
+mod strings;
 
 use super::hemicube::Hemicubes;
 use super::*;
