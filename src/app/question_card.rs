@@ -19,8 +19,9 @@ pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>,
     let theme = session.look.theme;
     let waits = session.question_at(session.step());
     let tried = (session.recording(), session.step(), session.guesses().len());
-    let opens = waits && window.asked != Some(tried);
-    window.asked = waits.then_some(tried);
+    let here = |asked: (u64, usize, usize)| (asked.0, asked.1) == (tried.0, tried.1);
+    let opens = window.asked != Some(tried) && (waits || window.asked.is_some_and(here));
+    window.asked = Some(tried);
     let (fill, line) = match waits {
         true => (Ink::WarnTint, Ink::Warn),
         false => (Ink::Surface, Ink::Rule),

@@ -18,7 +18,7 @@ pub struct Window {
     pub(super) answer: String,
     /// Whether the answer was given, and is no number.
     pub(super) misread: bool,
-    /// The recording, step and number of answers for which the question that waits was brought into view.
+    /// The recording, step and number of answers for which the question was brought into view.
     pub(super) asked: Option<(u64, usize, usize)>,
     pub(super) search: String,
     /// Why the last command was refused, or what it did, until the next one.

@@ -16,6 +16,7 @@ pub(super) fn ask(
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) {
+    let mut pressed = false;
     ui.horizontal_wrapped(|ui| {
         let edit = TextEdit::singleline(&mut window.answer)
             .desired_width(96.0)
@@ -36,11 +37,9 @@ pub(super) fn ask(
             ..egui::WidgetInfo::text_edit(true, "", &text, "")
         });
         let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-        if ui
-            .add(primary(session, session.localize(strings::CHECK)))
-            .clicked()
-            || entered
-        {
+        let check = ui.add(primary(session, session.localize(strings::CHECK)));
+        pressed = check.clicked() || entered;
+        if pressed {
             window.misread = read_number(&window.answer).is_none();
             if window.misread {
                 // What is typed next must correct the answer, not act as keys.
@@ -52,6 +51,10 @@ pub(super) fn ask(
     });
     if window.misread {
         let ink = style::color(session.look.theme, Ink::Bad);
-        ui.label(RichText::new(session.localize(strings::NOT_A_NUMBER)).color(ink));
+        let text = RichText::new(session.localize(strings::NOT_A_NUMBER));
+        let label = ui.label(text.color(ink));
+        if pressed {
+            label.scroll_to_me(None);
+        }
     }
 }

@@ -5,6 +5,7 @@ use super::{Hand, Layout};
 use crate::algorithms::radiosity::SolverEvent;
 use crate::figure::{color_strip, elided, joined, viridis};
 use crate::language::power_of_ten;
+use crate::panels::horizon::after_your_answer;
 use crate::picture::{Ink, Paint, Picture, Rect, Style, Tag, elide};
 use std::ops::Range;
 
@@ -126,6 +127,9 @@ fn map(picture: &mut Picture, layout: &Layout, grid: &Grid) {
     picture.rect(grid.area, Ink::Background);
     picture.image(grid.area, grid.image());
     picture.rect(grid.area.grown(1.0), Ink::Rule.stroke(1.0));
+    if grid.is_mostly_hidden() {
+        after_your_answer(picture, grid.area, layout.language);
+    }
     let unseen = Ink::Surface.fill().opacity(0.0);
     let n = layout.n;
     if grid.cell() >= LEAST_CELL && n <= MOST_CELLS {

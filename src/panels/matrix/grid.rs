@@ -87,6 +87,12 @@ impl Grid {
         [first.clamp(last - DECADES, last - 1), last]
     }
 
+    /// Whether most of it is hidden.
+    pub fn is_mostly_hidden(&self) -> bool {
+        let hidden = self.values.iter().filter(|value| value.is_nan()).count();
+        2 * hidden > self.values.len()
+    }
+
     /// One pixel a cell; where it is 0, nothing, and where it is hidden, a pattern.
     pub fn image(&self) -> Image {
         let [first, last] = self.decades().map(f64::from);
