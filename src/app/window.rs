@@ -46,6 +46,8 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     }
     let whole = ui.max_rect();
     let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(whole));
+    let between_cards = ui.visuals().panel_fill;
+    ui.painter().rect_filled(whole, 0.0, between_cards);
     let under_pointer = if session.is_filled() {
         let filled = Layout::filled(whole.size());
         let filled = filled.shifted(whole.min.to_vec2());
