@@ -145,6 +145,16 @@ pub fn spreads(a: &Polygon, b: &Polygon, blockers: &[Blocker]) -> [f64; 2] {
     spreads
 }
 
+/// The most blockers that lie in one plane.
+pub fn most_in_a_plane(blockers: &[Blocker], slack: f64) -> usize {
+    let in_plane = |plane: &Blocker| {
+        let height = |at: &DVec3| plane.normal.dot(*at - plane.corners[0]).abs();
+        let lies = |other: &&Blocker| other.corners.iter().all(|at| height(at) <= slack);
+        blockers.iter().filter(lies).count()
+    };
+    blockers.iter().map(in_plane).max().unwrap_or(0)
+}
+
 /// Above so many parts a receiver is not divided further.
 const MOST_PARTS: usize = 16;
 

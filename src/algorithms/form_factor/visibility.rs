@@ -351,7 +351,10 @@ impl Blockers {
             true => (a, b, spreads[0]),
             false => (b, a, spreads[1]),
         };
-        let grid = (1.0 / spread).clamp(1.0, 6.0).ceil() as u32;
+        // Through the gaps of a grating, what is seen jumps about as often as there are bars.
+        let bars = shaft::most_in_a_plane(blockers, self.slack);
+        let cells = if bars > 2 { bars as f64 } else { 1.0 };
+        let grid = (1.0 / spread).max(cells).clamp(1.0, 6.0).ceil() as u32;
         let parts = shaft::divided(receiver, blockers, self.slack);
         occlusion::passing(&parts, &source, blockers, grid, self.slack, recorder)
     }
