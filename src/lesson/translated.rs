@@ -9,13 +9,13 @@ use crate::picture::{Picture, Shape};
 use glam::Vec2;
 use std::collections::BTreeSet;
 
-/// Functions of mathematics, Greek letters by their names, what is abbreviated the same everywhere, and names of the literature.
-const SYMBOLS: &str =
-    "alpha beta delta DeltaB eta Gamma omega rho theta arccos cos max min sin NearestT Rad SOR TIR";
+/// Functions of mathematics, Greek letters by their names, what is abbreviated the same everywhere, names of the literature, and
+/// the symbols of unshot radiosity and of a value before a step, which are the same in formulas and pseudocode.
+const SYMBOLS: &str = "alpha beta delta DeltaB eta Gamma omega rho theta arccos cos max min sin NearestT SOR TIR old unshot";
 
 /// Functions and variables of the pseudocode, as it has them in every language, and subscripts, which are texts of their own there.
 const PSEUDOCODE: &str = "NearestObject areaToArea blocked contour elementToPolygon formFactor hemicube illumination level \
-    monteCarlo pixel table trace visible att light sum unshot";
+    monteCarlo pixel table trace visible att light sum";
 
 /// What stands outside of the marks, without subscripts. A message that is broken into lines goes on in the next text.
 fn outside<'a>(texts: impl Iterator<Item = &'a str>) -> String {
