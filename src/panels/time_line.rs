@@ -98,11 +98,16 @@ impl Row {
             let current = self.is_current(bar);
             let rect = self.bar(bar);
             let scope = bar.steps.start;
-            let ink = if current { Ink::LinkedTint } else { Ink::Faint };
+            let ink = if current { Ink::Linked } else { Ink::Faint };
+            let paint = if rect.width > 4.0 {
+                ink.fill().outlined(Ink::Rule.stroke(1.0))
+            } else {
+                ink.into()
+            };
             let tag = if bar.several { Tag::Step } else { Tag::Scope };
             picture.tagged(tag(scope), |picture| {
                 let radius = if rect.width > 8.0 { 3.0 } else { 0.0 };
-                picture.rounded_rect(rect, radius, ink);
+                picture.rounded_rect(rect, radius, paint);
             });
             if bar.several {
                 continue;
@@ -228,7 +233,7 @@ fn names(input: &PanelInput, scope: usize) -> Vec<String> {
 /// The first of the names that fits into a bar, beside the cursor where there is room. Returns whether one does.
 fn label(picture: &mut Picture, rect: Rect, names: Vec<String>, cursor: Option<f32>) -> bool {
     let style = if cursor.is_some() {
-        Style::Bold.size(TEXT)
+        Style::Bold.size(TEXT).ink(Ink::Surface)
     } else {
         Style::Body.size(TEXT).ink(Ink::Muted)
     };
@@ -309,6 +314,8 @@ fn cursor(picture: &mut Picture, whole: &Span, rows: &[Row], position: usize, y:
         }
     }
     picture.tagged(Tag::Step(position), |picture| {
+        // It crosses the current bars.
+        picture.polyline(points.clone(), Ink::Surface.stroke(5.0));
         picture.polyline(points, Ink::This.stroke(2.0));
         let top = y - 0.5 * TRACK - 1.0;
         let head = [(x - 7.0, top), (x + 7.0, top), (x, y + 1.0)];

@@ -19,7 +19,7 @@ const TABLE: [(Ink, [u32; 3]); 14] = [
     (Ink::Text, [0x1b1b1b, 0xececea, 0x000000]),
     (Ink::Muted, [0x696969, 0xa5abae, 0x3a3a3a]),
     (Ink::Faint, [0xe9ecee, 0x2f373c, 0xdadfe2]),
-    (Ink::Rule, [0xd4d4d0, 0x465058, 0x8a8a8a]),
+    (Ink::Rule, [0x8f8f8c, 0x656d74, 0x8a8a8a]),
     (Ink::This, [0xc45500, 0xff9a4d, 0xb34700]),
     (Ink::ThisTint, [0xfff1e5, 0x40301f, 0xffe3cc]),
     (Ink::Linked, [0x0072b2, 0x56b4e9, 0x005a94]),
@@ -31,9 +31,15 @@ const TABLE: [(Ink, [u32; 3]); 14] = [
 ];
 
 /// Okabe & Ito's colours for categories (2008), in an order that keeps the accent's neighbour for last and starts with the
-/// darkest; their black is the theme's text.
-const SERIES: [u32; 7] = [
-    0x0072b2, 0xe69f00, 0x009e73, 0xcc79a7, 0x56b4e9, 0xd55e00, 0xf0e442,
+/// darkest; their black is the theme's text. On a light ground the lighter ones are darkened until they stand out from it by 3.
+const SERIES: [[u32; 2]; 7] = [
+    [0x0072b2, 0x0072b2],
+    [0xbe8300, 0xe69f00],
+    [0x009e73, 0x009e73],
+    [0xc675a2, 0xcc79a7],
+    [0x4897c3, 0x56b4e9],
+    [0xd55e00, 0xd55e00],
+    [0x99912a, 0xf0e442],
 ];
 
 impl Theme {
@@ -53,7 +59,7 @@ impl Theme {
         match ink {
             Ink::Rgb(rgb) => rgb.to_srgb8(),
             Ink::Series(n) => match usize::from(n) % (SERIES.len() + 1) {
-                n if n < SERIES.len() => bytes(SERIES[n]),
+                n if n < SERIES.len() => bytes(SERIES[n][usize::from(self == Theme::Dark)]),
                 _ => self.color(Ink::Text),
             },
             ink => TABLE
@@ -90,6 +96,24 @@ mod tests {
         };
         let (a, b) = (luminance(ink) + 0.05, luminance(on) + 0.05);
         (a / b).max(b / a)
+    }
+
+    /// WCAG 2.1, success criterion 1.4.11.
+    #[test]
+    fn lines_series_borders_and_bars_stand_out_by_three() {
+        let series = (0..=SERIES.len()).map(|n| Ink::Series(n as u8));
+        let lines = [Ink::Rule, Ink::This, Ink::Linked, Ink::Good, Ink::Bad, Ink::Warn];
+        for theme in Theme::ALL {
+            for ink in series.clone().chain(lines) {
+                for ground in [Ink::Surface, Ink::Background] {
+                    let contrast = contrast(theme, ink, ground);
+                    assert!(contrast >= 3.0, "{theme:?} {ink:?} on {ground:?}: {contrast}");
+                }
+            }
+            // The current bar of the time line beside others, and the name on it.
+            assert!(contrast(theme, Ink::Linked, Ink::Faint) >= 3.0, "{theme:?}");
+            assert!(contrast(theme, Ink::Surface, Ink::Linked) >= 4.5, "{theme:?}");
+        }
     }
 
     #[test]
