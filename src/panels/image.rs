@@ -49,7 +49,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let zoom = zoom(Vec2::new(width as f32, height as f32), area);
     let extent = Vec2::new(width as f32, height as f32) * zoom as f32;
     // On whole points, so that pixels are equally large on every screen.
-    let origin = (0.5 * (Vec2::new(area.width, area.height) - extent)).floor();
+    let origin = origin(Vec2::new(area.width, area.height), extent);
     let frame = Rect::between(origin, origin + extent);
     let fit = Fit::at_origin(origin, zoom);
 
@@ -85,7 +85,7 @@ fn finished(input: &PanelInput, size: Vec2) -> Picture {
     }
     let zoom = zoom(Vec2::new(width as f32, height as f32), area);
     let extent = Vec2::new(width as f32, height as f32) * zoom as f32;
-    let origin = (0.5 * (size - extent)).floor();
+    let origin = origin(size, extent);
     let frame = Rect::between(origin, origin + extent);
     let hidden = input.hidden_pixels(&input.finished.picture);
     let bytes = srgb_bytes(&input.finished.picture, hidden.as_deref());
@@ -97,6 +97,12 @@ fn finished(input: &PanelInput, size: Vec2) -> Picture {
     let focus = focus(input.focus, input.language);
     picture.alt = sentence(&step_in_words(input), &[focus], input.language);
     picture
+}
+
+/// Where a picture of that extent begins that stands in the middle of `room`.
+fn origin(room: Vec2, extent: Vec2) -> Vec2 {
+    // Rounding may have made it a little larger than its room.
+    (0.5 * (room - extent)).floor().max(Vec2::ZERO)
 }
 
 /// Points a pixel: the largest whole number that fits; where it is small, as many as fit, since pixels that differ by one

@@ -3,6 +3,7 @@
 mod home;
 mod kept;
 mod keys;
+mod layout;
 mod meanings;
 mod outline;
 mod painter;

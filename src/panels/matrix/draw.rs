@@ -173,7 +173,7 @@ fn objects_left(
         };
         let place = Rect::new(
             x - left + BRACKET,
-            0.5 * (from + to) - 0.5 * LINE,
+            (0.5 * (from + to) - 0.5 * LINE).min(grid.area.bottom() + 3.0 - LINE),
             left - BRACKET - 4.0,
             LINE,
         );

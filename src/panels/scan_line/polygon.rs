@@ -175,8 +175,12 @@ impl Drawing<'_> {
     }
 
     fn draw_corners(&mut self, picture: &mut Picture) {
-        for (number, corner) in self.corners.iter().enumerate() {
-            let place = self.fit.place(corner.place);
+        let places = self.discs();
+        for (number, (corner, place)) in self.corners.iter().zip(places).enumerate() {
+            let true_place = self.fit.place(corner.place);
+            if place != true_place {
+                picture.line(true_place, place, Ink::Muted.stroke(1.0));
+            }
             let ring = if corner.current {
                 Ink::This.stroke(3.0)
             } else {
@@ -198,6 +202,22 @@ impl Drawing<'_> {
                 picture.text_in(inside, (number + 1).to_string(), set);
             });
         }
+    }
+
+    /// The places of the corners' discs: those of the corners, but beside an earlier disc where it would be covered.
+    fn discs(&self) -> Vec<Vec2> {
+        let mut discs: Vec<Vec2> = Vec::new();
+        for corner in &self.corners {
+            let mut place = self.fit.place(corner.place);
+            let covered = |place: Vec2| discs.iter().any(|&disc| disc.distance(place) < CORNER);
+            for _ in 0..discs.len() {
+                if covered(place) {
+                    place.x += 2.0 * CORNER;
+                }
+            }
+            discs.push(place);
+        }
+        discs
     }
 
     /// Where the scan line cuts the edges, and the current pixel, with the values there.
@@ -317,8 +337,9 @@ impl Drawing<'_> {
         let edge = self.state.edge.and_then(|edge| self.state.edges.get(edge));
         let is = |end: Option<u32>, number: usize| end.map(|end| end as usize) == Some(number);
         let middle = self.middle();
+        let places = self.discs();
         let corners = std::mem::take(&mut self.corners);
-        for (number, corner) in corners.iter().enumerate() {
+        for (number, (corner, place)) in corners.iter().zip(places).enumerate() {
             let name = if is(edge.map(|edge| edge.upper), number) {
                 names.upper
             } else if is(edge.map(|edge| edge.lower), number) {
@@ -327,7 +348,6 @@ impl Drawing<'_> {
                 names.corner
             };
             let set = if corner.current { this() } else { plain() };
-            let place = self.fit.place(corner.place);
             let away = (corner.place - middle).as_vec2();
             match corner.value {
                 Some(_) => self.label(picture, (place, CORNER), away, name, corner.value, set),

@@ -1,0 +1,130 @@
+//! What must hold of the window's layout at every explanation of every lesson, seen on the display lists of its panels.
+
+use super::*;
+use crate::app::layout::{self, Wishes};
+use crate::lesson::builtins;
+use crate::panels::fixtures::{illegible, texts};
+use crate::panels::{formula_height, time_line_heights};
+use crate::picture::{Picture, Shape};
+use glam::Vec2;
+
+/// Pixels of usual screens.
+const SCREENS: [[f32; 2]; 3] = [[1280.0, 800.0], [1366.0, 768.0], [1920.0, 1080.0]];
+/// As the cards leave it around their pictures.
+const MARGIN: f32 = 4.0;
+/// What panels beside the key panel are laid out for at least.
+const SMALL: Vec2 = Vec2::new(260.0, 180.0);
+
+/// The room inside a card below its title.
+fn inside(card: egui::Rect) -> Vec2 {
+    Vec2::new(
+        card.width() - 2.0 * MARGIN,
+        card.height() - MARGIN - layout::TITLE,
+    )
+    .floor()
+}
+
+/// Draws a panel, and writes down what cannot be read in it.
+fn drawn(session: &Session, panel: Panel, size: Vec2, faults: &mut Vec<String>) -> Picture {
+    let picture = draw(panel, &session.panel_input(), size);
+    let found = illegible(&picture).into_iter();
+    faults.extend(found.map(|fault| format!("{} at {size}: {fault}", panel.name())));
+    picture
+}
+
+/// Checks the window at the session's step on a screen of that many pixels.
+fn check(session: &Session, screen: [f32; 2], faults: &mut Vec<String>) {
+    let zoom = session.look.zoom();
+    let window = egui::Vec2::from(screen) / zoom;
+    let key = session.key_panel().expect("a lesson has panels");
+    let others = session.other_panels();
+    let placed = layout::layout(
+        window,
+        Wishes {
+            column: None,
+            time_line: *time_line_heights(session.walk()).start(),
+            others: others.len(),
+            drawer: false,
+        },
+    );
+    let share = placed.key.area() / (window.x * window.y);
+    if share < 0.45 {
+        faults.push(format!("the key panel has {share} of the window"));
+    }
+    let picture = drawn(session, key, inside(placed.key), faults);
+    if key == Panel::Image {
+        let widths = picture.items.iter().filter_map(|item| match &item.shape {
+            Shape::Image { rect, .. } => Some(rect.width * zoom),
+            _ => None,
+        });
+        let widest = widths.fold(0.0, f32::max);
+        if widest < 400.0 {
+            faults.push(format!("a picture {widest} pixels wide"));
+        }
+    }
+    for (&panel, card) in others.iter().zip(&placed.side) {
+        let room = inside(*card);
+        let zoom = (room / SMALL).min_element().min(1.0);
+        drawn(session, panel, room / zoom, faults);
+    }
+
+    let width = placed.column.width() - 2.0 * MARGIN;
+    let least = formula_height(&session.panel_input(), width);
+    for said in [0.0, f32::INFINITY] {
+        let column = layout::column(placed.column, said, least + 2.0 * MARGIN + 1.0);
+        let room = |region: egui::Rect| Vec2::new(width, region.height() - 2.0 * MARGIN).floor();
+        let code = drawn(session, Panel::Code, room(column.code), faults);
+        let current = code.items.iter().any(
+            |item| matches!(item.shape, Shape::Rect { paint, .. } if paint == Ink::ThisTint.into()),
+        );
+        if !current {
+            faults.push("no current line".into());
+        }
+        let formula = drawn(session, Panel::Formula, room(column.formula), faults);
+        if room(column.formula).y < least.floor() || texts(&formula).is_empty() {
+            faults.push(format!("the formula needs {least}"));
+        }
+    }
+}
+
+fn check_lessons(numbers: std::ops::Range<usize>) {
+    let mut all = Vec::new();
+    for builtin in &builtins()[numbers] {
+        let lesson = builtin.read().expect("a right lesson");
+        let mut session = Session::new(lesson).expect("a lesson that resolves");
+        session.wait_for_picture();
+        session.update(Command::Questions).expect("no questions");
+        for step in session.panel_input().narrated.to_vec() {
+            session.update(Command::Seek(step)).expect("a step");
+            for theme in [Theme::Light, Theme::Projector] {
+                session.look.theme = theme;
+                for language in Language::ALL {
+                    session.look.language = language;
+                    for screen in SCREENS {
+                        let mut faults = Vec::new();
+                        check(&session, screen, &mut faults);
+                        let place =
+                            format!("{} step {step} {theme:?} {}", builtin.id, language.code());
+                        all.extend(faults.into_iter().map(|fault| format!("{place}: {fault}")));
+                    }
+                }
+            }
+        }
+    }
+    assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
+}
+
+#[test]
+fn the_panels_of_shading_lessons_can_be_read_at_every_explanation() {
+    check_lessons(0..10);
+}
+
+#[test]
+fn the_panels_of_lessons_on_rays_can_be_read_at_every_explanation() {
+    check_lessons(10..17);
+}
+
+#[test]
+fn the_panels_of_lessons_on_radiosity_and_studies_can_be_read_at_every_explanation() {
+    check_lessons(17..28);
+}
