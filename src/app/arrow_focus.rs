@@ -1,15 +1,18 @@
-//! Whether a slider has the focus: the arrows then move it, and not through the run.
+//! Whether what has the focus takes the arrows itself: a slider, or a picture with its crosshair. They then do not walk through the run.
 
 use egui::{Context, Id};
 
 fn id() -> Id {
-    Id::unique("a slider has the focus")
+    Id::unique("the arrows belong to what has the focus")
 }
 
-pub fn set(has_focus: bool, ctx: &Context) {
-    ctx.data_mut(|data| data.insert_temp(id(), has_focus));
+/// What has the focus says so in every frame.
+pub fn claim(ctx: &Context) {
+    ctx.data_mut(|data| data.insert_temp(id(), true));
 }
 
-pub fn get(ctx: &Context) -> bool {
-    ctx.data(|data| data.get_temp(id())).unwrap_or(false)
+/// Whether the arrows were claimed since this was asked last.
+pub fn take(ctx: &Context) -> bool {
+    ctx.data_mut(|data| data.remove_temp::<bool>(id()))
+        .unwrap_or(false)
 }

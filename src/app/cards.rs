@@ -2,9 +2,9 @@
 
 use super::button::button;
 use super::layout::{Layout, TITLE};
-use super::panel_view::{self, PanelView};
+use super::panel_view::{self, PanelView, Scale};
 use super::session::{Command, Drawer, Session};
-use super::{drag, parameter_drawer, strings, style, tree_controls};
+use super::{drag, parameter_drawer, results_drawer, strings, style, tree_controls};
 use crate::panels::{Panel, step_at};
 use crate::picture::{Ink, Tag};
 use egui::{Button, Rect, RichText, Sense, Ui};
@@ -111,7 +111,7 @@ fn small_card(
     style::card(session.look.theme, rect, ui);
     name_button(session, panel, commands, &mut title_row(rect, ui));
     let view = views.entry(panel).or_default();
-    let (response, under) = view.show(session, panel, inside(rect), true, ui);
+    let (response, under) = view.show(session, panel, inside(rect), Scale::Small, ui);
     if response.double_clicked() {
         commands.push(Command::Key(panel));
     } else if response.clicked() {
@@ -187,6 +187,7 @@ fn show_drawer(
     let (title, command) = match drawer {
         Drawer::Inspector => (strings::INSPECTOR, Command::Inspector),
         Drawer::Parameters => (strings::PARAMETERS, Command::Parameters),
+        Drawer::Results => (strings::RESULTS, Command::Results),
     };
     row.label(style::strong(session.localize(title), 14.0));
     row.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
@@ -203,6 +204,10 @@ fn show_drawer(
     match drawer {
         Drawer::Parameters => {
             parameter_drawer::show(session, commands, inside(rect), ui);
+            None
+        }
+        Drawer::Results => {
+            results_drawer::show(session, commands, inside(rect), ui);
             None
         }
         Drawer::Inspector => {
@@ -230,7 +235,7 @@ pub fn panel_on(
     rect: Rect,
     ui: &mut Ui,
 ) -> Shown {
-    let (response, under) = view.show(session, panel, rect, false, ui);
+    let (response, under) = view.show(session, panel, rect, Scale::Full, ui);
     let mut command = None;
     if response.clicked() {
         let held = ui.input(|input| input.modifiers);

@@ -335,6 +335,13 @@ pub const BINDINGS: &[Binding] = &[
         "keys-skip-the-question",
     ),
     bind(
+        Key::A,
+        Nothing,
+        "a",
+        || Command::Skip,
+        "keys-show-the-answer",
+    ),
+    bind(
         Key::E,
         Nothing,
         "e",

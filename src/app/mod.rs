@@ -1,8 +1,10 @@
 //! The window: a [`Session`] holds what is shown, [`window`] shows it, [`open`] puts it on the screen.
 
+mod arrow_focus;
 mod binding;
 mod button;
 mod cards;
+mod crosshair;
 mod drag;
 mod finished;
 mod forget;
@@ -19,12 +21,13 @@ mod outline;
 mod panel_view;
 mod parameter_drawer;
 mod picture_view;
+mod presentation;
 mod pressed;
 mod prose;
 mod question_card;
+mod results_drawer;
 pub mod session;
 mod skipped;
-mod slider_focus;
 mod strings;
 mod study_plot;
 mod study_view;

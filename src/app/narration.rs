@@ -104,7 +104,7 @@ fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui
         }
     }
     if let Some(said) = session.narration_here() {
-        ui.label(prose(session, said.say(language), 14.5, Ink::Text));
+        announced(ui.label(prose(session, said.say(language), 14.5, Ink::Text)));
         if let Some(slide) = said.slide(language) {
             slide_note(session, slide, ui);
         }
@@ -114,7 +114,7 @@ fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui
         let kind = kind_name(session.walk().kind(session.step()), language);
         ui.label(style::strong(kind, 14.0));
     }
-    ui.label(prose(session, in_words(session, window), 14.5, Ink::Text));
+    announced(ui.label(prose(session, in_words(session, window), 14.5, Ink::Text)));
     if session.follows_lesson() && session.explanation().is_none() && !session.is_silent() {
         let summary = session.lesson().summary.in_language(language);
         ui.label(prose(session, summary, 14.0, Ink::Muted));
@@ -122,6 +122,13 @@ fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui
             commands.push(Command::NextNarrated);
         }
     }
+}
+
+/// Has a screen reader say what stands there whenever it changes.
+pub(super) fn announced(response: egui::Response) {
+    response.ctx.accesskit_node_builder(response.id, |node| {
+        node.set_live(egui::accesskit::Live::Polite);
+    });
 }
 
 /// This step in words, as the panels say it for those who cannot see them.

@@ -1,5 +1,6 @@
 //! Why the last command did nothing, or what it did: over the lower border of the panels, until the next command.
 
+use super::narration::announced;
 use super::session::Session;
 use super::window_state::Window;
 use super::{strings, style};
@@ -27,7 +28,7 @@ pub fn show(session: &Session, window: &Window, corner: egui::Pos2, ui: &Ui) {
         frame.show(ui, |ui| {
             ui.set_max_width(420.0);
             let text = RichText::new(text).size(13.0).color(ink(Ink::Text));
-            ui.add(Label::new(text).wrap());
+            announced(ui.add(Label::new(text).wrap()));
         });
     });
 }

@@ -34,30 +34,43 @@ pub struct Key {
 /// What a panel is laid out for where it is shown smaller, in points: no text is crowded at that size.
 const SMALL: egui::Vec2 = egui::vec2(260.0, 180.0);
 
+/// How large a panel's picture is shown.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Scale {
+    /// Laid out for the room that it has.
+    Full,
+    /// Laid out for more room, where it has too little to be read.
+    Small,
+    /// All of it so many times as large, for those who sit far away.
+    Times(f32),
+}
+
 /// A panel from frame to frame.
 pub type PanelView = PictureView<Key>;
 
 impl PanelView {
-    /// Shows the panel in `rect`, or a small picture of it. Returns the response, and what lies under the pointer.
+    /// Shows the panel in `rect` at that scale. Returns the response, and what lies under the pointer.
     pub fn show(
         &mut self,
         session: &Session,
         panel: Panel,
         rect: Rect,
-        small: bool,
+        scale: Scale,
         ui: &mut Ui,
     ) -> (Response, Option<Tag>) {
         let mut place = Place::on_pixels(rect, session.look.theme, ui);
-        if small {
-            place = place.laid_out_for(SMALL);
-        }
+        place = match scale {
+            Scale::Full => place,
+            Scale::Small => place.laid_out_for(SMALL),
+            Scale::Times(zoom) => place.enlarged(zoom),
+        };
         let key = Key::new(session, panel);
         let lit = session.hovered().into_iter().chain(session.lit());
         let lit = lit.flat_map(alike).collect();
         self.draw(place, key, lit, ui, |size| {
             draw(panel, &session.panel_input(), size)
         });
-        let sense = if !small
+        let sense = if scale == Scale::Full
             && matches!(
                 panel,
                 Panel::TimeLine | Panel::RayTree | Panel::Rays | Panel::Vectors

@@ -2,7 +2,7 @@
 
 use super::button::button;
 use super::session::{Command, Session};
-use super::{prose, slider_focus, strings};
+use super::{arrow_focus, prose, strings};
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Coefficient, DIVISIONS, Parameter, read_number};
 use crate::picture::Ink;
@@ -61,7 +61,9 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
             button(session, reset, name, Command::Reset, commands, ui);
         });
     });
-    slider_focus::set(on_slider, ui.ctx());
+    if on_slider {
+        arrow_focus::claim(ui.ctx());
+    }
 }
 
 fn inside(rect: Rect) -> egui::UiBuilder {

@@ -1,6 +1,6 @@
 //! A picture on the screen: drawn anew only when what it depends on has changed, with the pointer on it.
 
-use super::style;
+use super::{crosshair, style};
 use crate::picture::{Ink, Picture, Tag, Theme, draw_over, rasterize};
 use egui::{ColorImage, Pos2, Rect, Response, Role, TextureHandle, TextureOptions, Ui, WidgetInfo};
 use glam::Vec2;
@@ -36,7 +36,7 @@ pub struct Place {
     scale: f32,
     /// Size on the screen of a point of the picture.
     zoom: f32,
-    theme: Theme,
+    pub theme: Theme,
 }
 
 impl Place {
@@ -62,9 +62,25 @@ impl Place {
         Place { zoom, ..self }
     }
 
+    /// As a picture all of which is `zoom` times as large.
+    pub fn enlarged(self, zoom: f32) -> Self {
+        Place { zoom, ..self }
+    }
+
     /// The size for which a picture is laid out.
     fn size(&self) -> Vec2 {
         Vec2::new(self.rect.width(), self.rect.height()) / self.zoom
+    }
+
+    /// The place on the screen of a point of the picture.
+    pub fn on_screen(&self, point: Vec2) -> Pos2 {
+        self.rect.min + self.zoom * egui::vec2(point.x, point.y)
+    }
+
+    /// The point of the picture at a place on the screen.
+    fn point(&self, at: Pos2) -> Vec2 {
+        let at = (at - self.rect.min) / self.zoom;
+        Vec2::new(at.x, at.y)
     }
 
     /// Pixels a point of the picture.
@@ -152,9 +168,9 @@ impl<K: PartialEq> PictureView<K> {
             let stroke = egui::Stroke::new(2.0, style::color(place.theme, Ink::Linked));
             ui.painter()
                 .rect_stroke(rect, 2.0, stroke, egui::StrokeKind::Inside);
+            return crosshair::show(&self.picture, place, response, ui);
         }
-        let at = (response.hover_pos()? - rect.min) / place.zoom;
-        let under = self.picture.hit(Vec2::new(at.x, at.y))?;
+        let under = self.picture.hit(place.point(response.hover_pos()?))?;
         ui.ctx().set_cursor_icon(egui::CursorIcon::PointingHand);
         Some(under)
     }

@@ -1,21 +1,22 @@
 //! From the keys pressed in a frame to their commands.
 
+use super::arrow_focus;
 use super::keys::BINDINGS;
 use super::session::{Command, Session, StudyCommand};
-use super::slider_focus;
 use egui::{Event, Key, Popup};
 
 /// The commands of the keys pressed in this frame.
 ///
-/// Keys are the user's own while text is edited, where a focused button waits for its space, and where a slider, a sheet or the page
+/// Keys are the user's own while text is edited, where a focused button waits for its space, and where a slider, a picture, a sheet or the page
 /// of all lessons waits for arrows. A key that acts closes an open menu; escape does nothing else there.
 pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
+    let claimed = arrow_focus::take(ctx);
     if ctx.text_edit_focused() {
         return Vec::new();
     }
     let menu = Popup::is_any_open(ctx);
     let focused = ctx.memory(|memory| memory.focused().is_some());
-    let on_slider = focused && slider_focus::get(ctx);
+    let claimed = focused && claimed;
     let mut arrow = false;
     let commands: Vec<Command> = ctx.input(|input| {
         let keys = input.events.iter().filter_map(|event| match *event {
@@ -35,7 +36,7 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
         let ours = bound.filter(|binding| match binding.key {
             Key::Space => !focused,
             Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown => {
-                !on_slider && !session.look.home && session.look.sheet.is_none()
+                !claimed && !session.look.home && session.look.sheet.is_none()
             }
             Key::Escape => !menu,
             _ => true,

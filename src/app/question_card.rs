@@ -3,6 +3,7 @@
 mod choice;
 mod number;
 
+use super::narration::announced;
 use super::prose::{prose, set};
 use super::session::{Command, Session, Standing};
 use super::window_state::Window;
@@ -153,12 +154,12 @@ fn verdict(
         true => strings::ANSWER_NOW.format(language, &[("answer", answer.trim_end_matches('.'))]),
         false => format!("{sign}{strings} {is} {}.", answer.trim_end_matches('.')),
     };
-    ui.label(set(
+    announced(ui.label(set(
         session,
         &recorded,
         FontId::new(14.0, style::bold()),
         ink,
-    ));
+    )));
     if let Some(guess) = session
         .guesses()
         .last()

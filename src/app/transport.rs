@@ -209,7 +209,7 @@ fn search(session: &mut Session, window: &mut Window, commands: &mut Vec<Command
         commands.push(if back {
             Command::FindBack(text)
         } else {
-            Command::Find(text)
+            Command::SearchFor(text)
         });
         // Enter again finds the next one.
         response.request_focus();

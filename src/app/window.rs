@@ -5,8 +5,8 @@ use super::layout::{GAP, Layout, TRANSPORT, Wishes, column_widths, layout};
 use super::session::{Command, Session, Sheet};
 use super::window_state::Window;
 use super::{
-    cards, finished, forget, home, key_sheet, narration, notice, outline, pressed, skipped,
-    strings, study_view, style, top_bar, transport,
+    cards, finished, forget, home, key_sheet, narration, notice, outline, presentation, pressed,
+    skipped, strings, study_view, style, top_bar, transport,
 };
 use crate::panels::{Panel, time_line_heights};
 use crate::picture::Tag;
@@ -51,7 +51,11 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     let under_pointer = if session.is_filled() {
         let filled = Layout::filled(whole.size());
         let filled = filled.shifted(whole.min.to_vec2());
+        notice::show(session, window, whole.max - Vec2::splat(2.0 * GAP), &ui);
         cards::show(session, &mut window.views, &filled, &mut commands, &mut ui)
+    } else if session.look.presenting {
+        notice::show(session, window, whole.max - Vec2::splat(2.0 * GAP), &ui);
+        presentation::show(session, window, whole, &mut commands, &mut ui)
     } else {
         top_bar::show(session, &mut commands, &mut ui);
         cards_and_time_line(session, window, whole, &mut commands, &mut ui)
@@ -96,12 +100,8 @@ fn cards_and_time_line(
     commands.extend(shown.command);
     under = shown.under.or(under);
 
-    notice::show(
-        session,
-        window,
-        placed.time_line.right_top() - Vec2::new(GAP, 2.0 * GAP),
-        ui,
-    );
+    let corner = placed.time_line.right_top() - Vec2::new(GAP, 2.0 * GAP);
+    notice::show(session, window, corner, ui);
 
     // A small window may narrow the column for a while; what was chosen stays.
     let x = placed.column.right() + GAP / 2.0;

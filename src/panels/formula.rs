@@ -15,6 +15,7 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Style, wrap};
 use crate::record::Value;
+use crate::replay::Run;
 use crate::vocabulary::expression::{Equation, Expression, Relation, Term, evaluate};
 use crate::vocabulary::{Entry, Formula, Kind, When, counted};
 pub use evaluated::{Evaluated, evaluated};
@@ -58,7 +59,9 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let whole = with_numbers.iter().map(|detail| (detail, formulas.len()));
     let fewer = (1..formulas.len()).rev();
     let fewer = fewer.flat_map(|count| with_numbers.iter().map(move |detail| (detail, count)));
-    let short = short.iter().map(|detail| (detail, formulas.len()));
+    let counts = (1..=formulas.len()).rev();
+    let short = short.iter();
+    let short = short.flat_map(|detail| counts.clone().map(move |count| (detail, count)));
     let fitting = whole.chain(fewer).chain(short).find_map(|(detail, count)| {
         let steps = (detail.largest - detail.smallest) as usize;
         (0..=steps)
@@ -70,6 +73,15 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     layout.draw(&mut picture, room);
     picture.alt = in_words(&says, &formulas, &known, input.language);
     picture
+}
+
+/// What a step does, in a sentence with its values; empty where the kind has none.
+pub fn said(run: &Run, step: usize, language: Language) -> String {
+    let known = Known::at(run, step);
+    let entry = entry(run.walk().declared(step), &known);
+    entry.map_or_else(String::new, |entry| {
+        filled(entry.sentence, &known, run.prepared(), language)
+    })
 }
 
 /// The least height at which the first formula can be read with its numbers, in a panel of that width.

@@ -4,13 +4,14 @@
 
 mod shared;
 
-pub use list::formula::{Evaluated, evaluated, least_height as formula_height};
+pub use list::formula::{Evaluated, evaluated, least_height as formula_height, said};
 pub use list::ray_tree::TreeView;
 pub use list::ray_tree::{area as tree_area, middle as tree_middle};
 pub use list::rays::{Grip, grip};
 pub use list::time_line::{heights as time_line_heights, step_at};
 pub use list::vectors::{Held, PlaneGrip, grip as vector_grip};
 pub use shared::answered::Answered;
+pub use shared::finding::found;
 pub use shared::horizon::Hidden;
 pub use shared::names::{
     kind as kind_name, meaning, quantity as quantity_name, scope as scope_names,

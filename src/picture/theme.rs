@@ -102,17 +102,30 @@ mod tests {
     #[test]
     fn lines_series_borders_and_bars_stand_out_by_three() {
         let series = (0..=SERIES.len()).map(|n| Ink::Series(n as u8));
-        let lines = [Ink::Rule, Ink::This, Ink::Linked, Ink::Good, Ink::Bad, Ink::Warn];
+        let lines = [
+            Ink::Rule,
+            Ink::This,
+            Ink::Linked,
+            Ink::Good,
+            Ink::Bad,
+            Ink::Warn,
+        ];
         for theme in Theme::ALL {
             for ink in series.clone().chain(lines) {
                 for ground in [Ink::Surface, Ink::Background] {
                     let contrast = contrast(theme, ink, ground);
-                    assert!(contrast >= 3.0, "{theme:?} {ink:?} on {ground:?}: {contrast}");
+                    assert!(
+                        contrast >= 3.0,
+                        "{theme:?} {ink:?} on {ground:?}: {contrast}"
+                    );
                 }
             }
             // The current bar of the time line beside others, and the name on it.
             assert!(contrast(theme, Ink::Linked, Ink::Faint) >= 3.0, "{theme:?}");
-            assert!(contrast(theme, Ink::Surface, Ink::Linked) >= 4.5, "{theme:?}");
+            assert!(
+                contrast(theme, Ink::Surface, Ink::Linked) >= 4.5,
+                "{theme:?}"
+            );
         }
     }
 

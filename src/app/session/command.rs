@@ -31,6 +31,10 @@ pub enum Command {
     /// To the next event that a search text selects; around the end to the first.
     Find(String),
     FindBack(String),
+    /// Lists what a text finds, and goes to the next event where it selects events.
+    SearchFor(String),
+    /// Opens the list again, or closes it.
+    Results,
     /// To where the keyboard writes a search.
     Search,
     /// Plays, or pauses.

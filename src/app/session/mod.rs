@@ -12,6 +12,7 @@ mod play;
 mod playing;
 mod preview;
 mod question;
+mod results;
 mod search;
 mod study;
 mod study_commands;
@@ -25,6 +26,7 @@ pub use kept::{Kept, Progress};
 pub use lessons::{Listed, listed};
 pub use outline::{Entry, Sheet};
 pub use playing::Direction;
+pub use results::Results;
 pub use study::{Outcome, Studying};
 
 use crate::algorithms::enclosure;
@@ -105,6 +107,8 @@ fn methods(open: &OpenLesson) -> Methods {
 pub enum Drawer {
     Inspector,
     Parameters,
+    /// What a search has found.
+    Results,
 }
 
 /// How a question stands.
@@ -155,6 +159,7 @@ pub struct Session {
     chosen: Option<Panel>,
     /// Whether the key panel fills the window.
     filled: bool,
+    results: Option<Results>,
     /// The search text of the last search.
     pub search: String,
     /// Whether the keyboard should go to the search field; the window takes this.
@@ -189,6 +194,7 @@ impl Session {
             lit: None,
             chosen: None,
             filled: false,
+            results: None,
             search: String::new(),
             search_wanted: false,
             shared: None,
@@ -216,6 +222,7 @@ impl Session {
         self.chosen = None;
         self.filled = false;
         self.look.sheet = None;
+        self.results = None;
         let radiosity: enclosure::Settings = self.open.setup.settings.get();
         self.look.smooth = radiosity.smooth;
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();

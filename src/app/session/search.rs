@@ -27,7 +27,8 @@ pub fn in_program_names(text: &str, walk: &dyn Walk, language: Language) -> Stri
     query + rest
 }
 
-fn is_sign(c: char) -> bool {
+/// Whether a condition is written with it.
+pub fn is_sign(c: char) -> bool {
     matches!(c, '=' | '!' | '<' | '>')
 }
 

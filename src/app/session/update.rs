@@ -1,14 +1,14 @@
 //! What each command does.
 
 use super::lessons::Neighbour;
-use super::search::in_program_names;
+use super::search::{in_program_names, is_sign};
 use super::{Command, Direction, Drawer, Guess, Refused, Session, TEXT_SIZES};
 use crate::app::strings;
 use crate::language::{Language, Message};
 use crate::lesson::builtin;
 use crate::picture::{Tag, Theme};
 use crate::replay::moves::{self, Move};
-use crate::replay::{Query, query};
+use crate::replay::{Query, QueryError, query};
 
 impl Session {
     /// Carries out a command. Errors: why it cannot act here; nothing has changed then.
@@ -24,6 +24,8 @@ impl Session {
             Command::Search => self.search_wanted = true,
             Command::Find(text) => return self.find(text, true),
             Command::FindBack(text) => return self.find(text, false),
+            Command::SearchFor(text) => return self.search_for(text),
+            Command::Results => self.toggle_drawer(Drawer::Results),
             Command::Play => return self.start_playing(Direction::Forward),
             Command::PlayBackwards => return self.start_playing(Direction::Backward),
             Command::Faster => {
@@ -182,9 +184,29 @@ impl Session {
         self.follow_narration(from);
     }
 
+    /// A text with conditions selects events; any other is looked for everywhere.
+    fn search_for(&mut self, text: String) -> Result<(), Refused> {
+        if text.contains(is_sign) {
+            return self.find(text, true);
+        }
+        let listed = self.list_results(&text);
+        if listed {
+            self.look.drawer = Some(Drawer::Results);
+        } else if self.look.drawer == Some(Drawer::Results) {
+            self.look.drawer = None;
+        }
+        match self.find(text, true) {
+            // The list is the answer.
+            Err(_) if listed => Ok(()),
+            Err(_) => Err(strings::NOT_FOUND.into()),
+            Ok(()) => Ok(()),
+        }
+    }
+
     fn find(&mut self, text: String, forward: bool) -> Result<(), Refused> {
         let query = in_program_names(&text, self.walk(), self.look.language);
-        let query: Query = query.parse().map_err(|_| strings::NOT_A_SEARCH)?;
+        let wrong = |error: QueryError| Refused::Error(error.to_string());
+        let query: Query = query.parse().map_err(wrong)?;
         let (walk, here) = (self.walk(), self.step());
         let found = if forward {
             query::next(walk, &query, here)

@@ -2,6 +2,7 @@
 
 pub mod answered;
 pub mod channels;
+pub mod finding;
 #[cfg(test)]
 pub mod fixture;
 #[cfg(test)]

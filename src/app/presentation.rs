@@ -1,0 +1,126 @@
+//! Presentation: the key panel, one formula and one sentence, readable from eight times the screen's height.
+
+use super::layout::GAP;
+use super::panel_view::Scale;
+use super::prose::{prose, set};
+use super::session::{Command, Session, Standing};
+use super::window_state::Window;
+use super::{strings, style};
+use crate::lesson::{Answer, Question};
+use crate::panels::Panel;
+use crate::picture::{Ink, Tag};
+use egui::{FontId, Label, LayerId, Rect, ScrollArea, Stroke, Ui, pos2};
+
+/// Heights of the least text in the height of the screen.
+const LINES: f32 = 28.0;
+/// The least text of a panel, in points.
+const LEAST_TEXT: f32 = 11.0;
+/// Part of the height for the key panel.
+const KEY: f32 = 0.64;
+/// Part of the width for the sentence.
+const SAID: f32 = 0.5;
+
+/// Shows the presentation in `whole`; returns what lies under the pointer.
+pub fn show(
+    session: &Session,
+    window: &mut Window,
+    whole: Rect,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) -> Option<Tag> {
+    let text = whole.height() / LINES;
+    let inner = whole.shrink(GAP);
+    let border = inner.top() + KEY * inner.height();
+    let column = inner.left() + SAID * inner.width();
+    let key = Rect::from_min_max(inner.min, pos2(inner.right(), border));
+    let said = Rect::from_min_max(
+        pos2(inner.left(), border + GAP),
+        pos2(column, inner.bottom()),
+    );
+    let formula = Rect::from_min_max(pos2(column + GAP, border + GAP), inner.max);
+
+    let mut under = None;
+    let panels = [(session.key_panel(), key), (Some(Panel::Formula), formula)];
+    for (panel, rect) in panels {
+        let Some(panel) = panel else { continue };
+        style::card(session.look.theme, rect, ui);
+        let view = window.views.entry(panel).or_default();
+        let scale = Scale::Times(text / LEAST_TEXT);
+        let (response, tag) = view.show(session, panel, rect.shrink(4.0), scale, ui);
+        if response.clicked() {
+            commands.extend(tag.map(Command::Click));
+        }
+        under = tag.or(under);
+    }
+    style::card(session.look.theme, said, ui);
+    let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(said.shrink(0.5 * text)));
+    ScrollArea::vertical()
+        .id_salt((session.recording(), session.step()))
+        .show(&mut ui, |ui| {
+            ui.set_width(ui.available_width());
+            match session.question() {
+                Some((question, standing)) => asked(session, question, standing, text, ui),
+                None => sentence(session, window, text, ui),
+            }
+        });
+    spot(session, whole.height(), &ui);
+    under
+}
+
+/// What is said here in one sentence, or what the step does.
+fn sentence(session: &Session, window: &Window, size: f32, ui: &mut Ui) {
+    let said = session.narration_here();
+    let said = said.map(|said| first_sentence(said.say(session.look.language)));
+    let step = window.views.get(&Panel::Formula).map(|view| view.alt());
+    let words = said.or(step).unwrap_or_default();
+    ui.add(Label::new(prose(session, words, size, Ink::Text)).wrap());
+}
+
+/// Up to the first full stop, question mark or exclamation mark that a space or a new line follows.
+fn first_sentence(text: &str) -> &str {
+    let mut ends = text.char_indices().filter(|&(at, c)| {
+        matches!(c, '.' | '?' | '!') && text[at + 1..].starts_with(char::is_whitespace)
+    });
+    ends.next().map_or(text, |(at, _)| &text[..=at])
+}
+
+/// A question for the room; a key shows the answer.
+fn asked(session: &Session, question: &Question, standing: Standing, size: f32, ui: &mut Ui) {
+    let language = session.look.language;
+    ui.add(Label::new(prose(session, question.ask(language), size, Ink::Text)).wrap());
+    if let Answer::Choice { options, .. } = &question.answer {
+        for (letter, option) in ('A'..).zip(options) {
+            let option = format!("{letter}  {}", option[language as usize]);
+            ui.add(Label::new(prose(session, &option, size, Ink::Linked)).wrap());
+        }
+    }
+    if standing == Standing::Open {
+        let text = session.localize(strings::ANSWER_WITH_A_KEY);
+        ui.add(Label::new(prose(session, text, size, Ink::Muted)).wrap());
+    } else {
+        let answer = question.answer.in_words(language);
+        let answer = set(
+            session,
+            &answer,
+            FontId::new(size, style::bold()),
+            Ink::Good,
+        );
+        ui.add(Label::new(answer).wrap());
+        ui.add(Label::new(prose(session, question.why(language), size, Ink::Text)).wrap());
+    }
+}
+
+/// A spot around the pointer, which the back row sees.
+fn spot(session: &Session, height: f32, ui: &Ui) {
+    let Some(at) = ui.input(|input| input.pointer.hover_pos()) else {
+        return;
+    };
+    let ink = style::color(session.look.theme, Ink::This);
+    let radius = height / LINES;
+    let painter = ui.ctx().layer_painter(LayerId::new(
+        egui::Order::Foreground,
+        egui::Id::unique("pointer spot"),
+    ));
+    painter.circle_filled(at, radius, ink.gamma_multiply(0.18));
+    painter.circle_stroke(at, radius, Stroke::new(0.12 * radius, ink));
+}
