@@ -48,8 +48,9 @@ impl Binding {
             With::Nothing => !held.shift && !held.command,
             With::Shift => held.shift && !held.command,
             With::Ctrl => held.command,
-            With::Sign => !held.command,
+            // Some layouts write it with AltGr, which Windows reports as Ctrl and Alt.
+            With::Sign => held.command == held.alt,
         };
-        self.key == key && with && !held.alt
+        self.key == key && with && (!held.alt || self.with == With::Sign)
     }
 }

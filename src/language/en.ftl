@@ -1350,6 +1350,7 @@ quantity-iterations = iterations
 
 names-point-light = point light
 names-directional-light = directional light
+symbol-old = old
 names-light = light { $number }
 names-numbered = { $kind } { $number }
 names-background = background

@@ -1347,6 +1347,7 @@ quantity-iterations = iterasi
 
 names-point-light = cahaya titik
 names-directional-light = cahaya terarah
+symbol-old = lama
 names-light = cahaya { $number }
 names-numbered = { $kind } { $number }
 names-background = latar belakang

@@ -46,7 +46,11 @@ pub fn symbol(reference: &Reference, language: Language) -> String {
     let symbol = reference.symbol();
     match find(reference.name).filter(|quantity| quantity.symbol == symbol) {
         Some(own) => quantity(&own, language),
-        None => symbol.to_string(),
+        // A value before this step.
+        None => symbol.replace(
+            ",old}",
+            &format!(",{}}}", Message("symbol-old").text(language)),
+        ),
     }
 }
 
