@@ -3,7 +3,7 @@
 use egui::{Context, Id};
 
 fn id() -> Id {
-    Id::unique("the arrows belong to what has the focus")
+    Id::unique("arrows")
 }
 
 /// What has the focus says so in every frame.

@@ -119,7 +119,7 @@ fn spot(session: &Session, height: f32, ui: &Ui) {
     let radius = height / LINES;
     let painter = ui.ctx().layer_painter(LayerId::new(
         egui::Order::Foreground,
-        egui::Id::unique("pointer spot"),
+        egui::Id::unique("spot"),
     ));
     painter.circle_filled(at, radius, ink.gamma_multiply(0.18));
     painter.circle_stroke(at, radius, Stroke::new(0.12 * radius, ink));
