@@ -2,6 +2,7 @@
 
 mod choice;
 mod number;
+mod pick;
 
 use super::narration::announced;
 use super::prose::{prose, set};
@@ -82,6 +83,7 @@ fn ask(
     match &question.answer {
         Answer::Number { .. } => number::ask(session, opens, window, commands, ui),
         Answer::Choice { options, .. } => choice::ask(session, options, commands, ui),
+        Answer::Pick { thing, names, .. } => pick::ask(session, *thing, names, commands, ui),
         Answer::Pixel { .. } => {
             ui.label(RichText::new(session.localize(strings::CLICK_A_PIXEL)).strong());
         }

@@ -3,10 +3,12 @@
 
 mod choice;
 mod number;
+pub(super) mod pick;
 mod pixel;
 
 use crate::language::Language;
 pub use number::{read_number, rounded};
+pub use pick::Thing;
 use serde::{Deserialize, Serialize};
 
 /// The right answer, as it was read from the run.
@@ -26,6 +28,12 @@ pub enum Answer {
         y: u32,
         tolerance: u32,
     },
+    /// One of the things that the run has, by number; their names by language.
+    Pick {
+        thing: Thing,
+        names: Vec<[String; 2]>,
+        right: usize,
+    },
     /// After a change the run has no answer: what is asked about does not happen, or no option holds, or several do.
     Undecided,
 }
@@ -42,6 +50,8 @@ pub enum Guess {
         x: u32,
         y: u32,
     },
+    /// The number of a thing.
+    Pick(usize),
 }
 
 /// Why a guess cannot be judged.
@@ -70,6 +80,12 @@ impl Answer {
             (&Answer::Pixel { x, y, tolerance }, &Guess::Pixel { x: at_x, y: at_y }) => {
                 Ok(x.abs_diff(at_x) <= tolerance && y.abs_diff(at_y) <= tolerance)
             }
+            (Answer::Pick { right, names, .. }, Guess::Pick(number)) => {
+                match *number < names.len() {
+                    true => Ok(number == right),
+                    false => Err(NoAnswer::OtherKind),
+                }
+            }
             _ => Err(NoAnswer::OtherKind),
         }
     }
@@ -77,7 +93,11 @@ impl Answer {
     /// How many guesses there are before the verdict. Of two options the second try would be no question.
     pub fn tries(&self) -> usize {
         match self {
-            Answer::Choice { options, .. } if options.len() < 3 => 1,
+            Answer::Choice { options: all, .. } | Answer::Pick { names: all, .. }
+                if all.len() < 3 =>
+            {
+                1
+            }
             _ => 2,
         }
     }
@@ -101,6 +121,7 @@ impl Answer {
             &Answer::Number { value, tolerance } => language.number(rounded(value, tolerance)),
             Answer::Choice { right, .. } => self.guess_in_words(&Guess::Choice(*right), language),
             &Answer::Pixel { x, y, .. } => pixel::in_words(x, y),
+            Answer::Pick { right, .. } => self.guess_in_words(&Guess::Pick(*right), language),
             Answer::Undecided => String::new(),
         }
     }
@@ -114,6 +135,10 @@ impl Answer {
             (Answer::Choice { options, .. }, &Guess::Choice(choice)) => {
                 let option = options.get(choice);
                 option.map_or_else(String::new, |option| option[language as usize].clone())
+            }
+            (Answer::Pick { names, .. }, &Guess::Pick(number)) => {
+                let name = names.get(number);
+                name.map_or_else(String::new, |name| name[language as usize].clone())
             }
             (_, &Guess::Pixel { x, y }) => pixel::in_words(x, y),
             _ => String::new(),

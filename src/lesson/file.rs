@@ -142,6 +142,8 @@ pub enum AnswerFile {
     Choice(Vec<OptionFile>),
     /// The pixel whose column and row the step records as `x` and `y`, give or take `tolerance` pixels.
     Pixel { tolerance: u32 },
+    /// The object, or in a room the patch, whose number the step itself records under that name.
+    Pick { field: String },
 }
 
 #[derive(Clone, Debug, Deserialize)]

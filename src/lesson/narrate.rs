@@ -1,23 +1,24 @@
 //! Ties what a lesson says and asks to the steps of its run.
 
-use super::answer::Answer;
+use super::answer::{Answer, pick};
 use super::error::{LessonError, problem};
 use super::file::{AnswerFile, QuestionFile, StepFile, Text};
 use super::narrated::{Narrated, Question};
 use super::template::fill;
 use crate::panels::{Hidden, Panel};
 use crate::record::{Fields, Value};
-use crate::replay::{Query, Walk, query};
+use crate::replay::{Query, Run, Walk, query};
 use crate::scene::document::{Keyed, Problem};
 
 /// Finds every narrated step, in order, and fills in its texts. In a `changed` run a question may have no answer.
 pub(super) fn narrate(
     steps: &[StepFile],
-    walk: &dyn Walk,
+    run: &Run,
     changed: bool,
 ) -> Result<Vec<Narrated>, LessonError> {
     let mut search = Search {
-        walk,
+        run,
+        walk: run.walk(),
         changed,
         problems: Vec::new(),
     };
@@ -57,6 +58,7 @@ pub(super) fn narrate(
 
 /// Looks things up in a run, and keeps what it does not find.
 struct Search<'a> {
+    run: &'a Run,
     walk: &'a dyn Walk,
     changed: bool,
     problems: Vec<Problem>,
@@ -110,7 +112,7 @@ impl Search<'_> {
         let hint = question.hint.as_ref();
         let hint = hint.map(|hint| self.fill(hint, asked_at, &format!("{place}.hint")));
         let why = step.map(|step| self.fill(&question.why, step, &format!("{place}.why")));
-        let answer = step.map(|step| read_answer(question, self.walk, step));
+        let answer = step.map(|step| read_answer(question, self.run, step));
         if let Some(Err(message)) = &answer {
             let problem = problem(format!("{place}.answer"), message.clone());
             self.problems.push(problem);
@@ -140,7 +142,8 @@ fn hidden(question: &QuestionFile) -> Vec<Hidden> {
     names.filter_map(|name| Hidden::from_name(name)).collect()
 }
 
-fn read_answer(question: &QuestionFile, walk: &dyn Walk, step: usize) -> Result<Answer, String> {
+fn read_answer(question: &QuestionFile, run: &Run, step: usize) -> Result<Answer, String> {
+    let walk = run.walk();
     let fields = walk.fields(step);
     match &question.answer {
         AnswerFile::Number { field, tolerance } => {
@@ -181,6 +184,7 @@ fn read_answer(question: &QuestionFile, walk: &dyn Walk, step: usize) -> Result<
                 .collect();
             Ok(Answer::Choice { options, right })
         }
+        AnswerFile::Pick { field } => pick::read(run, step, field),
         AnswerFile::Pixel { tolerance } => match (fields.get("x"), fields.get("y")) {
             (Some(Value::Integer(x)), Some(Value::Integer(y))) => {
                 let whole =

@@ -180,7 +180,7 @@ impl Lesson {
             self.focus,
             RecordingLimit::default(),
         );
-        let narrated = narrate(&self.steps, run.walk(), false)?;
+        let narrated = narrate(&self.steps, &run, false)?;
         Ok(OpenLesson {
             lesson: self,
             setup,
@@ -200,7 +200,7 @@ impl Lesson {
     /// What is said in a run of the lesson's own part, whose scene may be changed: questions that have no answer then are
     /// undecided. Errors: every anchor and value that is not in the run.
     pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
-        narrate(&self.steps, run.walk(), true)
+        narrate(&self.steps, run, true)
     }
 }
 

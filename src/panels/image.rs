@@ -13,7 +13,7 @@ use crate::algorithms::focus::Focus;
 use crate::color::Rgb;
 use crate::figure::{Fit, joined};
 use crate::language::{Language, Message};
-use crate::picture::{Image, Ink, Picture, Rect, Style, ascent, elide};
+use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, ascent, elide};
 use crate::replay::shading::Dot;
 use crate::replay::{Canvas, Run};
 use glam::Vec2;
@@ -61,7 +61,10 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             grid(picture, width as u32, height as u32, &fit);
         }
         marks.draw(picture, input.focus, &fit);
-        input.answered.draw(picture, |x, y| fit.pixels(x, x + 1, y));
+        input.answered.draw(picture, |tag| match tag {
+            Tag::Pixel { x, y } => Some(fit.pixels(x, x + 1, y)),
+            _ => None,
+        });
     });
     picture.rect(frame, Ink::Rule.stroke(1.0));
     caption(&mut picture, input, &marks, (width, height), zoom);

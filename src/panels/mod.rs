@@ -14,7 +14,8 @@ pub use shared::answered::Answered;
 pub use shared::finding::found;
 pub use shared::horizon::Hidden;
 pub use shared::names::{
-    kind as kind_name, meaning, quantity as quantity_name, scope as scope_names,
+    kind as kind_name, meaning, object as object_name, patch as patch_name,
+    quantity as quantity_name, scope as scope_names,
 };
 #[cfg(test)]
 pub use shared::names::{of_field as named_by, word as word_name};
@@ -117,7 +118,7 @@ pub struct PanelInput<'a> {
     pub smooth: Option<DrawPatches>,
     /// While a question waits at the step, what it hides beside all that is ahead of the step; none where no question waits.
     pub pending: Option<&'a [Hidden]>,
-    /// The pixel that was answered to the question at the step.
+    /// The pixel or the thing that was answered to the question at the step.
     pub answered: Answered,
 }
 

@@ -82,6 +82,11 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
                 }
             });
         }
+        input.answered.draw(&mut picture, |tag| {
+            let Tag::Patch(patch) = tag else { return None };
+            let center = view.center(patch)?;
+            Some(Rect::between(fit.place(center), fit.place(center)))
+        });
         if let Some(exchange) = &exchange {
             exchange.draw(
                 &mut picture,

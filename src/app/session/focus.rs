@@ -108,7 +108,7 @@ impl Session {
         }
     }
 
-    fn record(&self, focus: Focus) -> Run {
+    pub(super) fn record(&self, focus: Focus) -> Run {
         Run::record(
             self.open.setup.clone(),
             self.open.lesson.method,

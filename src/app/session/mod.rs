@@ -8,6 +8,7 @@ mod kept;
 mod key_panel;
 mod lessons;
 mod outline;
+mod pick;
 mod play;
 mod playing;
 mod preview;

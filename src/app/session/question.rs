@@ -4,6 +4,7 @@ use super::{Refused, Session, Standing};
 use crate::app::strings;
 use crate::lesson::{Answer, Guess, NoAnswer, Question};
 use crate::panels::{Answered, Hidden};
+use crate::picture::Tag;
 
 impl Session {
     /// The question at this step, and how it stands.
@@ -72,20 +73,26 @@ impl Session {
             .map_or(&[], |guesses| guesses)
     }
 
-    /// The pixel that was answered at this step, and the right one once there is a verdict.
+    /// The pixel or the thing that was answered at this step, and the right one once there is a verdict.
     pub(super) fn answered(&self) -> Answered {
         let Some((question, standing)) = self.question() else {
             return Answered::default();
         };
-        let Answer::Pixel { x, y, .. } = question.answer else {
-            return Answered::default();
+        let right = match question.answer {
+            Answer::Pixel { x, y, .. } => Some(Tag::Pixel { x, y }),
+            Answer::Pick { thing, right, .. } => self.place_of(thing, right),
+            _ => None,
+        };
+        let own = match (&question.answer, self.guesses().last()) {
+            (Answer::Pixel { .. }, Some(&Guess::Pixel { x, y })) => Some(Tag::Pixel { x, y }),
+            (&Answer::Pick { thing, .. }, Some(&Guess::Pick(number))) => {
+                self.place_of(thing, number)
+            }
+            _ => None,
         };
         Answered {
-            own: match self.guesses().last() {
-                Some(&Guess::Pixel { x, y }) => Some((x, y)),
-                _ => None,
-            },
-            right: (standing != Standing::Open).then_some((x, y)),
+            own,
+            right: right.filter(|_| standing != Standing::Open),
         }
     }
 

@@ -6,7 +6,7 @@ use super::{Command, Direction, Guess, Refused, Session, Standing};
 use crate::algorithms::focus::Focus;
 use crate::app::strings;
 use crate::language::Language;
-use crate::lesson::{Answer, builtin};
+use crate::lesson::{Answer, Thing, builtin};
 use crate::panels::{Panel, draw};
 use crate::picture::Tag;
 use crate::record::Value;

@@ -5,7 +5,7 @@ use super::search::{in_program_names, is_sign};
 use super::{Command, Direction, Drawer, Guess, Refused, Session, TEXT_SIZES};
 use crate::app::strings;
 use crate::language::{Language, Message};
-use crate::lesson::builtin;
+use crate::lesson::{Thing, builtin};
 use crate::picture::{Tag, Theme};
 use crate::replay::moves::{self, Move};
 use crate::replay::{Query, QueryError, query};
@@ -251,6 +251,12 @@ impl Session {
     fn click(&mut self, tag: Tag) -> Result<(), Refused> {
         match tag {
             Tag::Pixel { x, y } if self.pixel_is_asked() => self.answer(&Guess::Pixel { x, y }),
+            Tag::Pixel { x, y } if self.thing_asked() == Some(Thing::Object) => {
+                self.pick_object_at(x, y)
+            }
+            Tag::Patch(number) if self.thing_asked() == Some(Thing::Patch) => {
+                self.answer(&Guess::Pick(number))
+            }
             Tag::Fold(step) => {
                 self.tree = self.tree.toggled(step);
                 Ok(())

@@ -41,6 +41,7 @@ fn a_question_is_answered_in_its_card() {
             screen.press(Modifiers::NONE, Key::Enter);
         }
         Answer::Choice { options, right } => screen.click(&options[right][0]),
+        Answer::Pick { names, right, .. } => screen.click(&names[right][0]),
         Answer::Undecided => panic!("nothing is changed"),
         Answer::Pixel { x, y, .. } => {
             let click = Command::Click(Tag::Pixel { x, y });
@@ -118,4 +119,32 @@ fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
     screen.harness.get_by_label(&recorded);
     screen.harness.get_by_label("Your answer was −1·10⁹.");
     screen.keep("wrong");
+}
+
+#[test]
+fn a_thing_is_chosen_in_the_card_without_a_mouse() {
+    let mut screen = screen("shooting", [1280, 800], 1.0, []);
+    let narrated = screen.session().panel_input().narrated.to_vec();
+    let picks = |session: &Session| {
+        let question = session.question();
+        question.is_some_and(|(question, _)| matches!(question.answer, Answer::Pick { .. }))
+    };
+    for step in narrated {
+        screen.session_mut().start_at(step);
+        if picks(screen.session()) {
+            break;
+        }
+    }
+    screen.harness.run();
+    screen.keep("pick");
+    for patch in ["patch 32, right wall (1, 1)", "patch 13, ceiling (0, 0)"] {
+        screen.harness.get_by_label(patch).focus();
+        screen.harness.run();
+        screen.press(Modifiers::NONE, Key::Enter);
+    }
+    let (_, standing) = screen.session().question().expect("a question");
+    assert_eq!(standing, Standing::Right);
+    let recorded = "✓ Right. The answer is patch 13, ceiling (0, 0).";
+    screen.harness.get_by_label(recorded);
+    screen.keep("picked");
 }

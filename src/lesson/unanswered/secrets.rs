@@ -1,9 +1,8 @@
 //! What must not be read before a question is answered.
 
 use crate::language::Language;
-use crate::lesson::Answer;
-use crate::lesson::OpenLesson;
 use crate::lesson::file::{AnswerFile, QuestionFile};
+use crate::lesson::{Answer, OpenLesson, Thing};
 use crate::panels::{named_by, word_name};
 use crate::record::{Fields, Value};
 use crate::replay::query::number_of;
@@ -45,6 +44,24 @@ pub(super) fn secrets(open: &OpenLesson, index: usize, language: Language) -> Ve
                 _ => vec![Secret::Number { value, tolerance }],
             }
         }
+        (
+            &Answer::Pick {
+                thing,
+                ref names,
+                right,
+            },
+            _,
+        ) => match thing {
+            Thing::Patch => vec![Secret::Whole(right as i64)],
+            Thing::Object => {
+                let name = |number: usize| names[number][language as usize].clone();
+                let others = (0..names.len()).filter(|&number| number != right);
+                vec![Secret::Name {
+                    right: name(right),
+                    wrong: others.map(name).collect(),
+                }]
+            }
+        },
         (&Answer::Choice { right, .. }, _) => decisive(open, &file.0, &fields, right, language),
         _ => unreachable!("an answer is of the kind that its file gives"),
     }

@@ -4,7 +4,7 @@ use super::cursor::Cursor;
 use crate::algorithms::frame::Frame;
 use crate::figure::elided;
 use crate::panels::Answered;
-use crate::picture::{Ink, Picture, Rect, Style};
+use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use glam::Vec2;
 
 /// Height of a line of text.
@@ -111,9 +111,12 @@ impl Cell {
                     picture.circle(at, radius, paint);
                 }
             }
-            answered.draw(picture, |x, y| {
+            answered.draw(picture, |tag| {
+                let Tag::Pixel { x, y } = tag else {
+                    return None;
+                };
                 let at = self.image.min() + scale * Vec2::new(x as f32, y as f32);
-                Rect::new(at.x, at.y, scale, scale)
+                Some(Rect::new(at.x, at.y, scale, scale))
             });
         });
         picture.rect(self.image, Ink::Rule.stroke(1.0));

@@ -1,23 +1,22 @@
-//! The pixel that a question asks for, in pictures: the one that was clicked, and once there is a verdict the right one.
+//! What a question asks for, in pictures: the pixel or the thing that was clicked, and once there is a verdict the right one.
 
-use crate::picture::{Ink, Picture, Rect};
+use crate::picture::{Ink, Picture, Rect, Tag};
 
-/// Pixels by column and row.
+/// Both as tags of what pictures show.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Answered {
-    pub own: Option<(u32, u32)>,
-    pub right: Option<(u32, u32)>,
+    pub own: Option<Tag>,
+    pub right: Option<Tag>,
 }
 
-/// The side below which a pixel's mark is drawn larger than the pixel, in points.
+/// The side below which a mark is drawn larger than what it marks, in points.
 const SMALLEST: f32 = 10.0;
 
 impl Answered {
-    /// A cross on the clicked pixel, unless it is the right one, and a ring around the right one. `place` says where a pixel lies.
-    pub fn draw(&self, picture: &mut Picture, place: impl Fn(u32, u32) -> Rect) {
+    /// A cross on what was clicked, unless it is right, and a ring around what is right. `place` says where the picture shows it.
+    pub fn draw(&self, picture: &mut Picture, place: impl Fn(Tag) -> Option<Rect>) {
         let reach = |rect: Rect| 0.5 * rect.width.max(SMALLEST);
-        if let Some((x, y)) = self.own.filter(|_| self.own != self.right) {
-            let rect = place(x, y);
+        if let Some(rect) = self.own.filter(|_| self.own != self.right).and_then(&place) {
             let (at, reach) = (rect.center(), reach(rect));
             for (ink, width) in [(Ink::Surface, 4.5), (Ink::Bad, 2.5)] {
                 for arm in [[reach, reach], [reach, -reach]] {
@@ -26,8 +25,7 @@ impl Answered {
                 }
             }
         }
-        if let Some((x, y)) = self.right {
-            let rect = place(x, y);
+        if let Some(rect) = self.right.and_then(place) {
             for (ink, width) in [(Ink::Surface, 4.5), (Ink::Good, 2.5)] {
                 let radius = reach(rect) + 3.0;
                 picture.circle(rect.center(), radius, ink.stroke(width));

@@ -52,6 +52,7 @@ fn the_answers_given_are_kept() {
         Answer::Number { .. } => Guess::Number("1e9".into()),
         Answer::Choice { right, .. } => Guess::Choice((right + 1) % 2),
         Answer::Pixel { x, y, .. } => Guess::Pixel { x: x + 1000, y: *y },
+        Answer::Pick { right, .. } => Guess::Pick(usize::from(*right == 0)),
         Answer::Undecided => panic!("the lesson's own values decide"),
     };
     go(&mut session, Command::Answer(wrong.clone()));

@@ -62,12 +62,14 @@ fn answers_are_held_against_the_run() {
             }
             Answer::Choice { right, .. } => Guess::Choice(right),
             Answer::Pixel { x, y, .. } => Guess::Pixel { x, y },
+            Answer::Pick { right, .. } => Guess::Pick(right),
             Answer::Undecided => panic!("nothing is changed"),
         };
         let wrong = match right {
             Guess::Number(_) => Guess::Number("1e9".into()),
             Guess::Choice(right) => Guess::Choice(usize::from(right == 0)),
             Guess::Pixel { x, y } => Guess::Pixel { x: x + 1000, y },
+            Guess::Pick(right) => Guess::Pick(usize::from(right == 0)),
         };
         if let Guess::Choice(_) = right {
             let none = Command::Answer(Guess::Choice(99));
@@ -118,4 +120,54 @@ fn a_lesson_ends_behind_its_last_explanation_and_not_before_a_question() {
     assert_eq!(session.allows(&Command::NextNarrated), refused);
     assert_eq!(session.update(Command::NextNarrated), refused);
     assert_eq!(session.look.sheet, None);
+}
+
+/// At the first question of that kind, whatever is asked before it.
+fn asked(lesson: &str, is: impl Fn(&Answer) -> bool) -> Session {
+    let mut session = session(lesson);
+    for step in session.narrated.clone() {
+        session.start_at(step);
+        let question = session.question();
+        if question.is_some_and(|(question, _)| is(&question.answer)) {
+            return session;
+        }
+    }
+    panic!("{lesson} has no such question")
+}
+
+#[test]
+fn a_thing_is_picked_where_a_picture_shows_it() {
+    let is_pick = |answer: &Answer| matches!(answer, Answer::Pick { .. });
+    let mut shadows = asked("shadows", is_pick);
+    // The marked pixel itself shows the table top.
+    go(&mut shadows, Command::Click(Tag::Pixel { x: 322, y: 200 }));
+    assert_eq!(shadows.guesses(), [Guess::Pick(0)]);
+    assert_eq!(shadows.answered().right, None);
+    let ball = shadows.place_of(Thing::Object, 2).expect("in the picture");
+    go(&mut shadows, Command::Click(ball));
+    assert_eq!(shadows.guesses().last(), Some(&Guess::Pick(2)));
+    assert_eq!(shadows.question().unwrap().1, Standing::Right);
+    assert_eq!(shadows.answered().right, Some(ball));
+
+    let mut shooting = asked("shooting", is_pick);
+    go(&mut shooting, Command::Click(Tag::Patch(22)));
+    let before = draw(
+        Panel::Radiosity,
+        &shooting.panel_input(),
+        glam::vec2(900.0, 600.0),
+    );
+    go(&mut shooting, Command::Click(Tag::Patch(0)));
+    assert_eq!(shooting.question().unwrap().1, Standing::Wrong);
+    let marks = shooting.answered();
+    let (own, right) = (Some(Tag::Patch(0)), Some(Tag::Patch(13)));
+    assert_eq!((marks.own, marks.right), (own, right));
+    let after = draw(
+        Panel::Radiosity,
+        &shooting.panel_input(),
+        glam::vec2(900.0, 600.0),
+    );
+    assert!(after.items.len() > before.items.len());
+    // What is answered is a question no more: the click lights the patch up.
+    go(&mut shooting, Command::Click(Tag::Patch(13)));
+    assert_eq!(shooting.lit(), Some(Tag::Patch(13)));
 }
