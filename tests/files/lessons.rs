@@ -173,6 +173,39 @@ fn no_text_says_where_a_panel_is() {
     }
 }
 
+/// A panel that a text names stands in the window under that name.
+#[test]
+fn texts_call_the_lessons_panels_by_their_titles() {
+    let mut named = 0;
+    for lesson in LESSONS.iter() {
+        for language in Language::ALL {
+            for narrated in &lesson.narrated {
+                let question = narrated.question.as_ref();
+                let asked =
+                    question.map(|question| [question.ask(language), question.why(language)]);
+                let texts = [narrated.say(language)].into_iter();
+                for text in texts.chain(asked.into_iter().flatten()) {
+                    let behind = text.split("anel “").skip(1);
+                    let names = behind.filter_map(|behind| Some(behind.split_once('”')?.0));
+                    for name in names {
+                        let titles = lesson
+                            .panels
+                            .iter()
+                            .map(|panel| panel.title().text(language));
+                        assert!(
+                            titles.into_iter().any(|title| title == name),
+                            "{}: {name}",
+                            lesson.id
+                        );
+                        named += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(named > 0);
+}
+
 #[test]
 fn every_lesson_begins_and_ends_with_a_picture() {
     let pictures = [

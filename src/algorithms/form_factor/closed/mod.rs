@@ -7,7 +7,7 @@
 //! it is −1. A ray from there comes to infinity, where it is 0, only across a patch. If the winding number is −2 in front of no patch, the
 //! first one that the ray meets has −1 on its near side, so its front.
 //!
-//! Patches are divided into [`cells`], in front of which the winding number is the same everywhere:
+//! Patches are divided into cells, in front of which the winding number is the same everywhere:
 //!
 //! - −1: a part of the room.
 //! - 0 or more: inside a solid, where no light comes. If the cell lies on one that looks the other way, as the bottom of a block on the
