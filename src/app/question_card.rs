@@ -2,6 +2,7 @@
 
 mod choice;
 mod number;
+mod order;
 mod pick;
 
 use super::narration::announced;
@@ -84,6 +85,7 @@ fn ask(
         Answer::Number { .. } => number::ask(session, opens, window, commands, ui),
         Answer::Choice { options, .. } => choice::ask(session, options, commands, ui),
         Answer::Pick { thing, names, .. } => pick::ask(session, *thing, names, commands, ui),
+        Answer::Order { items, .. } => order::ask(session, items, window, commands, ui),
         Answer::Pixel { .. } => {
             ui.label(RichText::new(session.localize(strings::CLICK_A_PIXEL)).strong());
         }

@@ -18,6 +18,8 @@ pub struct Window {
     pub(super) answer: String,
     /// Whether the answer was given, and is no number.
     pub(super) misread: bool,
+    /// The recording and the step at which items are put in order, and their order so far.
+    pub(super) order: ((u64, usize), Vec<usize>),
     /// The recording, step and number of answers for which the question was brought into view.
     pub(super) asked: Option<(u64, usize, usize)>,
     pub(super) search: String,

@@ -3,6 +3,7 @@
 
 mod choice;
 mod number;
+pub(super) mod order;
 pub(super) mod pick;
 mod pixel;
 
@@ -34,6 +35,11 @@ pub enum Answer {
         names: Vec<[String; 2]>,
         right: usize,
     },
+    /// Items by language as they are shown, and their indices in the right order.
+    Order {
+        items: Vec<[String; 2]>,
+        right: Vec<usize>,
+    },
     /// After a change the run has no answer: what is asked about does not happen, or no option holds, or several do.
     Undecided,
 }
@@ -52,6 +58,8 @@ pub enum Guess {
     },
     /// The number of a thing.
     Pick(usize),
+    /// The indices of the items, from the first to the last.
+    Order(Vec<usize>),
 }
 
 /// Why a guess cannot be judged.
@@ -86,6 +94,12 @@ impl Answer {
                     false => Err(NoAnswer::OtherKind),
                 }
             }
+            (Answer::Order { items, right }, Guess::Order(order)) => {
+                match order::is_whole(order, items.len()) {
+                    true => Ok(order == right),
+                    false => Err(NoAnswer::OtherKind),
+                }
+            }
             _ => Err(NoAnswer::OtherKind),
         }
     }
@@ -111,6 +125,9 @@ impl Answer {
             (&Answer::Pixel { x, y, .. }, &Guess::Pixel { x: at_x, y: at_y }) => {
                 pixel::hint([x, y], [at_x, at_y], language)
             }
+            (Answer::Order { right, .. }, Guess::Order(order)) => {
+                order::hint(right, order, language)
+            }
             _ => choice::hint(language),
         }
     }
@@ -122,6 +139,7 @@ impl Answer {
             Answer::Choice { right, .. } => self.guess_in_words(&Guess::Choice(*right), language),
             &Answer::Pixel { x, y, .. } => pixel::in_words(x, y),
             Answer::Pick { right, .. } => self.guess_in_words(&Guess::Pick(*right), language),
+            Answer::Order { items, right } => order::in_words(items, right, language),
             Answer::Undecided => String::new(),
         }
     }
@@ -139,6 +157,9 @@ impl Answer {
             (Answer::Pick { names, .. }, &Guess::Pick(number)) => {
                 let name = names.get(number);
                 name.map_or_else(String::new, |name| name[language as usize].clone())
+            }
+            (Answer::Order { items, .. }, Guess::Order(order)) => {
+                order::in_words(items, order, language)
             }
             (_, &Guess::Pixel { x, y }) => pixel::in_words(x, y),
             _ => String::new(),

@@ -144,6 +144,15 @@ pub enum AnswerFile {
     Pixel { tolerance: u32 },
     /// The object, or in a room the patch, whose number the step itself records under that name.
     Pick { field: String },
+    /// Three to five items, in any order: the right one is that of their first steps behind the question.
+    Order(Vec<ItemFile>),
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ItemFile {
+    pub text: Text,
+    pub at: Query,
 }
 
 #[derive(Clone, Debug, Deserialize)]

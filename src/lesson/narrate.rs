@@ -1,6 +1,6 @@
 //! Ties what a lesson says and asks to the steps of its run.
 
-use super::answer::{Answer, pick};
+use super::answer::{Answer, order, pick};
 use super::error::{LessonError, problem};
 use super::file::{AnswerFile, QuestionFile, StepFile, Text};
 use super::narrated::{Narrated, Question};
@@ -112,7 +112,7 @@ impl Search<'_> {
         let hint = question.hint.as_ref();
         let hint = hint.map(|hint| self.fill(hint, asked_at, &format!("{place}.hint")));
         let why = step.map(|step| self.fill(&question.why, step, &format!("{place}.why")));
-        let answer = step.map(|step| read_answer(question, self.run, step));
+        let answer = step.map(|step| read_answer(question, self.run, asked_at, step));
         if let Some(Err(message)) = &answer {
             let problem = problem(format!("{place}.answer"), message.clone());
             self.problems.push(problem);
@@ -142,7 +142,12 @@ fn hidden(question: &QuestionFile) -> Vec<Hidden> {
     names.filter_map(|name| Hidden::from_name(name)).collect()
 }
 
-fn read_answer(question: &QuestionFile, run: &Run, step: usize) -> Result<Answer, String> {
+fn read_answer(
+    question: &QuestionFile,
+    run: &Run,
+    asked_at: usize,
+    step: usize,
+) -> Result<Answer, String> {
     let walk = run.walk();
     let fields = walk.fields(step);
     match &question.answer {
@@ -184,6 +189,7 @@ fn read_answer(question: &QuestionFile, run: &Run, step: usize) -> Result<Answer
                 .collect();
             Ok(Answer::Choice { options, right })
         }
+        AnswerFile::Order(items) => order::read(run, asked_at, items),
         AnswerFile::Pick { field } => pick::read(run, step, field),
         AnswerFile::Pixel { tolerance } => match (fields.get("x"), fields.get("y")) {
             (Some(Value::Integer(x)), Some(Value::Integer(y))) => {

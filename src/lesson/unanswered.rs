@@ -133,6 +133,11 @@ fn leak(picture: &Picture, secret: &Secret, known: &Known, language: Language) -
             let found = texts(picture).find(|text| new && values(text));
             found.map(str::to_owned)
         }
+        Secret::Sequence(names) => {
+            let mut texts = texts(picture).map(str::to_lowercase);
+            let follows = |name: &String| texts.any(|text| text.contains(name.as_str()));
+            names.iter().all(follows).then(|| names.join(" → "))
+        }
         Secret::Pixel { x, y } => is_marked(picture, *x, *y).then(|| format!("({x}, {y})")),
     }
 }

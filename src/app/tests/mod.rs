@@ -19,7 +19,7 @@ use super::window;
 use super::window_state::Window;
 use super::{prose, strings, style};
 use crate::algorithms::focus::Focus;
-use crate::lesson::{Answer, Lesson, builtin, rounded};
+use crate::lesson::{Answer, Guess, Lesson, builtin, rounded};
 use crate::panels::strings::Language;
 use crate::panels::{Panel, draw};
 use crate::picture::{Ink, Tag, Theme, to_png};

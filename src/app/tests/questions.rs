@@ -42,6 +42,7 @@ fn a_question_is_answered_in_its_card() {
         }
         Answer::Choice { options, right } => screen.click(&options[right][0]),
         Answer::Pick { names, right, .. } => screen.click(&names[right][0]),
+        Answer::Order { .. } => panic!("see below"),
         Answer::Undecided => panic!("nothing is changed"),
         Answer::Pixel { x, y, .. } => {
             let click = Command::Click(Tag::Pixel { x, y });
@@ -121,21 +122,24 @@ fn an_answer_that_is_no_number_is_pointed_out_and_can_be_corrected() {
     screen.keep("wrong");
 }
 
-#[test]
-fn a_thing_is_chosen_in_the_card_without_a_mouse() {
-    let mut screen = screen("shooting", [1280, 800], 1.0, []);
+/// The window at the first question of that kind, whatever is asked before it.
+fn asked(lesson: &str, is: impl Fn(&Answer) -> bool) -> Screen {
+    let mut screen = screen(lesson, [1280, 800], 1.0, []);
     let narrated = screen.session().panel_input().narrated.to_vec();
-    let picks = |session: &Session| {
-        let question = session.question();
-        question.is_some_and(|(question, _)| matches!(question.answer, Answer::Pick { .. }))
-    };
     for step in narrated {
         screen.session_mut().start_at(step);
-        if picks(screen.session()) {
-            break;
+        let question = screen.session().question();
+        if question.is_some_and(|(question, _)| is(&question.answer)) {
+            screen.harness.run();
+            return screen;
         }
     }
-    screen.harness.run();
+    panic!("{lesson} has no such question")
+}
+
+#[test]
+fn a_thing_is_chosen_in_the_card_without_a_mouse() {
+    let mut screen = asked("shooting", |answer| matches!(answer, Answer::Pick { .. }));
     screen.keep("pick");
     for patch in ["patch 32, right wall (1, 1)", "patch 13, ceiling (0, 0)"] {
         screen.harness.get_by_label(patch).focus();
@@ -147,4 +151,42 @@ fn a_thing_is_chosen_in_the_card_without_a_mouse() {
     let recorded = "✓ Right. The answer is patch 13, ceiling (0, 0).";
     screen.harness.get_by_label(recorded);
     screen.keep("picked");
+}
+
+#[test]
+fn items_are_put_in_order_with_the_keyboard() {
+    let mut screen = asked("ray-tree", |answer| matches!(answer, Answer::Order { .. }));
+    screen.keep("order");
+    let (question, _) = screen.session().question().expect("a question");
+    let Answer::Order { items, right } = question.answer.clone() else {
+        panic!("an order is asked for")
+    };
+    screen.click(strings::CHECK.text(Language::English));
+    let given = Guess::Order((0..items.len()).collect());
+    assert_eq!(screen.session().guesses(), [given]);
+    screen.keep("order-again");
+    // Each item in turn rises to its place; the keyboard stays with it.
+    let mut order: Vec<usize> = (0..items.len()).collect();
+    for (place, &item) in right.iter().enumerate() {
+        let at = order.iter().position(|&other| other == item).expect("once");
+        if at == place {
+            continue;
+        }
+        let up = strings::MOVE_UP.format(Language::English, &[("item", &items[item][0])]);
+        screen.harness.get_by_label(&up).focus();
+        screen.harness.run();
+        for _ in place..at {
+            screen.press(Modifiers::NONE, Key::Enter);
+        }
+        order.remove(at);
+        order.insert(place, item);
+    }
+    screen.click(strings::CHECK.text(Language::English));
+    assert_eq!(
+        screen.session().guesses().last(),
+        Some(&Guess::Order(right))
+    );
+    let (_, standing) = screen.session().question().expect("a question");
+    assert_eq!(standing, Standing::Right);
+    screen.keep("ordered");
 }

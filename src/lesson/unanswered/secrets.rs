@@ -29,6 +29,8 @@ pub(super) enum Secret {
         x: u32,
         y: u32,
     },
+    /// Texts one after the other.
+    Sequence(Vec<String>),
 }
 
 /// What is decisive for the right answer.
@@ -62,6 +64,10 @@ pub(super) fn secrets(open: &OpenLesson, index: usize, language: Language) -> Ve
                 }]
             }
         },
+        (Answer::Order { items, right }, _) => {
+            let text = |&item: &usize| items[item][language as usize].to_lowercase();
+            vec![Secret::Sequence(right.iter().map(text).collect())]
+        }
         (&Answer::Choice { right, .. }, _) => decisive(open, &file.0, &fields, right, language),
         _ => unreachable!("an answer is of the kind that its file gives"),
     }

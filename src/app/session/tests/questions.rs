@@ -63,12 +63,14 @@ fn answers_are_held_against_the_run() {
             Answer::Choice { right, .. } => Guess::Choice(right),
             Answer::Pixel { x, y, .. } => Guess::Pixel { x, y },
             Answer::Pick { right, .. } => Guess::Pick(right),
+            Answer::Order { ref right, .. } => Guess::Order(right.clone()),
             Answer::Undecided => panic!("nothing is changed"),
         };
         let wrong = match right {
             Guess::Number(_) => Guess::Number("1e9".into()),
             Guess::Choice(right) => Guess::Choice(usize::from(right == 0)),
             Guess::Pixel { x, y } => Guess::Pixel { x: x + 1000, y },
+            Guess::Order(ref right) => Guess::Order((0..right.len()).collect()),
             Guess::Pick(right) => Guess::Pick(usize::from(right == 0)),
         };
         if let Guess::Choice(_) = right {
