@@ -141,7 +141,7 @@ fn verdict(
         Standing::Open | Standing::Skipped => (strings::SKIPPED, Ink::Muted),
     };
     let language = session.look.language;
-    let answer = question.answer.in_words(language);
+    let answer = within_sentence(&question.answer.in_words(language));
     let sign = if standing == Standing::Right {
         "✓ "
     } else {
@@ -155,8 +155,8 @@ fn verdict(
     let is_right = standing == Standing::Right;
     let mut last = session.guesses().last().into_iter();
     let recorded = match last.any(|guess| question.answer.judge(guess) != Ok(is_right)) {
-        true => strings::ANSWER_NOW.format(language, &[("answer", answer.trim_end_matches('.'))]),
-        false => format!("{sign}{strings} {is} {}.", answer.trim_end_matches('.')),
+        true => strings::ANSWER_NOW.format(language, &[("answer", &answer)]),
+        false => format!("{sign}{strings} {is} {answer}."),
     };
     announced(ui.label(set(
         session,
@@ -169,8 +169,8 @@ fn verdict(
         .last()
         .filter(|_| standing != Standing::Right)
     {
-        let own = question.answer.guess_in_words(guess, language);
-        let own = strings::YOU_ANSWERED.format(language, &[("answer", own.trim_end_matches('.'))]);
+        let own = within_sentence(&question.answer.guess_in_words(guess, language));
+        let own = strings::YOU_ANSWERED.format(language, &[("answer", &own)]);
         ui.label(prose(session, &own, 14.0, Ink::Muted));
     }
     ui.label(prose(
@@ -188,4 +188,10 @@ fn verdict(
     {
         commands.push(Command::Seek(question.step));
     }
+}
+
+/// An answer as it ends a sentence: without a full stop of its own, and a list on lines of its own.
+fn within_sentence(answer: &str) -> String {
+    let start = if answer.contains('\n') { "\n" } else { "" };
+    format!("{start}{}", answer.trim_end_matches('.'))
 }

@@ -65,10 +65,15 @@ pub(super) fn is_whole(guess: &[usize], count: usize) -> bool {
     guess.len() == count && (0..count).all(|item| guess.contains(&item))
 }
 
+/// A numbered list, an item a line.
 pub(super) fn in_words(items: &[[String; 2]], order: &[usize], language: Language) -> String {
     let names = order.iter().filter_map(|&item| items.get(item));
-    let names: Vec<&str> = names.map(|name| &*name[language as usize]).collect();
-    names.join(" → ")
+    let line = |(place, name): (usize, &[String; 2])| {
+        let name = &name[language as usize];
+        format!("{}. {name}", place + 1)
+    };
+    let lines: Vec<String> = names.enumerate().map(line).collect();
+    lines.join("\n")
 }
 
 /// How many items of the guess stand where they should.
@@ -100,7 +105,7 @@ mod tests {
     #[test]
     fn the_run_says_what_comes_first_and_the_card_shows_another_order() {
         let selectors = ["ScanLine", "VertexLit", "FrameDone", "EdgeTableBuilt"];
-        let right = "VertexLit → EdgeTableBuilt → ScanLine → FrameDone";
+        let right = "1. VertexLit\n2. EdgeTableBuilt\n3. ScanLine\n4. FrameDone";
         // In whichever order the file gives them.
         for turn in 0..selectors.len() {
             let mut selectors = selectors;
