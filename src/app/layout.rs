@@ -15,6 +15,9 @@ const KEY_SHARE: f32 = 0.455;
 /// The least width and height at which another panel is worth showing beside the key panel.
 const LEAST_SIDE: Vec2 = vec2(150.0, 104.0);
 const WIDEST_SIDE: f32 = 0.24;
+/// How much more than its least width the key panel keeps where nothing stands beside it, and how much wider the column becomes there.
+const ALONE: f32 = 1.1;
+const WIDENED: f32 = 1.3;
 const DRAWER: f32 = 320.0;
 /// The least width of the left column.
 const LEAST_COLUMN: f32 = 230.0;
@@ -93,34 +96,41 @@ pub fn layout(window: Vec2, wishes: Wishes) -> Layout {
     let card =
         |left: f32, width: f32| Rect::from_min_size(pos2(left, top), vec2(width.max(0.0), height));
 
-    let widths = column_widths(window.x);
+    // What is not the column and, where there is room for it, not the strip at the side, is the key panel's.
+    let least_key = (KEY_SHARE * window.x * window.y / height.max(1.0)).ceil();
     let usual = (0.232 * window.x).clamp(LEAST_COLUMN, 440.0);
-    let width = wishes.column.unwrap_or(usual);
+    let count = wishes.others as f32;
+    let each = (height + GAP) / count - GAP;
+    let strip = |column: f32| {
+        let room = window.x - 2.0 * GAP - column - GAP;
+        let width = (room - least_key - GAP).min(WIDEST_SIDE * window.x);
+        let fits = count > 0.0 && width >= LEAST_SIDE.x && each >= LEAST_SIDE.y;
+        fits.then_some(width)
+    };
+    let width = wishes.column.unwrap_or(match strip(usual) {
+        Some(_) => usual,
+        None => (window.x - 3.0 * GAP - ALONE * least_key).clamp(usual, WIDENED * usual),
+    });
+    let widths = column_widths(window.x);
     let column = card(GAP, width.clamp(*widths.start(), *widths.end()));
 
     let left = column.right() + GAP;
     let room = window.x - GAP - left;
-    let side = if wishes.drawer {
-        DRAWER.min(0.5 * room)
-    } else {
-        let least_key = (KEY_SHARE * window.x * window.y / height.max(1.0)).ceil();
-        let count = wishes.others as f32;
-        let width = (room - least_key - GAP).min(WIDEST_SIDE * window.x);
-        let each = (height + GAP) / count - GAP;
-        let fits = count > 0.0 && width >= LEAST_SIDE.x && each >= LEAST_SIDE.y;
-        if fits { width } else { -GAP }
+    let side = match wishes.drawer {
+        true => DRAWER.min(0.5 * room),
+        false => strip(column.width()).unwrap_or(-GAP),
     };
     let key = card(left, room - side - GAP);
-    let strip = card(key.right() + GAP, side);
+    let beside = card(key.right() + GAP, side);
     Layout {
         column,
         key,
         side: if wishes.drawer || side <= 0.0 {
             Vec::new()
         } else {
-            rows(strip, wishes.others)
+            rows(beside, wishes.others)
         },
-        drawer: wishes.drawer.then_some(strip),
+        drawer: wishes.drawer.then_some(beside),
         time_line,
     }
 }

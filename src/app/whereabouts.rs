@@ -5,6 +5,9 @@ use super::session::{Command, Session, Sheet};
 use super::{strings, style};
 use egui::{Button, RichText, Ui};
 
+/// The least room for the words and the button that goes on.
+const WORDS: f32 = 220.0;
+
 pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let place = place(session);
     let narrates = session.follows_lesson() && !session.is_silent();
@@ -19,7 +22,15 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         }
         let name = strings::OUTLINE_AT.format(session.look.language, &[("place", &place)]);
         let open = Command::Sheet(Sheet::Outline);
-        let outline = Button::new(style::strong(place, 12.0));
+        // In a narrow column the numbers alone; the name that is spoken says what they count.
+        let numbers = session
+            .explanation()
+            .filter(|_| ui.available_width() < WORDS);
+        let shown = match numbers {
+            Some(index) => format!("{} / {}", index + 1, session.explanations()),
+            None => place,
+        };
+        let outline = Button::new(style::strong(shown, 12.0));
         button(session, outline, &name, open, commands, ui);
         if narrates {
             let last = session.is_last_explanation();
