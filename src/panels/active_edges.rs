@@ -289,7 +289,7 @@ mod tests {
             panic!("an edge tells its ends")
         };
         assert!(shown(&format!("{}–{}", upper + 1, lower + 1)));
-        assert!(picture.alt.contains("EdgeInterpolated"));
+        assert!(picture.alt.contains("Edge interpolated"));
     }
 
     #[test]

@@ -316,7 +316,7 @@ mod tests {
         fixture.go_to("PixelColored", 3);
         let alt = draw(&fixture.input(), Vec2::new(300.0, 200.0)).alt;
         assert!(
-            alt.contains("PixelColored") && alt.contains("so far: 4."),
+            alt.contains("Pixel coloured") && alt.contains("so far: 4."),
             "{alt}"
         );
     }

@@ -115,7 +115,10 @@ mod tests {
                     let picture = draw(&fixture.input(), size);
                     let kind = fixture.run.walk().kind(step);
                     assert_apart(&picture, &format!("step {step}, {kind}, {size}"));
-                    assert!(picture.alt.contains(kind));
+                    assert!(picture.alt.contains(&crate::panels::kind_name(
+                        kind,
+                        crate::language::Language::English
+                    )));
                 }
             }
         }

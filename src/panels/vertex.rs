@@ -128,7 +128,11 @@ mod tests {
             let found = texts(&picture).iter().any(|(text, _)| *text == shown);
             assert!(found, "{name} = {shown}");
             assert!(picture.tagged_bounds(Tag::Field(name)).is_some());
-            assert!(picture.alt.contains(kind));
+            assert!(
+                picture
+                    .alt
+                    .contains(&crate::panels::kind_name(kind, Language::English))
+            );
         }
     }
 
