@@ -88,7 +88,8 @@ fn first_sentence(text: &str) -> &str {
 fn asked(session: &Session, question: &Question, standing: Standing, size: f32, ui: &mut Ui) {
     let language = session.look.language;
     ui.add(Label::new(prose(session, question.ask(language), size, Ink::Text)).wrap());
-    if let Answer::Choice { options, .. } = &question.answer {
+    if let Answer::Choice { options, .. } | Answer::Order { items: options, .. } = &question.answer
+    {
         for (letter, option) in ('A'..).zip(options) {
             let option = format!("{letter}  {}", option[language as usize]);
             ui.add(Label::new(prose(session, &option, size, Ink::Linked)).wrap());
