@@ -1,6 +1,6 @@
 //! The corners of the current polygon, with the values known so far.
 
-use crate::figure::Labels;
+use crate::figure::{Fit, Labels};
 use crate::picture::{Picture, Stroke, Tag};
 use crate::record::Value;
 use crate::replay::shading::State;
@@ -55,6 +55,22 @@ pub(super) fn corners(state: &State) -> Vec<Corner> {
             }
         })
         .collect()
+}
+
+/// The places of the corners' discs: those of the corners, but beside an earlier disc where it would be covered.
+pub(super) fn discs(corners: &[Corner], fit: &Fit, radius: f32) -> Vec<Vec2> {
+    let mut discs: Vec<Vec2> = Vec::new();
+    for corner in corners {
+        let mut place = fit.place(corner.place);
+        let covered = |place: Vec2| discs.iter().any(|&disc| disc.distance(place) < radius);
+        for _ in 0..discs.len() {
+            if covered(place) {
+                place.x += 2.0 * radius;
+            }
+        }
+        discs.push(place);
+    }
+    discs
 }
 
 /// A normal as it is seen on the screen, from the edge of a disc on: short where it points at the eye or away from it.

@@ -1,7 +1,7 @@
 //! The current polygon with its scan line, and the names that the slide gives to its points.
 
 use super::super::values::{on_swatch, short, swatch};
-use super::corners::{Corner, corners, draw_normal};
+use super::corners::{Corner, corners, discs, draw_normal};
 use crate::figure::{Fit, Labels, disc};
 use crate::language::Language;
 use crate::picture::{Ink, Picture, Rect, Style, Tag, Text};
@@ -175,7 +175,7 @@ impl Drawing<'_> {
     }
 
     fn draw_corners(&mut self, picture: &mut Picture) {
-        let places = self.discs();
+        let places = discs(&self.corners, &self.fit, CORNER);
         for (number, (corner, place)) in self.corners.iter().zip(places).enumerate() {
             let true_place = self.fit.place(corner.place);
             if place != true_place {
@@ -202,22 +202,6 @@ impl Drawing<'_> {
                 picture.text_in(inside, (number + 1).to_string(), set);
             });
         }
-    }
-
-    /// The places of the corners' discs: those of the corners, but beside an earlier disc where it would be covered.
-    fn discs(&self) -> Vec<Vec2> {
-        let mut discs: Vec<Vec2> = Vec::new();
-        for corner in &self.corners {
-            let mut place = self.fit.place(corner.place);
-            let covered = |place: Vec2| discs.iter().any(|&disc| disc.distance(place) < CORNER);
-            for _ in 0..discs.len() {
-                if covered(place) {
-                    place.x += 2.0 * CORNER;
-                }
-            }
-            discs.push(place);
-        }
-        discs
     }
 
     /// Where the scan line cuts the edges, and the current pixel, with the values there.
@@ -337,7 +321,7 @@ impl Drawing<'_> {
         let edge = self.state.edge.and_then(|edge| self.state.edges.get(edge));
         let is = |end: Option<u32>, number: usize| end.map(|end| end as usize) == Some(number);
         let middle = self.middle();
-        let places = self.discs();
+        let places = discs(&self.corners, &self.fit, CORNER);
         let corners = std::mem::take(&mut self.corners);
         for (number, (corner, place)) in corners.iter().zip(places).enumerate() {
             let name = if is(edge.map(|edge| edge.upper), number) {
