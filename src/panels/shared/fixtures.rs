@@ -317,10 +317,10 @@ pub fn illegible(picture: &Picture) -> Vec<String> {
     let mut faults = Vec::new();
     let bounds = picture.bounds().grown(0.01);
     for item in &picture.items {
-        let whole = item.shape.bounds();
-        let shape = item.clip.map_or(whole, |clip| whole.intersection(&clip));
-        let is_seen = shape.width >= 0.0 && shape.height >= 0.0;
-        if is_seen && !bounds.encloses(&shape) {
+        let shape = item.shape.bounds();
+        // What is clipped within the picture is seen only there.
+        let clipped = item.clip.is_some_and(|clip| bounds.encloses(&clip));
+        if !clipped && !bounds.encloses(&shape) {
             faults.push(format!("{:?} lies outside, at {shape:?}", item.shape));
         }
         if let Drawn::Text { set, text, .. } = &item.shape
