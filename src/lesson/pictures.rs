@@ -47,6 +47,27 @@ pub(super) fn panels(open: &OpenLesson) -> Vec<Panel> {
     panels
 }
 
+/// What a panel shows at the run's step, with no question open.
+pub(super) fn input<'a>(
+    open: &'a OpenLesson,
+    finished: &'a Finished,
+    narrated: &'a [usize],
+    language: Language,
+) -> PanelInput<'a> {
+    PanelInput {
+        run: &open.run,
+        finished,
+        focus: open.lesson.focus,
+        language,
+        narrated,
+        breakpoints: &[],
+        tree: TreeView::whole(),
+        smooth: None,
+        pending: None,
+        answered: Answered::default(),
+    }
+}
+
 /// Shows `look` the panels of a lesson at four of its explanations, in sizes from `size`.
 pub(super) fn each_picture(
     open: &mut OpenLesson,
@@ -59,18 +80,7 @@ pub(super) fn each_picture(
     for &step in steps.iter().step_by(steps.len().div_ceil(4).max(1)) {
         open.run.walk_mut().seek(step);
         for &panel in &panels {
-            let input = PanelInput {
-                run: &open.run,
-                finished: &finished,
-                focus: open.lesson.focus,
-                language,
-                narrated: &steps,
-                breakpoints: &[],
-                tree: TreeView::whole(),
-                smooth: None,
-                pending: None,
-                answered: Answered::default(),
-            };
+            let input = input(open, &finished, &steps, language);
             let size = size();
             look(panel, size, &draw(panel, &input, size));
         }

@@ -4,10 +4,10 @@ mod numbers;
 mod secrets;
 
 use super::narrated::Question;
-use super::pictures::{finished, panels};
+use super::pictures::{finished, input, panels};
 use super::{Builtin, OpenLesson, builtins};
 use crate::language::Language;
-use crate::panels::{Answered, PanelInput, TreeView, draw, named_by, word_name};
+use crate::panels::{PanelInput, draw, named_by, word_name};
 use crate::picture::{Picture, Shape, Tag};
 use crate::record::{Field, Value};
 use glam::Vec2;
@@ -173,16 +173,8 @@ fn leaks(lesson: Builtin) -> BTreeSet<String> {
             for panel in panels(&open) {
                 for size in [Vec2::new(900.0, 700.0), Vec2::new(420.0, 300.0)] {
                     let input = PanelInput {
-                        run: &open.run,
-                        finished: &finished,
-                        focus: open.lesson.focus,
-                        language,
-                        narrated: &steps,
-                        breakpoints: &[],
-                        tree: TreeView::whole(),
-                        smooth: None,
                         pending: Some(hide),
-                        answered: Answered::default(),
+                        ..input(&open, &finished, &steps, language)
                     };
                     let picture = draw(panel, &input, size);
                     let place = format!("{} steps[{index}] {}", lesson.id, panel.name());
