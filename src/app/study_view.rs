@@ -4,7 +4,6 @@ use super::button::button;
 use super::session::{Command, Outcome, PointAt, Session, StudyCommand};
 use super::study_plot::StudyPlot;
 use super::{prose, strings, study_words, style};
-use crate::figure::Series;
 use crate::language::Message;
 use crate::picture::Ink;
 use crate::study::families;
@@ -197,7 +196,7 @@ fn points(
 ) -> Option<PointAt> {
     let mut lit = None;
     for (number, line) in part.lines.iter().enumerate() {
-        let color = style::color(session.look.theme, Series::of(number).ink);
+        let color = style::color(session.look.theme, part.series(number).ink);
         let language = session.look.language;
         ui.label(style::strong(line.name.text(language), 13.0).color(color));
         let small = TextStyle::Small.resolve(ui.style());

@@ -3,8 +3,8 @@
 use crate::picture::{Ink, Picture, Rect, Stroke, Style};
 use glam::Vec2;
 
-/// Inks that can be seen on every ground, the accent's neighbour last.
-const INKS: [u8; 7] = [0, 1, 2, 3, 4, 7, 5];
+/// The accent's neighbour and the yellow, which is the palest, last.
+const INKS: [u8; 8] = [0, 1, 2, 3, 4, 7, 5, 6];
 const MARKS: [Mark; 5] = [
     Mark::Disc,
     Mark::Square,
@@ -67,6 +67,8 @@ impl Mark {
 /// Height of a row of a legend, and its sample of a line.
 pub const LEGEND_ROW: f32 = 16.0;
 const SAMPLE: f32 = 20.0;
+/// From the beginning of an entry to its name.
+pub const LEGEND_SAMPLE: f32 = SAMPLE + 4.0;
 const TEXT: f32 = 11.0;
 
 /// Names with their lines, from the row's beginning on; what does not fit stands in rows below it that begin at `left`. Returns where
@@ -80,13 +82,13 @@ pub fn legend<'a>(
     let style = Style::Body.size(TEXT);
     let (mut x, mut y) = (row.x, row.y);
     for (stroke, name) in entries {
-        let width = SAMPLE + 4.0 + style.width(name);
+        let width = LEGEND_SAMPLE + style.width(name);
         if x + width > row.right() && x > left {
             (x, y) = (left, y + LEGEND_ROW);
         }
         let middle = y + 0.5 * LEGEND_ROW;
         picture.line((x, middle), (x + SAMPLE, middle), stroke);
-        let text = Rect::new(x + SAMPLE + 4.0, y, row.right() - x, LEGEND_ROW);
+        let text = Rect::new(x + LEGEND_SAMPLE, y, row.right() - x, LEGEND_ROW);
         picture.text_in(text, name, style);
         x += width + 12.0;
     }

@@ -5,6 +5,7 @@
 //! of shading methods in [`algorithms`](crate::algorithms), of ray methods in `rays`.
 
 mod count;
+mod look;
 mod notes;
 pub mod radiosity;
 mod rays;

@@ -6,7 +6,7 @@ use super::horizon::after_your_answer;
 use super::message::{NOT_COMPARED, message};
 use super::values::step_as_sentence;
 use super::{PanelInput, Properties, names};
-use crate::figure::{Axis, Plot, Scale, Series, legend};
+use crate::figure::{Axis, Plot, Scale, legend};
 use crate::language::Message;
 use crate::methods::Method;
 use crate::picture::{Ink, Picture, Rect, Style};
@@ -43,7 +43,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let hidden = input.hidden_pixels(&first.frame);
     let profiles: Vec<Profile> = compared
         .shaded()
-        .map(|(number, compared)| Profile::of(number, compared, row, hidden.as_deref()))
+        .map(|(_, compared)| Profile::of(compared, row, hidden.as_deref()))
         .collect();
     let columns = columns(compared, row, first.frame.width);
     let index = |x| first.frame.index(x, row);
@@ -61,7 +61,9 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         (title.x + style.width(&caption) + 14.0, whole.y),
         title.max(),
     );
-    let strokes = profiles.iter().map(|profile| profile.series.stroke);
+    let strokes = profiles
+        .iter()
+        .map(|profile| profile.method.series().stroke);
     let names = profiles
         .iter()
         .map(|profile| names::method(profile.method, input.language));
@@ -182,7 +184,6 @@ fn columns(compared: &SideBySide, row: u32, width: u32) -> Range<u32> {
 
 /// One method along the scan line, a value a column.
 struct Profile {
-    series: Series,
     method: Method,
     intensity: Vec<f64>,
     /// Between a pixel and the next on one surface; not a number across an outline.
@@ -196,7 +197,7 @@ struct Profile {
 
 impl Profile {
     /// What is hidden is no number, and neither is what follows from it.
-    fn of(number: usize, compared: &Compared, row: u32, hidden: Option<&[bool]>) -> Profile {
+    fn of(compared: &Compared, row: u32, hidden: Option<&[bool]>) -> Profile {
         let frame = &compared.frame;
         let is_hidden = |x| hidden.is_some_and(|hidden| hidden[frame.index(x, row)]);
         let shown = |x, value| if is_hidden(x) { f64::NAN } else { value };
@@ -215,7 +216,6 @@ impl Profile {
         let jumps = slope.windows(2).map(|pair| (pair[1] - pair[0]).abs());
         let jump = jumps.fold(0.0, f64::max);
         Profile {
-            series: Series::of(number),
             method: compared.method,
             seen: std::iter::zip(0.., compared.perceived(row))
                 .map(|(x, &seen)| shown(x, seen))
@@ -259,7 +259,7 @@ impl Profile {
 
     fn line(&self, picture: &mut Picture, points: &mut Vec<Vec2>) {
         if points.len() > 1 {
-            picture.polyline(points.iter().copied(), self.series.stroke);
+            picture.polyline(points.iter().copied(), self.method.series().stroke);
         }
         points.clear();
     }

@@ -6,6 +6,7 @@ use super::form::{Axes, Drawn, Operations, Reference, Request, Setting, Study, S
 use super::label::Label;
 use super::pareto::front;
 use super::timing::{Patience, Progress, Timing, time};
+use crate::figure::Series;
 use crate::language::Message;
 use crate::render::Cancelled;
 use crate::scene::Tessellation;
@@ -215,6 +216,12 @@ fn larger_half(mut points: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
 }
 
 impl Part {
+    /// How a curve looks: as its method does in all plots, or as one of several.
+    pub fn series(&self, line: usize) -> Series {
+        let own = self.lines[line].name.series();
+        own.unwrap_or_else(|| Series::of(line))
+    }
+
     pub fn points(&self) -> impl Iterator<Item = (&Line, &Point)> {
         let lines = self.lines.iter();
         lines.flat_map(|line| std::iter::repeat(line).zip(&line.points))

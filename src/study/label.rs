@@ -1,14 +1,19 @@
 //! What the parts, curves and settings of a study are called.
 
+use crate::algorithms::radiosity::Solver;
+use crate::figure::Series;
 use crate::language::{Language, Message, called};
+use crate::methods::Method;
 
 /// A text in every language.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Label {
     /// The same in all of them: `8×8`.
     Plain(String),
-    /// Something with a name of the program's own, such as a method: the space of the catalogues, and the name.
-    Called(&'static str, &'static str),
+    Method(Method),
+    Solver(Solver),
+    /// Something else with a name of the program's own, by its name.
+    Value(&'static str),
     /// A message with its arguments.
     Message(Message, Vec<(&'static str, String)>),
 }
@@ -23,17 +28,13 @@ impl Label {
         Label::Message(Message(key), vec![(name, value.to_string())])
     }
 
-    pub fn method(name: &'static str) -> Self {
-        Label::Called("method", name)
-    }
-
     /// As people read it.
     pub fn text(&self, language: Language) -> String {
         match self {
             Label::Plain(text) => text.clone(),
-            Label::Called(space, name) => {
-                called(space, name, language).unwrap_or_else(|| name.to_string())
-            }
+            Label::Method(method) => named("method", method.name(), language),
+            Label::Solver(solver) => named("value", solver.name(), language),
+            Label::Value(name) => named("value", name, language),
             Label::Message(message, arguments) => {
                 let arguments: Vec<(&str, String)> = arguments
                     .iter()
@@ -51,10 +52,26 @@ impl Label {
     /// As files of the study have it: the program's own name, or in English.
     pub fn name(&self) -> String {
         match self {
-            Label::Called(_, name) => name.to_string(),
-            _ => self.text(Language::English),
+            Label::Method(method) => method.name().to_owned(),
+            Label::Solver(solver) => solver.name().to_owned(),
+            Label::Value(name) => (*name).to_owned(),
+            Label::Plain(_) | Label::Message(..) => self.text(Language::English),
         }
     }
+
+    /// What has one look in all plots has it here too.
+    pub fn series(&self) -> Option<Series> {
+        match self {
+            Label::Method(method) => Some(method.series()),
+            Label::Solver(solver) => Some(solver.series()),
+            _ => None,
+        }
+    }
+}
+
+/// A name of the program's own in a space of the catalogues.
+fn named(space: &str, name: &str, language: Language) -> String {
+    called(space, name, language).unwrap_or_else(|| name.to_owned())
 }
 
 /// A decimal number with the sign of the language; anything else as it is.
@@ -71,7 +88,7 @@ mod tests {
 
     #[test]
     fn people_read_their_language_and_files_keep_the_programs_names() {
-        let method = Label::method("flat");
+        let method = Label::Method(Method::Flat);
         assert_eq!(method.text(Language::Indonesian), "datar");
         assert_eq!(method.name(), "flat");
         let shots = Label::with("setting-shots", "count", 12);

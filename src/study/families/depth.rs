@@ -103,7 +103,7 @@ fn sweep([a0, a1, a2]: [f64; 3], prepared: &Arc<PreparedScene>, longest: f64) ->
         memory: MEMORY,
         curves: vec![Curve::against(
             &truth,
-            Label::method("ray-tracing"),
+            Label::Method(Method::RayTracing),
             sweep_settings.collect(),
         )],
     }

@@ -102,7 +102,7 @@ fn pixels(scene: &Scene, request: &Request) -> Result<Sweep, String> {
             pictures::sweep_setting(setting, pixels, prepared, method, Settings::default())
         });
         Curve {
-            name: Label::method(method.name()),
+            name: Label::Method(method),
             sweep_settings: sweep_settings.collect(),
         }
     });
@@ -141,7 +141,7 @@ fn triangles(request: &Request) -> Result<Sweep, String> {
             )
         });
         Curve {
-            name: Label::method(method.name()),
+            name: Label::Method(method),
             sweep_settings: sweep_settings.collect(),
         }
     });
@@ -209,7 +209,7 @@ fn form_factors(request: &Request) -> Result<Sweep, String> {
         };
         let sweep_settings = rooms.iter().map(|patches| matrix_rung(patches, method));
         Curve {
-            name: Label::Called("value", name),
+            name: Label::Value(name),
             sweep_settings: sweep_settings.collect(),
         }
     });
@@ -265,7 +265,7 @@ fn solving(request: &Request) -> Result<Sweep, String> {
             }
         });
         Curve {
-            name: Label::Called("value", solver.name()),
+            name: Label::Solver(solver),
             sweep_settings: sweep_settings.collect(),
         }
     });

@@ -40,7 +40,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
             pictures::sweep_setting(setting, n.into(), &prepared, method, settings(DEPTH, n))
         });
         Sweep {
-            title: Label::method(method.name()),
+            title: Label::Method(method),
             axes: Axes::ErrorOverTime,
             size: Message("measure-rays-along-a-pixel-s-side"),
             quantity: Message("measure-intensity"),
@@ -53,7 +53,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
             memory: MEMORY,
             curves: vec![Curve::against(
                 &truth,
-                Label::method(method.name()),
+                Label::Method(method),
                 sweep_settings.collect(),
             )],
         }

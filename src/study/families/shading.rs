@@ -63,11 +63,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
             let size = f64::from(*n);
             pictures::sweep_setting(setting, size, prepared, method, Settings::default())
         });
-        Curve::against(
-            &truth,
-            Label::method(method.name()),
-            sweep_settings.collect(),
-        )
+        Curve::against(&truth, Label::Method(method), sweep_settings.collect())
     });
     Ok(vec![Sweep {
         title: Label::of("part-spheres"),

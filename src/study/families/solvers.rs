@@ -119,7 +119,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
     let curves = solvers().map(|solver| {
         Curve::against(
             &truth,
-            Label::Called("value", solver.name()),
+            Label::Solver(solver),
             sweep_settings(&problem, solver, finest, longest),
         )
     });

@@ -17,11 +17,10 @@ const REACH: f32 = 10.0;
 pub(super) fn point(
     picture: &mut Picture,
     labels: &mut Labels,
-    [curve, point]: [usize; 2],
+    ([curve, point], series): ([usize; 2], Series),
     at: Vec2,
     bar: Option<[Vec2; 2]>,
 ) {
-    let series = Series::of(curve);
     if let Some([from, to]) = bar {
         picture.line(from, to, series.ink.stroke(1.0));
         labels.avoid(from, to);

@@ -6,7 +6,7 @@ mod curve;
 use super::form::Axes;
 use super::harness::{Findings, Part, Point};
 use super::report::strings;
-use crate::figure::{Axis, Labels, Plot, Scale, Series, Unit, View, legend};
+use crate::figure::{Axis, Labels, Plot, Scale, Unit, View, legend};
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect, Style, wrap};
 use glam::Vec2;
@@ -107,14 +107,15 @@ pub fn plot_part(part: &Part, language: Language, size: Vec2, view: View) -> Pic
             let places: Vec<Vec2> = line.points.iter().filter_map(at).collect();
             labels.avoid_path(&places);
             if places.len() > 1 {
-                picture.polyline(places, Series::of(number).stroke);
+                picture.polyline(places, part.series(number).stroke);
             }
         }
         for (number, line) in part.lines.iter().enumerate() {
             for (index, point) in line.points.iter().enumerate() {
                 if let Some(at) = at(point).filter(|&at| plot.place.contains(at)) {
                     let bar = quartiles(&plot, part.axes, point, at);
-                    curve::point(picture, &mut labels, [number, index], at, bar);
+                    let series = part.series(number);
+                    curve::point(picture, &mut labels, ([number, index], series), at, bar);
                 }
             }
         }
@@ -126,7 +127,7 @@ pub fn plot_part(part: &Part, language: Language, size: Vec2, view: View) -> Pic
     });
     let names = nameless.into_iter();
     let names: Vec<_> = names
-        .map(|n| (Series::of(n).stroke, part.lines[n].name.text(language)))
+        .map(|n| (part.series(n).stroke, part.lines[n].name.text(language)))
         .collect();
     let names = names.iter().map(|(stroke, name)| (*stroke, name.as_str()));
     legend(&mut picture, names, plot.beside_name(), plot.place.x);
