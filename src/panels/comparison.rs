@@ -37,7 +37,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     for (compared, cell) in all.iter().zip(cells(&first.frame, all.len(), 3, size)) {
         let figures = figures(input, compared);
         let name = names::method(compared.method, input.language);
-        cell.title(&mut picture, &name, input.run.method() == compared.method);
+        cell.title(&mut picture, &name, (compared.method, input.run.method()));
         let frame = &compared.frame;
         let bytes = srgb_bytes(frame, hidden.as_deref());
         let image = Image::new(frame.width, frame.rows.len() as u32, bytes);
@@ -63,8 +63,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
                 }
             }
         });
-        let lines = [figures.1, figures.0, here];
-        let inks = [Ink::Muted, Ink::Muted, Ink::Text];
+        let lines = [here, figures.1, figures.0];
+        let inks = [Ink::Text, Ink::Muted, Ink::Muted];
         let written = lines.iter().map(String::as_str).zip(inks);
         cell.lines(&mut picture, written);
         let lines = labelled(&name, &lines.join("; "), input.language);

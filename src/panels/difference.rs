@@ -47,7 +47,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let cells = cells(&reference.frame, differences.len(), 2, room);
     for (((_, compared), difference), cell) in others.zip(differences).zip(cells) {
         let name = names::method(compared.method, input.language);
-        cell.title(&mut picture, &name, input.run.method() == compared.method);
+        cell.title(&mut picture, &name, (compared.method, input.run.method()));
         picture.pixels(
             cell.image,
             image(compared, difference, most, hidden.as_deref()),
@@ -59,22 +59,18 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             (Some(x), Some(y)) => difference.signed.get(y as usize * width + x as usize),
             _ => None,
         };
-        let rms = valued(RMS, difference.rms);
-        let largest = valued(LARGEST, difference.largest);
-        let figures = format!("{rms} · {largest}");
+        let figures = [
+            valued(RMS, difference.rms),
+            valued(LARGEST, difference.largest),
+        ];
+        let figures = figures.join(" · ");
         let unknown = hidden.as_deref();
         let unknown = unknown.is_some_and(|hidden| cursor.is_on(&compared.frame, hidden));
         let here = here.map_or_else(String::new, |&here| match unknown {
             true => HERE.format(input.language, &[("value", UNKNOWN)]),
             false => valued(HERE, here),
         });
-        let style = Style::Body.size(TEXT);
-        // In a narrow cell the two figures take both rows.
-        let lines = match style.width(&figures) <= cell.below.width {
-            true => [&figures, &here],
-            false => [&rms, &largest],
-        };
-        let lines = lines.map(|line| (line.as_str(), Ink::Text));
+        let lines = [&figures, &here].map(|line| (line.as_str(), Ink::Text));
         cell.lines(&mut picture, lines);
         let figures = labelled(&name, &figures, input.language);
         alt = format!("{alt} {figures}.");

@@ -3,8 +3,9 @@
 use super::cursor::Cursor;
 use crate::algorithms::frame::Frame;
 use crate::figure::elided;
+use crate::methods::Method;
 use crate::panels::Answered;
-use crate::picture::{Ink, Picture, Rect, Style, Tag};
+use crate::picture::{Ink, Picture, Rect, Style, Tag, wrap};
 use glam::Vec2;
 
 /// Height of a line of text.
@@ -16,6 +17,8 @@ const NARROWEST: f32 = 115.0;
 const MUCH_SMALLER: f32 = 0.7;
 const MARGIN: f32 = 6.0;
 const TEXT: f32 = 12.0;
+/// Of a method's line beside its name.
+const SAMPLE: f32 = 16.0;
 /// Size of a line of text.
 const LINE: f32 = 11.0;
 
@@ -26,8 +29,8 @@ pub struct Cell {
     pub image: Rect,
     /// Pixels of the picture.
     size: Vec2,
-    /// For lines of text.
-    pub below: Rect,
+    /// For lines of text, down to the next cell.
+    below: Rect,
 }
 
 /// `count` cells for pictures like that, each with `lines` lines of text, in as many columns as make the images largest.
@@ -66,33 +69,55 @@ pub fn cells(like: &Frame, count: usize, lines: usize, size: Vec2) -> Vec<Cell> 
                 title: Rect::new(at.x, at.y, width, TITLE),
                 image,
                 size: picture,
-                below: Rect::new(at.x, image.bottom() + 1.0, width, text),
+                below: Rect::between(
+                    Vec2::new(at.x, image.bottom() + 1.0),
+                    Vec2::new(at.x + width, at.y + cell.y - MARGIN),
+                ),
             }
         })
         .collect()
 }
 
 impl Cell {
-    /// The method's name; that of the run that is walked through stands out.
-    pub fn title(&self, picture: &mut Picture, name: &str, walked: bool) {
-        let ink = if walked { Ink::This } else { Ink::Text };
-        let style = Style::Bold.size(TEXT).ink(ink);
-        elided(picture, self.title, name, style);
+    /// The method's name with its line in plots; that of the run that is walked through stands out.
+    pub fn title(&self, picture: &mut Picture, name: &str, (method, walked): (Method, Method)) {
+        let Rect { x, width, .. } = self.title;
+        let middle = self.title.center().y;
+        let stroke = method.series().stroke;
+        picture.line((x, middle), (x + SAMPLE, middle), stroke);
+        let ink = match method == walked {
+            true => Ink::This,
+            false => Ink::Text,
+        };
+        let name_place = Rect {
+            x: x + SAMPLE + 4.0,
+            width: width - SAMPLE - 4.0,
+            ..self.title
+        };
+        elided(picture, name_place, name, Style::Bold.size(TEXT).ink(ink));
     }
 
-    /// Lines under the image, as many as there is room for.
+    /// Lines under the image, the first ones first: broken where they are too long, and left out where they do not fit whole.
     pub fn lines<'a>(
         &self,
         picture: &mut Picture,
         lines: impl IntoIterator<Item = (&'a str, Ink)>,
     ) {
-        for (row, (line, ink)) in lines.into_iter().enumerate() {
-            let place = Rect {
-                y: self.below.y + ROW * row as f32,
-                height: ROW,
-                ..self.below
-            };
-            elided(picture, place, line, Style::Body.size(LINE).ink(ink));
+        let mut y = self.below.y;
+        for (line, ink) in lines {
+            let rows = wrap(line, Style::Body, LINE, self.below.width);
+            if y + ROW * rows.len() as f32 > self.below.bottom() + 0.01 {
+                continue;
+            }
+            for row in rows {
+                let place = Rect {
+                    y,
+                    height: ROW,
+                    ..self.below
+                };
+                elided(picture, place, &row, Style::Body.size(LINE).ink(ink));
+                y += ROW;
+            }
         }
     }
 
