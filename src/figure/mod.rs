@@ -18,6 +18,6 @@ pub use fit::{Fit, Projection};
 pub use labels::{Labels, crosses, within};
 pub use plot::{Axis, Plot};
 pub use scale::{Scale, Unit};
-pub use series::{LEGEND_ROW, Mark, Series, legend};
+pub use series::{LEGEND_ROW, LEGEND_SAMPLE, Mark, Series, legend};
 pub use table::{Cell, Row, elided, joined, mono_or_narrow};
 pub use view::View;

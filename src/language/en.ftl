@@ -400,14 +400,14 @@ panels-no = no
 ## profile
 
 profile-intensity = intensity
-profile-slope = its slope, a pixel (jumps of the value are cut off)
+profile-slope = slope per pixel (jumps cut off)
 profile-seen = as it looks (lateral inhibition)
 profile-line = scan line y = { $y }
 profile-largest-jump = { $method }: largest jump of slope { $jump }
 
 ## race
 
-race-iterations = iterations (n shots count as one)
+race-iterations = iterations (n shots = 1)
 race-time = seconds
 race-error = relative error of B
 race-running = The solvers are still running.
@@ -417,6 +417,13 @@ race-gave-up = gave up
 race-gave-up-after = gave up ({ $effort })
 race-on-the-way = under way
 race-patches = { $count } patches
+
+## solvers, where there is little room
+
+racer-jacobi = Jacobi
+racer-gauss-seidel = Gauss–Seidel
+racer-over-relaxation = over-relaxation
+racer-chebyshev = Chebyshev
 
 ## radiosity
 

@@ -400,14 +400,14 @@ panels-no = tidak
 ## profile
 
 profile-intensity = intensitas
-profile-slope = kemiringannya, per piksel (lompatan nilai dipotong)
+profile-slope = kemiringan per piksel (lompatan dipotong)
 profile-seen = seperti terlihat (inhibisi lateral)
 profile-line = garis scan y = { $y }
 profile-largest-jump = { $method }: lompatan kemiringan terbesar { $jump }
 
 ## race
 
-race-iterations = iterasi (n tembakan dihitung satu)
+race-iterations = iterasi (n tembakan = 1)
 race-time = detik
 race-error = galat relatif B
 race-running = Para penyelesai masih berjalan.
@@ -417,6 +417,13 @@ race-gave-up = menyerah
 race-gave-up-after = menyerah ({ $effort })
 race-on-the-way = masih berjalan
 race-patches = { $count } patch
+
+## solvers, where there is little room
+
+racer-jacobi = Jacobi
+racer-gauss-seidel = Gauss–Seidel
+racer-over-relaxation = relaksasi lebih
+racer-chebyshev = Chebyshev
 
 ## radiosity
 

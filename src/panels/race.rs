@@ -6,8 +6,8 @@ use super::values::step_as_sentence;
 use super::{PanelInput, Properties, names};
 use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::{Lap, Race, Racer};
-use crate::figure::{Axis, LEGEND_ROW, Labels, Plot, Scale, Series, elided, legend};
-use crate::language::{Language, Message};
+use crate::figure::{Axis, LEGEND_ROW, LEGEND_SAMPLE, Labels, Plot, Scale, elided, legend};
+use crate::language::{Language, Message, called};
 use crate::picture::{Ink, Picture, Rect, Style};
 use crate::replay::Run;
 use crate::replay::radiosity::State;
@@ -15,6 +15,8 @@ use glam::Vec2;
 
 const MARGIN: f32 = 8.0;
 const TEXT: f32 = 11.0;
+/// Between a name and what follows it.
+const GAP: f32 = 12.0;
 /// What lies farther below the tolerance stands at the lower end: of the fields, LU would take the most for nothing.
 const BELOW: f64 = 1e-2;
 
@@ -172,7 +174,7 @@ impl Quantities {
         }
         let mut labels = Labels::new(plot.place.grown(2.0));
         let mut heads = Vec::new();
-        for (number, racer) in race.racers.iter().enumerate() {
+        for racer in &race.racers {
             let until = if self.time { now.seconds } else { now.sweeps };
             let shown = racer
                 .laps
@@ -181,7 +183,7 @@ impl Quantities {
                 .take_while(|&(across, _)| across <= until);
             let points: Vec<Vec2> = shown.map(|(x, y)| plot.point(x, y)).collect();
             let Some(&head) = points.last() else { continue };
-            let series = Series::of(number);
+            let series = racer.solver.series();
             labels.avoid_path(&points);
             if points.len() > 1 {
                 picture.polyline(points, series.stroke);
@@ -200,52 +202,52 @@ impl Quantities {
     }
 }
 
-/// Under the fields, each solver with its line, its letters and how far it has come; where that would take more than a third of the
-/// room, with its letters alone. Returns where they begin.
+/// Under the fields, each solver with its line, its letters, its name and how far it has come; the latter only where all of it takes
+/// no more than a third of the room. Returns where they begin.
 fn standings(picture: &mut Picture, race: &Race, now: Now, whole: Rect, language: Language) -> f32 {
-    // With names, and without.
-    const CELLS: [f32; 2] = [290.0, 150.0];
-    let lines = |with_names: bool| -> Vec<String> {
-        let line = |racer: &Racer| {
-            let standing = standing(racer, now, language);
-            match with_names {
-                true => labelled(&name(racer, language), &standing, language),
-                false => standing,
-            }
-        };
-        race.racers.iter().map(line).collect()
+    let racers = race.racers.iter();
+    let entries = racers.map(|racer| {
+        let name = [racer.solver.symbol(), &short_name(racer, language)].join("  ");
+        (racer.solver.series().stroke, name)
+    });
+    let entries: Vec<_> = entries.collect();
+    let racers = race.racers.iter();
+    let standings: Vec<_> = racers.map(|racer| standing(racer, now, language)).collect();
+    let style = Style::Body.size(TEXT).ink(Ink::Muted);
+    let widest = |texts: &mut dyn Iterator<Item = &String>| {
+        texts.fold(0.0, |most: f32, text| most.max(style.width(text)))
     };
-    let samples = race.racers.iter().enumerate();
-    let samples = samples.map(|(number, racer)| (Series::of(number).stroke, racer.solver.symbol()));
-    for (named, cell) in [true, false].into_iter().zip(CELLS) {
-        let columns = ((whole.width / cell) as usize).clamp(1, 4);
-        let rows = race.racers.len().div_ceil(columns);
-        let top = whole.bottom() - LEGEND_ROW * rows as f32;
-        if top < whole.y + 0.66 * whole.height {
-            continue;
-        }
+    let names = LEGEND_SAMPLE + widest(&mut entries.iter().map(|(_, name)| name)) + GAP;
+    let cell = names + widest(&mut standings.iter()) + GAP;
+    let columns = ((whole.width / cell) as usize).min(4);
+    let rows = race.racers.len().div_ceil(columns.max(1));
+    let top = whole.bottom() - LEGEND_ROW * rows as f32;
+    if columns > 0 && top >= whole.y + 0.66 * whole.height {
         let width = whole.width / columns as f32;
-        let style = Style::Body.size(TEXT).ink(Ink::Muted);
-        for (index, (sample, line)) in samples.clone().zip(lines(named)).enumerate() {
+        for (index, ((stroke, name), standing)) in entries.iter().zip(&standings).enumerate() {
             let (row, column) = (index % rows, index / rows);
             let x = whole.x + width * column as f32;
             let y = top + LEGEND_ROW * row as f32;
-            let cell = Rect::new(x, y, width, LEGEND_ROW);
-            legend(picture, [sample], cell, x);
-            let text = Rect::new(x + 54.0, y, width - 58.0, LEGEND_ROW);
-            elided(picture, text, &line, style);
+            legend(
+                picture,
+                [(*stroke, name.as_str())],
+                Rect::new(x, y, width, LEGEND_ROW),
+                x,
+            );
+            let text = Rect::new(x + names, y, width - names, LEGEND_ROW);
+            elided(picture, text, standing, style);
         }
         return top - 4.0;
     }
+    let entries = || {
+        entries
+            .iter()
+            .map(|(stroke, name)| (*stroke, name.as_str()))
+    };
     let place = |top| Rect { y: top, ..whole };
-    let height = legend(
-        &mut Picture::default(),
-        samples.clone(),
-        place(0.0),
-        whole.x,
-    );
+    let height = legend(&mut Picture::default(), entries(), place(0.0), whole.x);
     let top = whole.bottom() - height;
-    legend(picture, samples, place(top), whole.x);
+    legend(picture, entries(), place(top), whole.x);
     top - 4.0
 }
 
@@ -292,6 +294,12 @@ fn in_words(input: &PanelInput, race: &Race, now: Now) -> String {
 
 fn name(racer: &Racer, language: Language) -> String {
     names::word(racer.solver.name(), language)
+}
+
+/// The same where there is little room.
+fn short_name(racer: &Racer, language: Language) -> String {
+    let short = called("racer", racer.solver.name(), language);
+    short.unwrap_or_else(|| name(racer, language))
 }
 
 #[cfg(test)]
