@@ -7,8 +7,8 @@ use glam::Vec2;
 const GAPS: [f32; 7] = [3.0, 8.0, 15.0, 24.0, 36.0, 52.0, 72.0];
 /// From the n-th gap on a thin line leads from the point to the label.
 const LED: usize = 3;
-/// What it costs to cover an outline.
-const OUTLINE: f32 = 1.5;
+/// What it costs to cover a part of a shape: more than to stand a little away from it.
+const SHAPE: f32 = 3.0;
 /// Between the boxes of two labels.
 const APART: f32 = 1.0;
 
@@ -17,6 +17,7 @@ pub struct Labels {
     taken: Vec<Rect>,
     lines: Vec<Spared>,
     outlines: Vec<(Rect, Vec<[Vec2; 2]>)>,
+    discs: Vec<(Vec2, f32)>,
 }
 
 /// A line that labels should not cover, with half its width.
@@ -39,6 +40,7 @@ impl Labels {
             taken: Vec::new(),
             lines: Vec::new(),
             outlines: Vec::new(),
+            discs: Vec::new(),
         }
     }
 
@@ -77,6 +79,11 @@ impl Labels {
         if let Some(bounds) = boxes.reduce(|all, other| all.union(&other)) {
             self.outlines.push((bounds, lines));
         }
+    }
+
+    /// Labels should rather not cover any part of the disc.
+    pub fn avoid_disc(&mut self, at: Vec2, radius: f32) {
+        self.discs.push((at, radius));
     }
 
     /// Writes `text` beside the disc of `radius` at `at`, rather in the direction `toward`. Where there is no room left the
@@ -144,12 +151,13 @@ impl Labels {
                     continue;
                 }
                 let crossed = self.lines.iter().filter(|line| line.crosses(place));
-                let outlines = self
-                    .outlines
-                    .iter()
-                    .filter(|outline| covers(place, outline));
+                let outlines = self.outlines.iter();
+                let outlines = outlines.filter(|outline| covers(place, outline));
+                let discs = self.discs.iter();
+                let discs = discs.filter(|disc| touches(place, disc));
+                let shapes = outlines.count() + discs.count();
                 let mut cost = 0.06 * gap + 4.0 * crossed.count() as f32 - direction.dot(toward)
-                    + OUTLINE * outlines.count() as f32;
+                    + SHAPE * shapes as f32;
                 if ring >= LED {
                     let line = leader(at, radius, place);
                     let struck = self.taken.iter().filter(|taken| crosses(line, **taken));
@@ -177,6 +185,11 @@ impl Labels {
 fn covers(place: Rect, (bounds, lines): &(Rect, Vec<[Vec2; 2]>)) -> bool {
     let apart = bounds.grown(APART).intersection(&place).is_empty();
     !apart && lines.iter().any(|&line| crosses(line, place))
+}
+
+/// Whether a box and a disc have more than their edges in common.
+fn touches(place: Rect, &(at, radius): &(Vec2, f32)) -> bool {
+    at.distance(at.clamp(place.min(), place.max())) < radius
 }
 
 /// The line from the edge of a disc to the nearest point of a box.

@@ -77,6 +77,7 @@ impl Layout<'_> {
                 if self.view.shows(at, radius) {
                     self.picture
                         .circle(at, radius, Ink::Faint.fill().opacity(0.7));
+                    self.labels.avoid_disc(at, radius);
                 }
             }
             let outline = outline::outline(prepared, object, self.view);
@@ -170,6 +171,7 @@ impl Layout<'_> {
             if let Some([from, to]) = self.view.line(camera.eye, end) {
                 self.picture
                     .line(from, to, Ink::Muted.stroke(0.75).dotted());
+                self.labels.avoid(from, to);
             }
         }
         if let Some([from, to]) = self.view.line(low, high) {
