@@ -1,17 +1,16 @@
 //! The lesson's panels as cards: the key panel large, the others live beside it, and what opens in their place.
 
 use super::button::button;
-use super::layout::{Layout, TITLE};
+use super::layout::{Layout, MARGIN, TITLE};
 use super::panel_view::{self, PanelView, Scale};
 use super::session::{Command, Drawer, Session};
 use super::{drag, parameter_drawer, results_drawer, strings, style, tree_controls};
+use crate::language::Message;
 use crate::panels::{Panel, step_at};
 use crate::picture::{Ink, Tag};
-use egui::{Button, Rect, RichText, Sense, Ui};
+use egui::{Button, Rect, Response, RichText, Sense, Ui};
 use std::collections::HashMap;
 
-/// Between a card's frame and its picture.
-const MARGIN: f32 = 4.0;
 /// A card narrower than this has a title and nothing beside it.
 const WIDE: f32 = 360.0;
 
@@ -27,8 +26,11 @@ pub fn show(
     let key = session.key_panel();
     let others = session.other_panels();
     if let Some(key) = key {
-        let named = layout.side.is_empty() && layout.drawer.is_none();
-        let names: &[Panel] = if named { &others } else { &[] };
+        // A drawer stands in place of the others.
+        let names = match layout.drawer {
+            Some(_) => &[],
+            None => &others[layout.side.len().min(others.len())..],
+        };
         under = card(session, views, key, names, layout.key, commands, ui);
     }
     for (&panel, &rect) in others.iter().zip(&layout.side) {
@@ -50,46 +52,37 @@ fn card(
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) -> Option<Tag> {
-    style::card(session.look.theme, rect, ui);
-    let mut row = title_row(rect, ui);
-    let title = style::strong(session.localize(panel.title()), 14.0);
-    let fill = egui::Label::new(title)
-        .selectable(false)
-        .sense(Sense::click());
-    let response = row.add(fill);
-    if response
-        .on_hover_text(session.localize(strings::FILL))
-        .double_clicked()
-    {
+    let (title, mut row) = head(session, panel.title(), rect, ui);
+    // A sense without the focus: the button at the right does the same.
+    let title = title.interact(Sense::CLICK);
+    let title = title.on_hover_text(session.localize(strings::FILL));
+    if title.double_clicked() {
         commands.push(Command::Fill);
     }
     for &other in names {
         name_button(session, other, commands, &mut row);
     }
-    row.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        let (sign, name) = match session.is_filled() {
-            true => ("×", strings::UNFILL),
-            false => ("□", strings::FILL),
-        };
-        let fill = Button::new(RichText::new(sign).size(13.0)).min_size(egui::vec2(24.0, 20.0));
-        button(
-            session,
-            fill,
-            session.localize(name),
-            Command::Fill,
-            commands,
-            ui,
-        );
-        if rect.width() < WIDE {
-            return;
-        }
-        controls(session, panel, commands, ui);
-        let muted = style::color(session.look.theme, Ink::Muted);
-        let caption = RichText::new(panel_view::caption(session, panel))
-            .size(13.0)
-            .color(muted);
-        ui.add(egui::Label::new(caption).truncate().selectable(false));
-    });
+    let (sign, name) = match session.is_filled() {
+        true => ("×", strings::UNFILL),
+        false => ("□", strings::FILL),
+    };
+    at_end(
+        session,
+        (sign, name, Command::Fill),
+        commands,
+        &mut row,
+        |ui, commands| {
+            if rect.width() < WIDE {
+                return;
+            }
+            controls(session, panel, commands, ui);
+            let muted = style::color(session.look.theme, Ink::Muted);
+            let caption = RichText::new(panel_view::caption(session, panel))
+                .size(13.0)
+                .color(muted);
+            ui.add(egui::Label::new(caption).truncate().selectable(false));
+        },
+    );
     let view = views.entry(panel).or_default();
     let shown = panel_on(session, panel, view, inside(rect), ui);
     if shown.filled {
@@ -118,6 +111,30 @@ fn small_card(
         commands.extend(under.map(Command::Click));
     }
     under
+}
+
+/// A card with its title; returns that, and the rest of its row.
+fn head(session: &Session, title: Message, rect: Rect, ui: &mut Ui) -> (Response, Ui) {
+    style::card(session.look.theme, rect, ui);
+    let mut row = title_row(rect, ui);
+    let title = style::strong(session.localize(title), 14.0);
+    let title = row.add(egui::Label::new(title).selectable(false));
+    (title, row)
+}
+
+/// At the end of a card's row a button with a sign, and what `more` adds before it.
+fn at_end(
+    session: &Session,
+    (sign, name, command): (&str, Message, Command),
+    commands: &mut Vec<Command>,
+    row: &mut Ui,
+    more: impl FnOnce(&mut Ui, &mut Vec<Command>),
+) {
+    row.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+        let sign = Button::new(RichText::new(sign).size(13.0)).min_size(egui::vec2(24.0, 20.0));
+        button(session, sign, session.localize(name), command, commands, ui);
+        more(ui, commands);
+    });
 }
 
 fn title_row(rect: Rect, ui: &mut Ui) -> Ui {
@@ -182,25 +199,14 @@ fn show_drawer(
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) -> Option<Tag> {
-    style::card(session.look.theme, rect, ui);
-    let mut row = title_row(rect, ui);
     let (title, command) = match drawer {
         Drawer::Inspector => (strings::INSPECTOR, Command::Inspector),
         Drawer::Parameters => (strings::PARAMETERS, Command::Parameters),
         Drawer::Results => (strings::RESULTS, Command::Results),
     };
-    row.label(style::strong(session.localize(title), 14.0));
-    row.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-        let close = Button::new(RichText::new("×").size(13.0)).min_size(egui::vec2(24.0, 20.0));
-        button(
-            session,
-            close,
-            session.localize(strings::CLOSE),
-            command,
-            commands,
-            ui,
-        );
-    });
+    let (_, mut row) = head(session, title, rect, ui);
+    let close = ("×", strings::CLOSE, command);
+    at_end(session, close, commands, &mut row, |_, _| {});
     match drawer {
         Drawer::Parameters => {
             parameter_drawer::show(session, commands, inside(rect), ui);

@@ -4,16 +4,23 @@ use egui::{Rect, Vec2, pos2, vec2};
 
 /// Between cards, and around them.
 pub const GAP: f32 = 8.0;
+/// Between a card's frame and what is in it.
+pub const MARGIN: f32 = 4.0;
 /// Height of the bar on top.
 pub const BAR: f32 = 40.0;
 /// Height of a card's title.
 pub const TITLE: f32 = 28.0;
 /// Height of the row of buttons above the time line.
 pub const TRANSPORT: f32 = 36.0;
-/// Least part of the window that the key panel's card takes.
-const KEY_SHARE: f32 = 0.455;
-/// The least width and height at which another panel is worth showing beside the key panel.
-const LEAST_SIDE: Vec2 = vec2(150.0, 104.0);
+/// Largest part of the window's height for the time line, unless the user wants more of it.
+const TIME_LINE_SHARE: f32 = 0.125;
+/// Least part of the window that the key panel's card takes, where the column leaves it so much: with text twice as large on 1280 × 800
+/// pixels that is 0.37.
+const KEY_SHARE: f32 = 0.452;
+/// What a panel beside the key panel is laid out for at least: no text is crowded at that size.
+pub const SMALL: Vec2 = vec2(260.0, 174.0);
+/// How small such a panel is shown: its text, 11 points high, is then 10.
+const SMALLEST: f32 = 10.0 / 11.0;
 const WIDEST_SIDE: f32 = 0.24;
 /// How much more than its least width the key panel keeps where nothing stands beside it, and how much wider the column becomes there.
 const ALONE: f32 = 1.1;
@@ -37,8 +44,10 @@ const LEAST_SAID: f32 = 0.24;
 pub struct Wishes {
     /// Width of the left column, where the user has chosen one.
     pub column: Option<f32>,
-    /// Height of the time line without its buttons.
-    pub time_line: f32,
+    /// Height of the time line without its buttons, where the user has chosen one.
+    pub time_line: Option<f32>,
+    /// Between what heights it can be dragged: the usual one, and one that shows all of it.
+    pub time_line_heights: [f32; 2],
     /// Panels beside the key panel.
     pub others: usize,
     pub drawer: bool,
@@ -49,7 +58,7 @@ pub struct Wishes {
 pub struct Layout {
     pub column: Rect,
     pub key: Rect,
-    /// A card for each other panel; empty where there is no room: then their names stand on the key panel's card.
+    /// A card for each other panel, as far as there is room: the names of the rest stand on the key panel's card.
     pub side: Vec<Rect>,
     /// In place of the cards at the side.
     pub drawer: Option<Rect>,
@@ -87,8 +96,11 @@ pub fn column_widths(window: f32) -> std::ops::RangeInclusive<f32> {
 /// Places the cards in a window of that size.
 pub fn layout(window: Vec2, wishes: Wishes) -> Layout {
     let bottom = window.y - GAP;
+    let [usual, most] = wishes.time_line_heights;
+    let usual = usual.min(TIME_LINE_SHARE * window.y);
+    let rows = wishes.time_line.unwrap_or(usual).clamp(usual, most);
     let time_line = Rect::from_min_max(
-        pos2(GAP, bottom - TRANSPORT - wishes.time_line),
+        pos2(GAP, bottom - TRANSPORT - rows),
         pos2(window.x - GAP, bottom),
     );
     let (top, bottom) = (BAR + GAP, time_line.top() - GAP);
@@ -98,15 +110,20 @@ pub fn layout(window: Vec2, wishes: Wishes) -> Layout {
 
     // What is not the column and, where there is room for it, not the strip at the side, is the key panel's.
     let least_key = (KEY_SHARE * window.x * window.y / height.max(1.0)).ceil();
-    let usual = (0.232 * window.x).clamp(LEAST_COLUMN, 440.0);
-    let count = wishes.others as f32;
-    let each = (height + GAP) / count - GAP;
+    let least_side = SMALLEST * SMALL + vec2(2.0 * MARGIN, TITLE + MARGIN);
+    let count = ((height + GAP) / (least_side.y + GAP)) as usize;
+    let count = count.min(wishes.others);
     let strip = |column: f32| {
         let room = window.x - 2.0 * GAP - column - GAP;
         let width = (room - least_key - GAP).min(WIDEST_SIDE * window.x);
-        let fits = count > 0.0 && width >= LEAST_SIDE.x && each >= LEAST_SIDE.y;
-        fits.then_some(width)
+        (count > 0 && width >= least_side.x).then_some(width)
     };
+    let mut usual = (0.232 * window.x).clamp(LEAST_COLUMN, 440.0);
+    // The column gives way to the strip as far as it can be read.
+    let beside_strip = window.x - 4.0 * GAP - least_key - least_side.x.ceil();
+    if count > 0 && beside_strip >= LEAST_COLUMN {
+        usual = usual.min(beside_strip);
+    }
     let width = wishes.column.unwrap_or(match strip(usual) {
         Some(_) => usual,
         None => (window.x - 3.0 * GAP - ALONE * least_key).clamp(usual, WIDENED * usual),
@@ -128,7 +145,7 @@ pub fn layout(window: Vec2, wishes: Wishes) -> Layout {
         side: if wishes.drawer || side <= 0.0 {
             Vec::new()
         } else {
-            rows(beside, wishes.others)
+            cards(beside, count)
         },
         drawer: wishes.drawer.then_some(beside),
         time_line,
@@ -136,7 +153,7 @@ pub fn layout(window: Vec2, wishes: Wishes) -> Layout {
 }
 
 /// `count` cards of equal height below each other.
-fn rows(strip: Rect, count: usize) -> Vec<Rect> {
+fn cards(strip: Rect, count: usize) -> Vec<Rect> {
     let height = (strip.height() + GAP) / count.max(1) as f32 - GAP;
     let row = |i: usize| {
         let top = strip.top() + i as f32 * (height + GAP);

@@ -1,7 +1,7 @@
 //! The left column: what this step is and why, the note on the slide, the question, pseudocode and formula.
 
 use super::cards::panel_on;
-use super::layout;
+use super::layout::{self, MARGIN};
 use super::panel_view::Key;
 use super::prose::prose;
 use super::session::{Command, Session};
@@ -10,9 +10,6 @@ use super::{panel_view, question_card, strings, style, whereabouts};
 use crate::panels::{Panel, formula_height, kind_name};
 use crate::picture::{Ink, Tag};
 use egui::{Frame, Margin, Rect, RichText, ScrollArea, Ui};
-
-/// Between a region of the card and what is in it.
-const MARGIN: f32 = 4.0;
 
 /// Shows the column on the card `card`: three regions, none of which pushes another out. Returns what lies under the pointer.
 pub fn show(

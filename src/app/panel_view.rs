@@ -1,5 +1,6 @@
 //! A panel on the screen.
 
+use super::layout;
 use super::picture_view::{PictureView, Place};
 use super::prose::prose;
 use super::session::{Command, Session};
@@ -31,9 +32,6 @@ pub struct Key {
     answered: Answered,
 }
 
-/// What a panel is laid out for where it is shown smaller, in points: no text is crowded at that size.
-const SMALL: egui::Vec2 = egui::vec2(260.0, 180.0);
-
 /// How large a panel's picture is shown.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Scale {
@@ -61,7 +59,7 @@ impl PanelView {
         let mut place = Place::on_pixels(rect, session.look.theme, ui);
         place = match scale {
             Scale::Full => place,
-            Scale::Small => place.laid_out_for(SMALL),
+            Scale::Small => place.laid_out_for(layout::SMALL),
             Scale::Times(zoom) => place.enlarged(zoom),
         };
         let key = Key::new(session, panel);

@@ -77,9 +77,8 @@ fn cards_and_time_line(
     let heights = time_line_heights(session.walk());
     let wishes = Wishes {
         column: window.borders.column,
-        time_line: window.borders.time_line.map_or(*heights.start(), |height| {
-            height.clamp(*heights.start(), *heights.end())
-        }),
+        time_line: window.borders.time_line,
+        time_line_heights: [*heights.start(), *heights.end()],
         others: session.other_panels().len(),
         drawer: session.look.drawer.is_some(),
     };

@@ -13,7 +13,8 @@ const WINDOWS: [Vec2; 6] = [
 fn wishes(others: usize) -> Wishes {
     Wishes {
         column: None,
-        time_line: 76.0,
+        time_line: None,
+        time_line_heights: [76.0, 120.0],
         others,
         drawer: false,
     }

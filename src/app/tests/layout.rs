@@ -1,7 +1,7 @@
 //! What must hold of the window's layout at every explanation of every lesson, seen on the display lists of its panels.
 
 use super::*;
-use crate::app::layout::{self, Wishes};
+use crate::app::layout::{self, MARGIN, SMALL, Wishes};
 use crate::lesson::builtins;
 use crate::panels::fixtures::{illegible, texts};
 use crate::panels::{formula_height, time_line_heights};
@@ -10,10 +10,6 @@ use glam::Vec2;
 
 /// Pixels of usual screens.
 const SCREENS: [[f32; 2]; 3] = [[1280.0, 800.0], [1366.0, 768.0], [1920.0, 1080.0]];
-/// As the cards leave it around their pictures.
-const MARGIN: f32 = 4.0;
-/// What panels beside the key panel are laid out for at least.
-const SMALL: Vec2 = Vec2::new(260.0, 180.0);
 
 /// The room inside a card below its title.
 fn inside(card: egui::Rect) -> Vec2 {
@@ -38,11 +34,13 @@ fn check(session: &Session, screen: [f32; 2], faults: &mut Vec<String>) {
     let window = egui::Vec2::from(screen) / zoom;
     let key = session.key_panel().expect("a lesson has panels");
     let others = session.other_panels();
+    let heights = time_line_heights(session.walk());
     let placed = layout::layout(
         window,
         Wishes {
             column: None,
-            time_line: *time_line_heights(session.walk()).start(),
+            time_line: None,
+            time_line_heights: [*heights.start(), *heights.end()],
             others: others.len(),
             drawer: false,
         },
@@ -64,8 +62,13 @@ fn check(session: &Session, screen: [f32; 2], faults: &mut Vec<String>) {
     }
     for (&panel, card) in others.iter().zip(&placed.side) {
         let room = inside(*card);
-        let zoom = (room / SMALL).min_element().min(1.0);
-        drawn(session, panel, room / zoom, faults);
+        let least = Vec2::new(SMALL.x, SMALL.y);
+        let smaller = (room / least).min_element().min(1.0);
+        // Of the least text of a panel.
+        if smaller * 11.0 < 9.99 {
+            faults.push(format!("{} has text of {}", panel.name(), smaller * 11.0));
+        }
+        drawn(session, panel, room / smaller, faults);
     }
 
     let width = placed.column.width() - 2.0 * MARGIN;

@@ -25,7 +25,7 @@ use std::sync::Arc;
 
 /// Sizes at which panels are checked: the smallest, as in the window, low and wide, tall, large.
 pub const SIZES: [Vec2; 6] = [
-    Vec2::new(260.0, 180.0),
+    Vec2::new(260.0, 174.0),
     Vec2::new(320.0, 220.0),
     Vec2::new(420.0, 260.0),
     Vec2::new(700.0, 120.0),
