@@ -260,7 +260,9 @@ pub fn panel_on(
         let step = step_at(&session.panel_input(), size, at);
         command = (step != session.step()).then_some(Command::Seek(step));
     }
-    if matches!(panel, Panel::Rays | Panel::Vectors) {
+    if panel == Panel::Vectors && session.arrow_asked().is_some() {
+        command = drag::turned(session, &response).or(command);
+    } else if matches!(panel, Panel::Rays | Panel::Vectors) {
         command = drag::dragged(session, panel, &response, ui).or(command);
     }
     if panel == Panel::RayTree {

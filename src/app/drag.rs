@@ -1,9 +1,9 @@
-//! How a light or the eye is moved by the pointer.
+//! How a light or the eye is moved by the pointer, and how the arrow is turned that a question asks for.
 
 use super::session::{Command, Session};
 use super::strings;
 use crate::lesson::Change;
-use crate::panels::{Grip, Held, Panel, PlaneGrip, grip, vector_grip};
+use crate::panels::{Grip, Held, Panel, PlaneGrip, degrees_toward, grip, vector_grip};
 use egui::{CursorIcon, Pos2, Response, Ui};
 use glam::Vec2;
 
@@ -35,6 +35,15 @@ impl Hold {
             Held::Eye => Change::Eye { position },
         }
     }
+}
+
+/// Turns the arrow that is asked for toward the pointer, while it is pressed in the vectors panel.
+pub fn turned(session: &Session, response: &Response) -> Option<Command> {
+    let pressed = response.is_pointer_button_down_on() || response.clicked();
+    let at = response.interact_pointer_pos().filter(|_| pressed)? - response.rect.min;
+    let size = Vec2::new(response.rect.width(), response.rect.height());
+    let degrees = degrees_toward(&session.panel_input(), size, Vec2::new(at.x, at.y))?;
+    (session.arrow_asked() != Some(degrees)).then_some(Command::Turn(degrees))
 }
 
 /// Moves what the pointer holds in a panel, once a frame; over something that it could hold, says so.

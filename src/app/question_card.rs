@@ -1,5 +1,6 @@
 //! The card that asks before the answer is seen: what all questions have, and a file for each kind that has more.
 
+mod arrow;
 mod choice;
 mod number;
 mod order;
@@ -85,6 +86,7 @@ fn ask(
         Answer::Number { .. } => number::ask(session, opens, window, commands, ui),
         Answer::Choice { options, .. } => choice::ask(session, options, commands, ui),
         Answer::Pick { thing, names, .. } => pick::ask(session, *thing, names, commands, ui),
+        Answer::Arrow { name, .. } => arrow::ask(session, name, opens, commands, ui),
         Answer::Order { items, .. } => order::ask(session, items, window, commands, ui),
         Answer::Pixel { .. } => {
             ui.label(RichText::new(session.localize(strings::CLICK_A_PIXEL)).strong());

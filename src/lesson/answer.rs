@@ -1,6 +1,7 @@
 //! The kinds of answers: what is right, what a guess is, how it is judged, and what helps after a first wrong one. A kind has its
 //! file here, and one beside the card that asks (`app::question_card`).
 
+pub(super) mod arrow;
 mod choice;
 mod number;
 pub(super) mod order;
@@ -8,6 +9,10 @@ pub(super) mod pick;
 mod pixel;
 
 use crate::language::Language;
+use crate::panels::Panel;
+use crate::replay::VectorPlane;
+pub use arrow::START as ARROW_START;
+use glam::DVec3;
 pub use number::{read_number, rounded};
 pub use pick::Thing;
 use serde::{Deserialize, Serialize};
@@ -40,6 +45,16 @@ pub enum Answer {
         items: Vec<[String; 2]>,
         right: Vec<usize>,
     },
+    /// A direction at a point, as it is seen in the plane of the vectors there.
+    Arrow {
+        /// As the run names it.
+        name: &'static str,
+        plane: VectorPlane,
+        /// Unit.
+        direction: DVec3,
+        /// In degrees.
+        tolerance: f64,
+    },
     /// After a change the run has no answer: what is asked about does not happen, or no option holds, or several do.
     Undecided,
 }
@@ -60,6 +75,8 @@ pub enum Guess {
     Pick(usize),
     /// The indices of the items, from the first to the last.
     Order(Vec<usize>),
+    /// By how many degrees the arrow is turned clockwise from the normal.
+    Arrow(f64),
 }
 
 /// Why a guess cannot be judged.
@@ -100,6 +117,18 @@ impl Answer {
                     false => Err(NoAnswer::OtherKind),
                 }
             }
+            (
+                &Answer::Arrow {
+                    plane,
+                    direction,
+                    tolerance,
+                    ..
+                },
+                &Guess::Arrow(degrees),
+            ) => {
+                let off = arrow::turn(degrees, plane.degrees(direction)).abs();
+                Ok(off <= tolerance)
+            }
             _ => Err(NoAnswer::OtherKind),
         }
     }
@@ -128,7 +157,33 @@ impl Answer {
             (Answer::Order { right, .. }, Guess::Order(order)) => {
                 order::hint(right, order, language)
             }
+            (
+                Answer::Arrow {
+                    plane, direction, ..
+                },
+                &Guess::Arrow(degrees),
+            ) => arrow::hint(plane.degrees(*direction), degrees, language),
             _ => choice::hint(language),
+        }
+    }
+
+    /// The panels in which it can be given, the best first; none where it is given in the question's card.
+    pub fn panels(&self) -> &'static [Panel] {
+        match self {
+            Answer::Pixel { .. } => &[Panel::Image, Panel::Comparison, Panel::Difference],
+            Answer::Pick {
+                thing: Thing::Object,
+                ..
+            } => &[Panel::Image],
+            Answer::Pick {
+                thing: Thing::Patch,
+                ..
+            } => &[Panel::Radiosity],
+            Answer::Arrow { .. } => &[Panel::Vectors],
+            Answer::Number { .. }
+            | Answer::Choice { .. }
+            | Answer::Order { .. }
+            | Answer::Undecided => &[],
         }
     }
 
@@ -140,6 +195,9 @@ impl Answer {
             &Answer::Pixel { x, y, .. } => pixel::in_words(x, y),
             Answer::Pick { right, .. } => self.guess_in_words(&Guess::Pick(*right), language),
             Answer::Order { items, right } => order::in_words(items, right, language),
+            Answer::Arrow {
+                plane, direction, ..
+            } => arrow::in_words(plane.degrees(*direction), language),
             Answer::Undecided => String::new(),
         }
     }
@@ -162,6 +220,7 @@ impl Answer {
                 order::in_words(items, order, language)
             }
             (_, &Guess::Pixel { x, y }) => pixel::in_words(x, y),
+            (_, &Guess::Arrow(degrees)) => arrow::in_words(degrees, language),
             _ => String::new(),
         }
     }

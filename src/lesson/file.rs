@@ -146,6 +146,8 @@ pub enum AnswerFile {
     Pick { field: String },
     /// Three to five items, in any order: the right one is that of their first steps behind the question.
     Order(Vec<ItemFile>),
+    /// The direction that the step itself records under that name, shown by an arrow, give or take `tolerance` degrees.
+    Arrow { field: String, tolerance: f64 },
 }
 
 #[derive(Clone, Debug, Deserialize)]

@@ -24,7 +24,7 @@ mod translated;
 #[cfg(test)]
 mod unanswered;
 
-pub use answer::{Answer, Guess, NoAnswer, Thing, read_number, rounded};
+pub use answer::{ARROW_START, Answer, Guess, NoAnswer, Thing, read_number, rounded};
 pub use builtin::{Builtin, builtin, builtins};
 pub use contents::Chapter;
 pub use error::LessonError;

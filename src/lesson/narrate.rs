@@ -1,6 +1,6 @@
 //! Ties what a lesson says and asks to the steps of its run.
 
-use super::answer::{Answer, order, pick};
+use super::answer::{Answer, arrow, order, pick};
 use super::error::{LessonError, problem};
 use super::file::{AnswerFile, QuestionFile, StepFile, Text};
 use super::narrated::{Narrated, Question};
@@ -188,6 +188,9 @@ fn read_answer(
                 .map(|option| option.text.both().map(|(_, text)| text.to_owned()))
                 .collect();
             Ok(Answer::Choice { options, right })
+        }
+        AnswerFile::Arrow { field, tolerance } => {
+            arrow::read(run, asked_at, step, field, *tolerance)
         }
         AnswerFile::Order(items) => order::read(run, asked_at, items),
         AnswerFile::Pick { field } => pick::read(run, step, field),

@@ -1,5 +1,6 @@
 //! A lesson file checked, run, and tied to the steps of its run.
 
+use super::answer::Answer;
 use super::contents::{Chapter, chapter};
 use super::error::{LessonError, problem};
 use super::file::{FocusFile, LessonFile, StepFile, Text};
@@ -181,6 +182,7 @@ impl Lesson {
             RecordingLimit::default(),
         );
         let narrated = narrate(&self.steps, &run, false)?;
+        check_panels(&narrated, &self.panels)?;
         Ok(OpenLesson {
             lesson: self,
             setup,
@@ -201,6 +203,27 @@ impl Lesson {
     /// undecided. Errors: every anchor and value that is not in the run.
     pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
         narrate(&self.steps, run, true)
+    }
+}
+
+/// What is clicked or turned to answer is shown.
+fn check_panels(narrated: &[Narrated], shown: &[Panel]) -> Result<(), LessonError> {
+    let mut problems = Vec::new();
+    for (index, said) in narrated.iter().enumerate() {
+        let answer = said.question.as_ref().map(|question| &question.answer);
+        let fits = answer.map_or(&[][..], Answer::panels);
+        if !fits.is_empty() && !fits.iter().any(|panel| shown.contains(panel)) {
+            let names: Vec<&str> = fits.iter().map(|panel| panel.name()).collect();
+            let message = format!(
+                "it is answered in the panel {}, which the lesson does not show",
+                names.join(" or ")
+            );
+            problems.push(problem(format!("steps[{index}].question"), message));
+        }
+    }
+    match problems.is_empty() {
+        true => Ok(()),
+        false => Err(LessonError { problems }),
     }
 }
 

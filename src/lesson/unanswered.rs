@@ -7,7 +7,7 @@ use super::narrated::Question;
 use super::pictures::{finished, input, panels};
 use super::{Builtin, OpenLesson, builtins};
 use crate::language::Language;
-use crate::panels::{PanelInput, draw, named_by, word_name};
+use crate::panels::{Answered, PanelInput, draw, named_by, word_name};
 use crate::picture::{Picture, Shape, Tag};
 use crate::record::{Field, Value};
 use glam::Vec2;
@@ -50,6 +50,28 @@ fn is_marked(picture: &Picture, x: u32, y: u32) -> bool {
         };
         places.iter().any(|&(place, side)| {
             center.distance(place) <= 0.75 * side && extent <= (3.0 * side).max(14.0)
+        })
+    })
+}
+
+/// The straight lines of a picture.
+fn lines(picture: &Picture) -> impl Iterator<Item = [Vec2; 2]> {
+    picture.items.iter().filter_map(|item| match &item.shape {
+        Shape::Polyline { points, .. } => <[Vec2; 2]>::try_from(&**points).ok(),
+        _ => None,
+    })
+}
+
+/// Whether `picture` has a line from the start of the arrow that `with_arrow` has beside it, and toward where it points.
+fn is_drawn(picture: &Picture, with_arrow: &Picture, tolerance: f64) -> bool {
+    const SHORTEST: f32 = 8.0;
+    let known: Vec<[Vec2; 2]> = lines(picture).collect();
+    let mut arrow = lines(with_arrow).filter(|line| !known.contains(line));
+    arrow.any(|[start, end]| {
+        known.iter().any(|&[from, to]| {
+            let angle = (end - start).angle_to(to - from).abs().to_degrees();
+            let near = from.distance(start) < SHORTEST && from.distance(to) > SHORTEST;
+            near && f64::from(angle) <= tolerance
         })
     })
 }
@@ -138,6 +160,7 @@ fn leak(picture: &Picture, secret: &Secret, known: &Known, language: Language) -
             let follows = |name: &String| texts.any(|text| text.contains(name.as_str()));
             names.iter().all(follows).then(|| names.join(" → "))
         }
+        Secret::Direction { .. } => None,
         Secret::Pixel { x, y } => is_marked(picture, *x, *y).then(|| format!("({x}, {y})")),
     }
 }
@@ -182,6 +205,17 @@ fn leaks(lesson: Builtin) -> BTreeSet<String> {
                         leaks.insert(format!("{place}: leads to step {ahead}"));
                     }
                     for secret in &secrets {
+                        if let &Secret::Direction { arrow, tolerance } = secret {
+                            let arrow = Some(arrow);
+                            let answered = Answered {
+                                arrow,
+                                ..input.answered
+                            };
+                            let input = PanelInput { answered, ..input };
+                            if is_drawn(&picture, &draw(panel, &input, size), tolerance) {
+                                leaks.insert(format!("{place}: draws the arrow"));
+                            }
+                        }
                         let chance = |text: &String| {
                             let by_chance =
                                 |&(id, part): &(&str, &str)| id == lesson.id && text.contains(part);

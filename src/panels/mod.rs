@@ -9,8 +9,8 @@ pub use list::ray_tree::TreeView;
 pub use list::ray_tree::{area as tree_area, middle as tree_middle};
 pub use list::rays::{Grip, grip};
 pub use list::time_line::{heights as time_line_heights, step_at};
-pub use list::vectors::{Held, PlaneGrip, grip as vector_grip};
-pub use shared::answered::Answered;
+pub use list::vectors::{Held, PlaneGrip, degrees_toward, grip as vector_grip};
+pub use shared::answered::{Answered, AskedArrow};
 pub use shared::finding::found;
 pub use shared::horizon::Hidden;
 pub use shared::names::{
@@ -118,7 +118,7 @@ pub struct PanelInput<'a> {
     pub smooth: Option<DrawPatches>,
     /// While a question waits at the step, what it hides beside all that is ahead of the step; none where no question waits.
     pub pending: Option<&'a [Hidden]>,
-    /// The pixel or the thing that was answered to the question at the step.
+    /// What was answered to the question at the step, as far as pictures show it.
     pub answered: Answered,
 }
 

@@ -6,6 +6,7 @@
 
 mod angles;
 mod arrows;
+mod asked;
 mod met;
 mod plane;
 mod point;
@@ -23,6 +24,7 @@ use crate::scene::Scene;
 use angles::Angles;
 use glam::Vec2;
 use met::SurfaceInSight;
+use plane::{Plane, Tip};
 
 const NOT_YET: Message = Message("vectors-not-yet");
 const NO_POINT: Message = Message("vectors-no-point");
@@ -49,7 +51,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
     let layout = Layout::of(size, &state.prepared.scene, text);
     let drawing = layout.drawing;
-    arrows::draw(&mut picture, &surface, kind, text, input.language, drawing);
+    arrows::draw(&mut picture, &surface, input, text, drawing);
     angles.draw(
         &mut picture,
         kind,
@@ -66,34 +68,37 @@ fn at_point(input: &PanelInput, size: Vec2) -> Picture {
     let (Some(prepared), Some(point)) = input.run.lit() else {
         return message(NO_POINT, input.language, size);
     };
-    let walk = input.run.walk();
-    let kind = walk.kind(walk.position());
     let mut picture = Picture::new(size.x, size.y);
-    let angles = point::draw(
-        &mut picture,
-        point,
-        prepared.view.eye,
-        kind,
-        input.language,
-        size,
-    );
+    let angles = point::draw(&mut picture, point, prepared.view.eye, input, size);
     picture.alt = format!("{} {angles}.", step_as_sentence(input));
     picture
 }
 
 /// The vector toward a light or the eye whose tip is at `at` in the panel of that size.
 pub fn grip(input: &PanelInput, size: Vec2, at: Vec2) -> Option<PlaneGrip> {
+    let (plane, tips) = plane_and_tips(input, size)?;
+    plane.grip(&tips, at)
+}
+
+/// By how many degrees an arrow that points to `at` is turned clockwise from the normal, in the panel of that size.
+pub fn degrees_toward(input: &PanelInput, size: Vec2, at: Vec2) -> Option<f64> {
+    let (plane, _) = plane_and_tips(input, size)?;
+    Some(plane.degrees_toward(at))
+}
+
+/// The plane as it is drawn in the panel of that size, and the vectors in it that can be moved.
+fn plane_and_tips(input: &PanelInput, size: Vec2) -> Option<(Plane, Vec<Tip>)> {
     let Some(state) = input.run.rays() else {
         let (Some(prepared), Some(point)) = input.run.lit() else {
             return None;
         };
         let eye = prepared.view.eye;
-        return point::plane(point, eye, size).grip(&point::tips(point, eye), at);
+        return Some((point::plane(point, eye, size), point::tips(point, eye)));
     };
     let surface = SurfaceInSight::of(state)?;
     let text = (1.4 * small(size)).min(24.0).round();
     let drawing = Layout::of(size, &state.prepared.scene, text).drawing;
-    arrows::plane(&surface, text, drawing).grip(&surface.tips(), at)
+    Some((arrows::plane(&surface, text, drawing), surface.tips()))
 }
 
 /// Whether the current ray has found out that it meets no surface.

@@ -17,6 +17,7 @@ pub mod rays;
 mod run;
 pub mod shading;
 mod timeline;
+mod vector_plane;
 pub mod wireframe;
 
 pub use canvas::{Canvas, MAX_SIDE};
@@ -24,3 +25,4 @@ pub use cursor::{Replay, Walk};
 pub use query::{Comparison, Condition, Operand, Query, QueryError};
 pub use run::{Run, WalkOf};
 pub use timeline::{Fold, RecordedField, Timeline};
+pub use vector_plane::VectorPlane;

@@ -63,6 +63,8 @@ pub enum Command {
     /// Another part of the ray tree, or at another size.
     ViewTree(TreeView),
     Answer(Guess),
+    /// Turns the arrow that is asked for: degrees clockwise from the normal.
+    Turn(f64),
     Skip,
     /// Questions on or off.
     Questions,

@@ -1,4 +1,4 @@
-//! Which panel is shown large: the one that the explanation names, or the user's choice.
+//! Which panel is shown large: the one that the explanation names, the one in which its question is answered, or the user's choice.
 
 use super::{Drawer, Refused, Session};
 use crate::app::strings;
@@ -16,8 +16,21 @@ impl Session {
         let named = || said.and_then(|said| said.key);
         let panels = self.panels();
         self.chosen
+            .or_else(|| self.answer_panel())
             .or_else(named)
             .or_else(|| panels.first().copied())
+    }
+
+    /// The panel in which the question at this step is answered, before and after. The one that the explanation names, where that
+    /// will do.
+    fn answer_panel(&self) -> Option<Panel> {
+        let (question, _) = self.question()?;
+        let named = self.narration_here().and_then(|said| said.key);
+        let first = self.panels().first().copied();
+        let fits = question.answer.panels();
+        let wished = named.or(first).into_iter().chain(fits.iter().copied());
+        let mut shown = wished.filter(|panel| self.panels().contains(panel));
+        shown.find(|panel| fits.contains(panel))
     }
 
     /// The others, in their order.
@@ -46,12 +59,12 @@ impl Session {
         self.filled = !self.filled;
     }
 
-    /// Where the lesson names a panel at an explanation just reached, that panel is shown.
+    /// Where an explanation just reached names a panel, or its question is answered in one, that panel is shown.
     pub(super) fn follow_narration(&mut self, from: usize) {
         let before = self.narrated.partition_point(|&step| step <= from);
         let now = self.narrated.partition_point(|&step| step <= self.step());
         let named = |count: usize| self.open.narrated.get(count.checked_sub(1)?)?.key;
-        if before != now && named(now).is_some() {
+        if before != now && (named(now).is_some() || self.answer_panel().is_some()) {
             self.chosen = None;
         }
     }

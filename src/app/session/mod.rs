@@ -17,6 +17,7 @@ mod results;
 mod search;
 mod study;
 mod study_commands;
+mod turn;
 mod update;
 
 #[cfg(test)]
@@ -136,6 +137,8 @@ pub struct Session {
     standings: Vec<Standing>,
     /// What was answered so far, by the index of the explanation that asks.
     guesses: BTreeMap<usize, Vec<Guess>>,
+    /// The recording and the step at which an arrow is turned, and its degrees so far.
+    turned: Option<((u64, usize), f64)>,
     /// How far each lesson has come, by its id.
     progress: BTreeMap<String, Progress>,
     /// The last lesson whose progress was noted, by its id.
@@ -180,6 +183,7 @@ impl Session {
             narrated: Vec::new(),
             standings: Vec::new(),
             guesses: BTreeMap::new(),
+            turned: None,
             progress: BTreeMap::new(),
             kept_lesson: None,
             preview: Preview::new(open.setup.clone(), methods(&open)),
@@ -229,6 +233,7 @@ impl Session {
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
         self.standings = vec![Standing::Open; self.narrated.len()];
         self.guesses.clear();
+        self.turned = None;
         self.breakpoints.clear();
         self.play = None;
         self.around = Loop::default();

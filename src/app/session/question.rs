@@ -73,7 +73,7 @@ impl Session {
             .map_or(&[], |guesses| guesses)
     }
 
-    /// The pixel or the thing that was answered at this step, and the right one once there is a verdict.
+    /// The pixel, the thing or the arrow that was answered at this step, and the right one once there is a verdict.
     pub(super) fn answered(&self) -> Answered {
         let Some((question, standing)) = self.question() else {
             return Answered::default();
@@ -93,6 +93,7 @@ impl Session {
         Answered {
             own,
             right: right.filter(|_| standing != Standing::Open),
+            arrow: self.asked_arrow(),
         }
     }
 

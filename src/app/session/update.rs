@@ -54,6 +54,7 @@ impl Session {
             Command::Hover(tag) => self.hovered = tag,
             Command::ViewTree(view) => self.tree = view,
             Command::Answer(guess) => return self.answer(&guess),
+            Command::Turn(degrees) => return self.turn(degrees),
             Command::Skip => return self.skip(),
             Command::Questions => self.look.questions = !self.look.questions,
             Command::Change(change) => return self.change(change),

@@ -42,7 +42,7 @@ fn a_question_is_answered_in_its_card() {
         }
         Answer::Choice { options, right } => screen.click(&options[right][0]),
         Answer::Pick { names, right, .. } => screen.click(&names[right][0]),
-        Answer::Order { .. } => panic!("see below"),
+        Answer::Order { .. } | Answer::Arrow { .. } => panic!("see below"),
         Answer::Undecided => panic!("nothing is changed"),
         Answer::Pixel { x, y, .. } => {
             let click = Command::Click(Tag::Pixel { x, y });
@@ -189,4 +189,53 @@ fn items_are_put_in_order_with_the_keyboard() {
     let (_, standing) = screen.session().question().expect("a question");
     assert_eq!(standing, Standing::Right);
     screen.keep("ordered");
+}
+
+#[test]
+fn an_arrow_is_turned_with_the_keyboard_or_dragged_in_the_picture() {
+    let is_arrow = |answer: &Answer| matches!(answer, Answer::Arrow { .. });
+    let mut screen = asked("reflection", is_arrow);
+    let degrees = |screen: &Screen| screen.session().arrow_asked().expect("an arrow");
+    let (step, start) = (screen.session().step(), degrees(&screen));
+    screen.keep("arrow");
+    // The slider has the keyboard: the arrow keys turn, and do not walk.
+    for key in [Key::ArrowLeft, Key::ArrowLeft, Key::ArrowLeft] {
+        screen.press(Modifiers::NONE, key);
+    }
+    assert_eq!(
+        (screen.session().step(), degrees(&screen)),
+        (step, start - 3.0)
+    );
+    screen.press(Modifiers::NONE, Key::Enter);
+    assert_eq!(screen.session().guesses(), [Guess::Arrow(start - 3.0)]);
+    screen.keep("arrow-again");
+    // In the picture it points where the pointer is.
+    assert_eq!(screen.session().key_panel(), Some(Panel::Vectors));
+    let rect = screen.panel(Panel::Vectors);
+    screen.harness.hover_at(rect.center());
+    screen.harness.drag_at(rect.center());
+    screen.harness.run();
+    let above = rect.center_top() + egui::vec2(0.0, 20.0);
+    screen.harness.hover_at(above);
+    screen.harness.run();
+    screen.harness.drop_at(above);
+    screen.harness.run();
+    let (question, _) = screen.session().question().expect("a question");
+    let &Answer::Arrow {
+        plane, direction, ..
+    } = &question.answer
+    else {
+        panic!("an arrow is asked for")
+    };
+    assert!(degrees(&screen).abs() < 20.0, "{}", degrees(&screen));
+    // After the mouse the keyboard goes on from there.
+    let right = plane.degrees(direction).round();
+    let turned = degrees(&screen);
+    for _ in 0..(right - turned).round() as usize {
+        screen.press(Modifiers::NONE, Key::ArrowRight);
+    }
+    screen.press(Modifiers::NONE, Key::Enter);
+    let (_, standing) = screen.session().question().expect("a question");
+    assert_eq!(standing, Standing::Right);
+    screen.keep("arrow-answered");
 }

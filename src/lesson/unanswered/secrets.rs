@@ -3,10 +3,11 @@
 use crate::language::Language;
 use crate::lesson::file::{AnswerFile, QuestionFile};
 use crate::lesson::{Answer, OpenLesson, Thing};
-use crate::panels::{named_by, word_name};
+use crate::panels::{AskedArrow, named_by, word_name};
 use crate::record::{Fields, Value};
 use crate::replay::query::number_of;
-use crate::replay::{Condition, Operand};
+use crate::replay::{Condition, Operand, VectorPlane, Walk};
+use glam::DVec3;
 
 /// Something that must not be read before the answer.
 #[derive(Clone, Debug)]
@@ -31,6 +32,11 @@ pub(super) enum Secret {
     },
     /// Texts one after the other.
     Sequence(Vec<String>),
+    /// Where an arrow points, within so many degrees.
+    Direction {
+        arrow: AskedArrow,
+        tolerance: f64,
+    },
 }
 
 /// What is decisive for the right answer.
@@ -68,9 +74,58 @@ pub(super) fn secrets(open: &OpenLesson, index: usize, language: Language) -> Ve
             let text = |&item: &usize| items[item][language as usize].to_lowercase();
             vec![Secret::Sequence(right.iter().map(text).collect())]
         }
+        (
+            &Answer::Arrow {
+                name,
+                plane,
+                direction,
+                tolerance,
+            },
+            _,
+        ) => {
+            let step = open.narrated[index].step;
+            direction_of(name, plane, direction, tolerance, open.run.walk(), step)
+        }
         (&Answer::Choice { right, .. }, _) => decisive(open, &file.0, &fields, right, language),
         _ => unreachable!("an answer is of the kind that its file gives"),
     }
+}
+
+/// A direction as it is drawn, its components, and its angle with the normal, unless a vector that is known by `step` makes the
+/// same angle: to see that is what is asked.
+fn direction_of(
+    field: &'static str,
+    plane: VectorPlane,
+    direction: DVec3,
+    tolerance: f64,
+    walk: &dyn Walk,
+    step: usize,
+) -> Vec<Secret> {
+    let arrow = AskedArrow {
+        field,
+        point: plane.point,
+        own: direction,
+        right: None,
+        is_right: false,
+    };
+    let cosine = direction.dot(plane.normal);
+    let mut known = (0..=step).flat_map(|step| walk.own_fields(step).0);
+    let is_known = known.any(|field| match field.value {
+        Value::Vector(vector) => {
+            vector.is_normalized() && (vector.dot(plane.normal).abs() - cosine.abs()).abs() < 1e-9
+        }
+        _ => false,
+    });
+    let angle = cosine.acos().to_degrees();
+    let angles = [angle, 180.0 - angle].into_iter().filter(|_| !is_known);
+    let components = direction.to_array().into_iter();
+    let numbers = components
+        .filter(|component| *component != 0.0)
+        .map(|value| (value, 0.01 * value.abs()))
+        .chain(angles.map(|degrees| (degrees, 1.0)));
+    let numbers = numbers.map(|(value, tolerance)| Secret::Number { value, tolerance });
+    let drawn = Secret::Direction { arrow, tolerance };
+    std::iter::once(drawn).chain(numbers).collect()
 }
 
 /// The values by which the right option holds; of objects and words, their names.

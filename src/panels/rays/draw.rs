@@ -3,7 +3,7 @@
 use super::super::names;
 use super::outline;
 use super::view::View;
-use crate::figure::{Labels, cross};
+use crate::figure::{Arrow, Labels, cross};
 use crate::language::Message;
 use crate::panels::PanelInput;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
@@ -15,6 +15,8 @@ const EYE: Message = Message("common-eye");
 const PLANE: Message = Message("rays-plane");
 /// Beyond so many rays, those are drawn faintly, and without letters, from which the current ray does not come.
 const MOST_RAYS: usize = 24;
+/// Length of a unit vector that a question asks for, in points.
+const ASKED: f32 = 56.0;
 /// Where the picture plane is drawn, in distances from eye to target.
 const PICTURE_PLANE: f64 = 0.16;
 
@@ -63,6 +65,7 @@ pub(super) fn draw(
     layout.rays();
     layout.search();
     layout.lights();
+    layout.asked();
     layout.names();
     picture.rect(title_place, Ink::Surface.fill().opacity(0.85));
     picture.text_in(title_place, strings, title_style);
@@ -246,6 +249,27 @@ impl Layout<'_> {
                 self.labels
                     .put(self.picture, (at, 5.0), Vec2::new(0.3, 1.0), &name, style);
             }
+        }
+    }
+
+    /// The arrow that a question asks for, where its view is not along it.
+    fn asked(&mut self) {
+        for arrow in self.input.answered.arrows() {
+            let from = self.view.place(arrow.point);
+            let along = self.view.flat(arrow.direction).as_vec2();
+            if !self.view.shows(from, 4.0) || along.length() < 0.1 {
+                continue;
+            }
+            let shown = Arrow {
+                from,
+                to: from + ASKED * Vec2::new(along.x, -along.y),
+                stroke: arrow.ink.stroke(3.0),
+                tag: Tag::Field(arrow.field),
+                name: &arrow.name,
+                size: self.text,
+                here: false,
+            };
+            shown.draw(self.picture, &mut self.labels);
         }
     }
 

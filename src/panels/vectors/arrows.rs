@@ -1,10 +1,12 @@
 //! The drawing: the surface, the media, the vectors and the arcs of their angles.
 
+use super::asked;
 use super::met::SurfaceInSight;
 use super::plane::Plane;
 use crate::algorithms::ray_tree::RayKind;
 use crate::figure::{Arrow, Labels, cross};
 use crate::language::{Language, Message};
+use crate::panels::PanelInput;
 use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
 use crate::replay::rays::{CurrentBranch, Outcome};
 use glam::{DVec3, Vec2};
@@ -17,9 +19,7 @@ pub(super) const V_LENGTH: f32 = 0.62;
 struct Drawing<'a> {
     picture: &'a mut Picture,
     labels: Labels,
-    middle: Vec2,
-    /// Length of a unit vector in the plane.
-    unit: f32,
+    plane: Plane,
     text: f32,
 }
 
@@ -50,18 +50,24 @@ pub(super) fn unit(area: Rect, text: f32, clear: bool) -> f32 {
 pub(super) fn plane(surface: &SurfaceInSight, text: f32, area: Rect) -> Plane {
     let clear = surface.is_transparent();
     let middle = Vec2::new(area.center().x, area.y + share(clear) * area.height);
-    surface.plane(middle, unit(area, text, clear))
+    Plane {
+        vectors: surface.plane,
+        middle,
+        unit: unit(area, text, clear),
+    }
 }
 
 pub(super) fn draw(
     picture: &mut Picture,
     surface: &SurfaceInSight,
-    kind: &str,
+    input: &PanelInput,
     text: f32,
-    language: Language,
     area: Rect,
 ) {
-    let Plane { middle, unit, .. } = plane(surface, text, area);
+    let language = input.language;
+    let kind = input.run.walk().kind(input.run.walk().position());
+    let plane = plane(surface, text, area);
+    let middle = plane.middle;
     let below = Rect::new(area.x, middle.y, area.width, area.bottom() - middle.y);
     picture.rect(below, Ink::Faint.fill().opacity(0.6));
     picture.line(
@@ -72,8 +78,7 @@ pub(super) fn draw(
     let mut drawing = Drawing {
         picture,
         labels: Labels::new(area),
-        middle,
-        unit,
+        plane,
         text,
     };
     let left = Vec2::new(area.x, middle.y);
@@ -87,6 +92,13 @@ pub(super) fn draw(
     drawing.rays(surface, kind, language);
     drawing.lights(surface, kind);
     drawing.arcs(surface);
+    asked::draw(
+        &input.answered,
+        &plane,
+        text,
+        drawing.picture,
+        &mut drawing.labels,
+    );
     drawing.media(surface.media(language), area);
     let disc = Ink::Surface.fill().outlined(Ink::Text.stroke(2.0));
     drawing.picture.circle(middle, POINT, disc);
@@ -104,11 +116,12 @@ impl Drawing<'_> {
         self.picture
             .tagged(Tag::Scope(surface.ray.step), |picture| {
                 let stroke = if incoming { Ink::This } else { Ink::Linked }.stroke(3.0);
-                let tip = self.middle - POINT * u;
-                picture.arrow(self.middle - self.unit * u, tip, stroke);
+                let tip = self.plane.middle - POINT * u;
+                picture.arrow(self.plane.middle - self.plane.unit * u, tip, stroke);
             });
-        let start = self.middle - self.unit * u;
-        self.labels.avoid_arrow(start, self.middle - POINT * u, 3.0);
+        let start = self.plane.middle - self.plane.unit * u;
+        self.labels
+            .avoid_arrow(start, self.plane.middle - POINT * u, 3.0);
         let normal = match surface.surface.facing {
             Some((normal, ..)) => ("N", normal, kind == "Faced"),
             None => ("N_g", surface.surface.geometric, kind == "SurfaceMet"),
@@ -132,11 +145,11 @@ impl Drawing<'_> {
             .refraction
             .filter(|refraction| refraction.radicand < 0.0);
         if let Some(refraction) = blocked {
-            let end = self.middle + 0.75 * self.unit * u;
+            let end = self.plane.middle + 0.75 * self.plane.unit * u;
             self.picture.tagged(Tag::Step(refraction.step), |picture| {
-                picture.line(self.middle, end, Ink::Muted.stroke(2.5).dashed());
+                picture.line(self.plane.middle, end, Ink::Muted.stroke(2.5).dashed());
             });
-            self.labels.avoid(self.middle, end);
+            self.labels.avoid(self.plane.middle, end);
             let style = self.style(kind == "Refraction");
             let name = NO_T.text(language);
             self.labels.put(self.picture, (end, 3.0), u, name, style);
@@ -199,7 +212,7 @@ impl Drawing<'_> {
                 .verdict(light.light)
                 .is_some_and(|verdict| verdict.blocked)
             {
-                let half = self.middle.lerp(tip, 0.55);
+                let half = self.plane.middle.lerp(tip, 0.55);
                 cross(self.picture, half, 5.0, 2.5);
             }
         }
@@ -262,10 +275,10 @@ impl Drawing<'_> {
         }
         if let Some(critical) = refraction.critical_angle() {
             let toward = Vec2::from_angle(turn * critical as f32).rotate(up);
-            let end = self.middle + 0.8 * self.unit * toward;
+            let end = self.plane.middle + 0.8 * self.plane.unit * toward;
             self.picture
-                .line(self.middle, end, Ink::Muted.stroke(1.25).dotted());
-            self.labels.avoid(self.middle, end);
+                .line(self.plane.middle, end, Ink::Muted.stroke(1.25).dotted());
+            self.labels.avoid(self.plane.middle, end);
             let style = Style::Label.size(self.text).ink(Ink::Muted);
             self.labels
                 .put(self.picture, (end, 2.0), toward, "θ_c", style);
@@ -277,13 +290,14 @@ impl Drawing<'_> {
         if angle.abs() < 0.02 {
             return;
         }
-        let radius = radius * self.unit;
-        let point = |part: f32| self.middle + radius * Vec2::from_angle(part * angle).rotate(from);
+        let radius = radius * self.plane.unit;
+        let point =
+            |part: f32| self.plane.middle + radius * Vec2::from_angle(part * angle).rotate(from);
         let points = (0..=PARTS).map(|i| point(i as f32 / PARTS as f32));
         self.picture.polyline(points, Ink::Muted.stroke(1.5));
         let style = Style::Label.size(self.text);
         let middle = point(0.5);
-        let toward = middle - self.middle;
+        let toward = middle - self.plane.middle;
         self.labels
             .put(self.picture, (middle, 1.0), toward, name, style);
     }
@@ -312,7 +326,7 @@ impl Drawing<'_> {
         };
         let ends = [area.x + 3.0, area.right() - 3.0 - style.width(name)];
         let mut places = (0..4).flat_map(|row| {
-            let y = self.middle.y + first + row as f32 * step;
+            let y = self.plane.middle.y + first + row as f32 * step;
             ends.map(|x| Vec2::new(x, y))
         });
         places.any(|at| self.labels.put_at(self.picture, at, name, style, crossing))
@@ -329,11 +343,9 @@ impl Drawing<'_> {
 
     /// From the point, moved aside, along a vector; returns the tip.
     fn arrow_from(&mut self, aside: Vec2, along: Vec2, stroke: Stroke, named: &Named) -> Vec2 {
-        let start = self.middle + aside;
-        // Below an opaque surface there is room for a part of the length only.
-        let below = self.labels.area().bottom() - self.middle.y - 1.4 * self.text;
-        let part = (below / (self.unit * along.y).max(below)).min(1.0);
-        let tip = start + self.unit * part * along;
+        let start = self.plane.middle + aside;
+        let below = self.labels.area().bottom() - self.plane.middle.y - 1.4 * self.text;
+        let tip = self.plane.tip(along, below) + aside;
         let arrow = Arrow {
             from: start,
             to: tip,

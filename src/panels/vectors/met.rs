@@ -2,8 +2,9 @@
 
 use super::super::names;
 use super::arrows::V_LENGTH;
-use super::plane::{Held, Plane, Tip};
+use super::plane::{Held, Tip};
 use crate::language::{Language, Message};
+use crate::replay::VectorPlane;
 use crate::replay::rays::{CurrentSurface, RayState, State, Verdict};
 use crate::replay::shading::{CurrentLight, CurrentPoint};
 use glam::{DVec3, Vec2};
@@ -17,8 +18,8 @@ pub struct SurfaceInSight<'a> {
     pub surface: CurrentSurface,
     /// Of the ray in [`State::rays`].
     index: usize,
-    /// Unit, in the plane and along the surface, the way u goes.
-    along: DVec3,
+    /// The plane of incidence.
+    pub plane: VectorPlane,
 }
 
 impl<'a> SurfaceInSight<'a> {
@@ -30,27 +31,15 @@ impl<'a> SurfaceInSight<'a> {
                 index = ray.parent?;
                 continue;
             };
-            let (u, up) = (ray.ray.direction, surface.geometric);
-            let along = (u - u.dot(up) * up).try_normalize();
+            let u = ray.ray.direction;
             return Some(SurfaceInSight {
                 state,
                 ray,
                 surface,
                 index,
-                // At normal incidence every plane through N will do.
-                along: along.unwrap_or_else(|| up.any_orthonormal_vector()),
+                plane: VectorPlane::new(surface.position, surface.geometric, u),
             });
         }
-    }
-
-    /// The plane of incidence, as it is drawn.
-    pub fn plane(&self, middle: Vec2, unit: f32) -> Plane {
-        let CurrentSurface {
-            position,
-            geometric,
-            ..
-        } = self.surface;
-        Plane::new(position, geometric, self.along, middle, unit)
     }
 
     /// What can be moved: the lights so far, and the eye where the ray comes from it.
@@ -83,15 +72,13 @@ impl<'a> SurfaceInSight<'a> {
 
     /// A vector in the plane of incidence, y down.
     pub fn project(&self, vector: DVec3) -> Vec2 {
-        let up = vector.dot(self.surface.geometric);
-        Vec2::new(vector.dot(self.along) as f32, -up as f32)
+        self.plane.project(vector)
     }
 
     /// How far a unit vector leans out of the plane of incidence, in degrees.
     pub fn lean(&self, vector: DVec3) -> f64 {
-        let across = self.along.cross(self.surface.geometric);
         vector
-            .dot(across)
+            .dot(self.plane.across())
             .clamp(-1.0, 1.0)
             .abs()
             .asin()

@@ -1,5 +1,6 @@
 //! The plane in which the vectors at a point are drawn, and how the pointer turns one of them in it.
 
+use crate::replay::VectorPlane;
 use glam::{DVec3, Vec2};
 
 /// How near the pointer must be to the tip of a vector, in points.
@@ -23,38 +24,33 @@ pub(super) struct Tip {
     pub length: f32,
 }
 
-/// A plane through a point and its normal, as it is drawn: the normal is up.
+/// A plane as it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Plane {
-    point: DVec3,
-    normal: DVec3,
-    /// Unit, along the surface.
-    along: DVec3,
+    pub vectors: VectorPlane,
+    /// Where its point is drawn.
     pub middle: Vec2,
     /// Length of a unit vector.
     pub unit: f32,
 }
 
 impl Plane {
-    /// The plane in which `right` lies, which leans to the right.
-    pub fn new(point: DVec3, normal: DVec3, right: DVec3, middle: Vec2, unit: f32) -> Self {
-        let along = (right - right.dot(normal) * normal).try_normalize();
-        Plane {
-            point,
-            normal,
-            // Where it is the normal itself, every plane will do.
-            along: along.unwrap_or_else(|| normal.any_orthonormal_vector()),
-            middle,
-            unit,
-        }
-    }
-
     /// y down. What leans out of the plane is shortened.
     pub fn project(&self, vector: DVec3) -> Vec2 {
-        Vec2::new(
-            vector.dot(self.along) as f32,
-            -vector.dot(self.normal) as f32,
-        )
+        self.vectors.project(vector)
+    }
+
+    /// The tip of a vector that is seen as `along`. Below the surface there may be room for a part of its length only.
+    pub fn tip(&self, along: Vec2, below: f32) -> Vec2 {
+        let below = below.max(1.0);
+        let part = (below / (self.unit * along.y).max(below)).min(1.0);
+        self.middle + self.unit * part * along
+    }
+
+    /// By how many degrees an arrow that points to `at` is turned from the normal: clockwise, from −180 to 180.
+    pub fn degrees_toward(&self, at: Vec2) -> f64 {
+        let toward = (at - self.middle).as_dvec2();
+        toward.x.atan2(-toward.y).to_degrees()
     }
 
     /// The vector whose tip is at the pointer.
@@ -65,7 +61,7 @@ impl Plane {
         };
         let near = tips.iter().filter(|tip| away(tip) <= REACH);
         let tip = near.min_by(|a, b| away(a).total_cmp(&away(b)))?;
-        let across = self.along.cross(self.normal);
+        let across = self.vectors.across();
         Some(PlaneGrip {
             plane: *self,
             held: tip.held,
@@ -88,17 +84,10 @@ pub struct PlaneGrip {
 impl PlaneGrip {
     /// Where the light or the eye is once the pointer is at `at`: as far from the point as it was.
     pub fn position(&self, at: Vec2) -> DVec3 {
-        let Plane {
-            point,
-            normal,
-            along,
-            middle,
-            ..
-        } = self.plane;
-        let toward = (at - middle).as_dvec2().normalize_or(-glam::DVec2::Y);
-        let inside = toward.x * along - toward.y * normal;
+        let Plane { vectors, .. } = self.plane;
+        let inside = vectors.direction(self.plane.degrees_toward(at));
         let share = (1.0 - self.out.length_squared()).max(0.0).sqrt();
-        point + self.distance * (self.out + share * inside)
+        vectors.point + self.distance * (self.out + share * inside)
     }
 }
 
@@ -109,13 +98,11 @@ mod tests {
     #[test]
     fn a_vector_turns_in_the_plane_and_keeps_length_and_lean() {
         let point = DVec3::new(1.0, 2.0, 3.0);
-        let plane = Plane::new(
-            point,
-            DVec3::Y,
-            DVec3::new(1.0, 1.0, 0.0),
-            Vec2::ZERO,
-            100.0,
-        );
+        let plane = Plane {
+            vectors: VectorPlane::new(point, DVec3::Y, DVec3::new(1.0, 1.0, 0.0)),
+            middle: Vec2::ZERO,
+            unit: 100.0,
+        };
         let direction = DVec3::new(0.48, 0.64, 0.6);
         let tip = Tip {
             held: Held::Light(2),

@@ -1,9 +1,11 @@
 //! The vectors of the illumination model at a point of a polygon, in the plane of N and V: N is up, V leans to the right.
 
+use super::asked;
 use super::plane::{Held, Plane, Tip};
 use crate::figure::{Arrow, Labels};
-use crate::language::Language;
+use crate::panels::PanelInput;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
+use crate::replay::VectorPlane;
 use crate::replay::shading::CurrentPoint;
 use glam::{DVec3, Vec2};
 
@@ -71,13 +73,11 @@ pub(super) fn plane(point: &CurrentPoint, eye: DVec3, size: Vec2) -> Plane {
     let to_eye = (eye - point.position).normalize_or_zero();
     let middle = Vec2::new(drawing.center().x, drawing.y + 0.8 * drawing.height);
     let room = Vec2::new(0.5 * drawing.width, 0.8 * drawing.height) - 1.8 * text;
-    Plane::new(
-        point.position,
-        point.normal,
-        to_eye,
+    Plane {
+        vectors: VectorPlane::new(point.position, point.normal, to_eye),
         middle,
-        room.min_element().max(12.0),
-    )
+        unit: room.min_element().max(12.0),
+    }
 }
 
 /// What the pointer can take hold of.
@@ -110,10 +110,11 @@ pub(super) fn draw(
     picture: &mut Picture,
     point: &CurrentPoint,
     eye: DVec3,
-    kind: &str,
-    language: Language,
+    input: &PanelInput,
     size: Vec2,
 ) -> String {
+    let language = input.language;
+    let kind = input.run.walk().kind(input.run.walk().position());
     let text = text(size);
     let plane = plane(point, eye, size);
     let (drawing, list) = areas(size);
@@ -129,15 +130,11 @@ pub(super) fn draw(
     labels.avoid(surface[0], surface[1]);
     labels.reserve(Rect::between(middle, middle).grown(POINT));
     let vectors = vectors(point, eye);
-    let below = (ground.height - 1.4 * text).max(1.0);
+    let below = ground.height - 1.4 * text;
     for named in &vectors {
-        let along = plane.project(named.vector);
-        // Below the surface there is room for a part of the length only.
-        let part = (below / (plane.unit * along.y).max(below)).min(1.0);
-        let tip = middle + plane.unit * part * along;
         let arrow = Arrow {
             from: middle,
-            to: tip,
+            to: plane.tip(plane.project(named.vector), below),
             stroke: named.ink.stroke(3.0),
             tag: named.tag,
             name: &named.name,
@@ -146,6 +143,7 @@ pub(super) fn draw(
         };
         arrow.draw(picture, &mut labels);
     }
+    asked::draw(&input.answered, &plane, 1.2 * text, picture, &mut labels);
     let disc = Ink::Surface.fill().outlined(Ink::Text.stroke(2.0));
     picture.circle(middle, POINT, disc);
 

@@ -54,6 +54,7 @@ fn the_answers_given_are_kept() {
         Answer::Pixel { x, y, .. } => Guess::Pixel { x: x + 1000, y: *y },
         Answer::Pick { right, .. } => Guess::Pick(usize::from(*right == 0)),
         Answer::Order { items, .. } => Guess::Order((0..items.len()).collect()),
+        Answer::Arrow { .. } => Guess::Arrow(180.0),
         Answer::Undecided => panic!("the lesson's own values decide"),
     };
     go(&mut session, Command::Answer(wrong.clone()));

@@ -1,5 +1,7 @@
 use super::super::Sheet;
 use super::*;
+use crate::lesson::builtins;
+use crate::picture::Shape;
 
 #[test]
 fn a_question_stops_every_way_forward_until_it_is_answered_or_skipped() {
@@ -64,6 +66,7 @@ fn answers_are_held_against_the_run() {
             Answer::Pixel { x, y, .. } => Guess::Pixel { x, y },
             Answer::Pick { right, .. } => Guess::Pick(right),
             Answer::Order { ref right, .. } => Guess::Order(right.clone()),
+            Answer::Arrow { .. } => panic!("see below"),
             Answer::Undecided => panic!("nothing is changed"),
         };
         let wrong = match right {
@@ -72,6 +75,7 @@ fn answers_are_held_against_the_run() {
             Guess::Pixel { x, y } => Guess::Pixel { x: x + 1000, y },
             Guess::Order(ref right) => Guess::Order((0..right.len()).collect()),
             Guess::Pick(right) => Guess::Pick(usize::from(right == 0)),
+            Guess::Arrow(degrees) => Guess::Arrow(degrees + 180.0),
         };
         if let Guess::Choice(_) = right {
             let none = Command::Answer(Guess::Choice(99));
@@ -172,4 +176,123 @@ fn a_thing_is_picked_where_a_picture_shows_it() {
     // What is answered is a question no more: the click lights the patch up.
     go(&mut shooting, Command::Click(Tag::Patch(13)));
     assert_eq!(shooting.lit(), Some(Tag::Patch(13)));
+}
+
+#[test]
+fn an_arrow_is_turned_and_the_right_one_stands_beside_it() {
+    let mut session = asked("reflection", |answer| {
+        matches!(answer, Answer::Arrow { .. })
+    });
+    let (question, _) = session.question().unwrap();
+    let Answer::Arrow {
+        plane,
+        direction,
+        tolerance,
+        ..
+    } = question.answer
+    else {
+        panic!("an arrow is asked for")
+    };
+    let right = plane.degrees(direction);
+    let shown = |session: &Session| session.answered().arrow.expect("an arrow");
+    assert!(
+        session
+            .arrow_asked()
+            .is_some_and(|start| (start - right).abs() > tolerance)
+    );
+    let wrong = right + tolerance + 10.0;
+    go(&mut session, Command::Turn(wrong));
+    assert_eq!(session.arrow_asked(), Some(wrong));
+    assert!(shown(&session).own.distance(plane.direction(wrong)) < 1e-12);
+    assert_eq!(shown(&session).right, None);
+    go(&mut session, Command::Answer(Guess::Arrow(wrong)));
+    // The second try begins where the first one ended.
+    assert_eq!(session.arrow_asked(), Some(wrong));
+    go(&mut session, Command::Answer(Guess::Arrow(wrong - 1.0)));
+    assert_eq!(session.question().unwrap().1, Standing::Wrong);
+    let arrow = shown(&session);
+    assert_eq!((arrow.right, arrow.is_right), (Some(direction), false));
+    // What has its verdict is turned no more.
+    assert_eq!(session.arrow_asked(), None);
+    let refused = Err(strings::NO_QUESTION.into());
+    assert_eq!(session.update(Command::Turn(0.0)), refused);
+}
+
+#[test]
+fn what_was_turned_at_one_step_is_not_turned_at_another() {
+    let mut session = asked("reflection", |answer| {
+        matches!(answer, Answer::Arrow { .. })
+    });
+    let start = session.arrow_asked();
+    let step = session.step();
+    go(&mut session, Command::Turn(12.0));
+    go(&mut session, Command::Back(1));
+    assert_eq!(session.answered().arrow, None);
+    go(&mut session, Command::Seek(step));
+    assert_eq!(session.arrow_asked(), Some(12.0));
+    go(&mut session, Command::Reset);
+    session.start_at(step);
+    assert_eq!(session.arrow_asked(), start);
+}
+
+#[test]
+fn what_is_clicked_or_turned_is_shown_large_while_it_is_asked_for() {
+    let mut asked = 0;
+    for builtin in builtins() {
+        let mut session = session(builtin.id);
+        for step in session.narrated.clone() {
+            // Whatever was chosen before.
+            let chosen = session.panels()[session.panels().len() - 1];
+            go(&mut session, Command::Key(chosen));
+            session.start_at(step);
+            let Some((question, _)) = session.question() else {
+                continue;
+            };
+            let fits = question.answer.panels();
+            if fits.is_empty() {
+                continue;
+            }
+            asked += 1;
+            let key = session.key_panel().expect("a panel");
+            assert!(fits.contains(&key), "{} at {step}: {key:?}", builtin.id);
+            go(&mut session, Command::Skip);
+            assert_eq!(session.key_panel(), Some(key), "{} at {step}", builtin.id);
+        }
+    }
+    assert!(asked >= 10, "{asked} questions");
+}
+
+#[test]
+fn the_right_arrow_is_the_one_that_the_run_draws() {
+    for (id, name) in [
+        ("reflection", "R"),
+        ("refraction", "T"),
+        ("illumination-model", "R_L"),
+    ] {
+        let mut session = asked(id, |answer| matches!(answer, Answer::Arrow { .. }));
+        let size = glam::vec2(900.0, 700.0);
+        let tips = |session: &Session, name: &str| -> Vec<glam::Vec2> {
+            let picture = draw(Panel::Vectors, &session.panel_input(), size);
+            let named = picture
+                .items
+                .into_iter()
+                .filter_map(|item| match item.shape {
+                    Shape::Text { at, text, .. } if text == name => Some(at),
+                    _ => None,
+                });
+            named.collect()
+        };
+        assert_eq!(tips(&session, name), [], "{id}");
+        go(&mut session, Command::Skip);
+        let (question, _) = session.question().unwrap();
+        let (field, step) = match question.answer {
+            Answer::Arrow { name, .. } => (name, question.step),
+            _ => panic!("an arrow is asked for"),
+        };
+        let told = tips(&session, field);
+        session.start_at(step);
+        let drawn = tips(&session, name);
+        let (told, drawn) = (told[0], drawn[0]);
+        assert!(told.distance(drawn) < 40.0, "{id}: {told}, drawn {drawn}");
+    }
 }
