@@ -324,6 +324,7 @@ hint-too-small = That is too small.
 hint-too-large = That is too large.
 hint-another = Not that one.
 hint-in-place = Of the { $all }, in the right place: { $count }.
+pick-nothing = nothing
 hint-turn-clockwise = Turn it further clockwise.
 hint-turn-counterclockwise = Turn it further counterclockwise.
 arrow-clockwise = { $degrees }° clockwise from straight up

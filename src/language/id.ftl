@@ -324,6 +324,7 @@ hint-too-small = Itu terlalu kecil.
 hint-too-large = Itu terlalu besar.
 hint-another = Bukan yang itu.
 hint-in-place = Dari { $all }, yang sudah di tempatnya: { $count }.
+pick-nothing = tidak ada
 hint-turn-clockwise = Putar lagi searah jarum jam.
 hint-turn-counterclockwise = Putar lagi berlawanan arah jarum jam.
 arrow-clockwise = { $degrees }° searah jarum jam dari arah tegak ke atas

@@ -1,11 +1,13 @@
-//! A thing of the scene: one of its objects, or a patch of the room.
+//! A thing of the scene: one of its objects, or nothing where a ray may meet none; or a patch of the room.
 
 use super::Answer;
 use crate::algorithms::focus::Focus;
-use crate::language::Language;
+use crate::language::{Language, Message};
 use crate::panels::{object_name, patch_name, strings};
 use crate::record::Value;
 use crate::replay::Run;
+
+const NOTHING: Message = Message("pick-nothing");
 
 /// What is picked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,11 +60,24 @@ pub(in crate::lesson) fn read(run: &Run, step: usize, field: &str) -> Result<Ans
             "`{field}` counts neither objects nor patches; allowed are `object`, `blocker`{patches}"
         )
     })?;
-    let names = thing.names(run);
-    let recorded = run.walk().own_fields(step).get(field);
-    let right = match recorded {
+    let mut names = thing.names(run);
+    let fields = run.walk().own_fields(step);
+    let nothing = names.len();
+    // Whether a ray that meets nothing is a step of this kind too, and whether this is one.
+    let (may_be_nothing, is_nothing) = match (run.walk().kind(step), field) {
+        ("Found", "object") => (true, fields.get("met") == Some(Value::Word("nothing"))),
+        ("Shadow", "blocker") => (true, fields.get("blocked") == Some(Value::Truth(false))),
+        _ => (false, false),
+    };
+    if may_be_nothing {
+        names.push(
+            [Language::English, Language::Indonesian]
+                .map(|language| NOTHING.text(language).to_owned()),
+        );
+    }
+    let right = match fields.get(field) {
         Some(Value::Integer(number)) => usize::try_from(number).ok(),
-        _ => None,
+        _ => is_nothing.then_some(nothing),
     };
     let right = right.filter(|&number| number < names.len());
     let right = right.ok_or_else(|| {
@@ -98,6 +113,27 @@ mod tests {
         assert_eq!(object.in_words(Language::Indonesian), "bola besar");
         let patch = answer("shooting", "Received", "j").unwrap();
         assert_eq!(patch.in_words(Language::English), "patch 0, lamp");
+    }
+
+    #[test]
+    fn a_ray_may_meet_nothing() {
+        let lesson = builtin("shadows").unwrap().read().unwrap();
+        let run = lesson.open().unwrap().run;
+        let walk = run.walk();
+        let clear = |&step: &usize| {
+            walk.kind(step) == "Shadow"
+                && walk.own_fields(step).get("blocked") == Some(Value::Truth(false))
+        };
+        let step = (0..walk.len()).find(clear).unwrap();
+        let answer = read(&run, step, "blocker").unwrap();
+        assert_eq!(answer.in_words(Language::English), "nothing");
+        assert_eq!(answer.in_words(Language::Indonesian), "tidak ada");
+        // Of patches one always shoots.
+        let patch = self::answer("shooting", "Received", "j").unwrap();
+        let Answer::Pick { names, .. } = patch else {
+            panic!("a patch")
+        };
+        assert!(names.iter().all(|[name, _]| name != "nothing"));
     }
 
     #[test]
