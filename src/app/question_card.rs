@@ -37,15 +37,13 @@ pub fn show(session: &Session, window: &mut Window, commands: &mut Vec<Command>,
         .inner_margin(Margin::symmetric(12, 10));
     let card = frame.show(ui, |ui| {
         ui.set_width(ui.available_width());
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             ui.label(style::strong(
                 session.localize(strings::BEFORE_YOU_GO_ON),
                 14.0,
             ));
             if waits {
-                ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                    skip(session, commands, ui);
-                });
+                skip(session, commands, ui);
             }
         });
         ui.label(prose(
