@@ -164,7 +164,8 @@ pub struct OptionFile {
     pub when: Query,
 }
 
-/// A text in both languages. `{I_4}` in it stands for the value of that field at the step, `{I_4:3}` for three decimals.
+/// A text in both languages. `{I_4}` in it stands for the value of that field at the step, `{I_4:3}` for three decimals,
+/// `{object:name}` for the name of the thing of that number.
 #[derive(Clone, Debug, Deserialize, PartialEq, Eq)]
 #[serde(deny_unknown_fields)]
 pub struct Text {

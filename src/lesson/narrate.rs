@@ -5,7 +5,7 @@ use super::error::{LessonError, problem};
 use super::file::{AnswerFile, QuestionFile, StepFile, Text};
 use super::narrated::{Narrated, Question};
 use super::template::fill;
-use crate::panels::{Hidden, Panel};
+use crate::panels::{Hidden, Panel, named_by};
 use crate::record::{Fields, Value};
 use crate::replay::{Query, Run, Walk, query};
 use crate::scene::document::{Keyed, Problem};
@@ -89,7 +89,9 @@ impl Search<'_> {
 
     fn fill_with(&mut self, text: &Text, fields: &Fields, place: &str) -> [String; 2] {
         text.both().map(|(language, text)| {
-            fill(text, fields, language).unwrap_or_else(|message| {
+            let prepared = self.run.prepared();
+            let called = |field: &str, value| named_by(prepared, field, value, language);
+            fill(text, fields, called, language).unwrap_or_else(|message| {
                 self.problems
                     .push(problem(format!("{place}.{}", language.code()), message));
                 String::new()

@@ -9,6 +9,8 @@ pub enum Piece<'a> {
     Plain(&'a str),
     /// A field's name and, if given, how many decimals.
     Field(&'a str, Option<usize>),
+    /// What the thing is called whose number the field is.
+    Name(&'a str),
 }
 
 /// Cuts a text at its braces. Errors: a brace without its partner, an empty name, decimals that are no number up to 12.
@@ -34,11 +36,12 @@ pub fn pieces(text: &str) -> Result<Vec<Piece<'_>>, String> {
 fn field(inside: &str) -> Result<Piece<'_>, String> {
     let (name, decimals) = match inside.split_once(':') {
         None => (inside, None),
+        Some((name, "name")) => return Ok(Piece::Name(name)),
         Some((name, decimals)) => match decimals.parse() {
             Ok(decimals) if decimals <= 12 => (name, Some(decimals)),
             _ => {
                 return Err(format!(
-                    "found `{{{inside}}}`; behind the colon stands the number of decimals, 0 to 12"
+                    "found `{{{inside}}}`; behind the colon stands the number of decimals, 0 to 12, or `name`"
                 ));
             }
         },
@@ -50,24 +53,32 @@ fn field(inside: &str) -> Result<Piece<'_>, String> {
     }
 }
 
-/// The text with its values. Errors: what [`pieces`] refuses, and names that were not recorded.
-pub fn fill(text: &str, fields: &Fields, language: Language) -> Result<String, String> {
-    pieces(text)?
-        .into_iter()
-        .map(|piece| match piece {
-            Piece::Plain(plain) => Ok(plain.to_owned()),
-            Piece::Field(name, decimals) => match fields.get(name) {
-                Some(value) => Ok(write(value, decimals, language)),
-                None => {
-                    let recorded: Vec<&str> = fields.iter().map(|field| field.name).collect();
-                    Err(format!(
-                        "found `{{{name}}}`, which is not recorded at this step; recorded are {}",
-                        recorded.join(", ")
-                    ))
-                }
-            },
+/// The text with its values; `called` gives the names of things of the scene by field and value. Errors: what [`pieces`] refuses,
+/// fields that were not recorded, and numbers that are of no thing.
+pub fn fill<'a>(
+    text: &str,
+    fields: &Fields,
+    called: impl Fn(&str, Value) -> Option<&'a str>,
+    language: Language,
+) -> Result<String, String> {
+    let recorded = |name: &str| {
+        fields.get(name).ok_or_else(|| {
+            let recorded: Vec<&str> = fields.iter().map(|field| field.name).collect();
+            let recorded = recorded.join(", ");
+            format!(
+                "found `{{{name}}}`, which is not recorded at this step; recorded are {recorded}"
+            )
         })
-        .collect()
+    };
+    let filled = pieces(text)?.into_iter().map(|piece| match piece {
+        Piece::Plain(plain) => Ok(plain.to_owned()),
+        Piece::Field(name, decimals) => Ok(write(recorded(name)?, decimals, language)),
+        Piece::Name(name) => {
+            let thing = called(name, recorded(name)?).map(str::to_owned);
+            thing.ok_or_else(|| format!("found `{{{name}:name}}`, which is no thing of the scene"))
+        }
+    });
+    filled.collect()
 }
 
 /// A value as narration writes it: a grey colour as one number.
@@ -94,6 +105,28 @@ mod tests {
     use super::*;
     use crate::color::Rgb;
 
+    fn english(text: &str, fields: &Fields) -> Result<String, String> {
+        let called = |field: &str, value| {
+            let is_ball = (field, value) == ("object", Value::Integer(2));
+            is_ball.then_some("red ball")
+        };
+        fill(text, fields, called, Language::English)
+    }
+
+    #[test]
+    fn things_are_called_by_their_names() {
+        let mut fields = Fields::default();
+        fields.push("object", 2_u32).push("y", 2_u32);
+        assert_eq!(
+            english("The {object:name}, {object}.", &fields),
+            Ok("The red ball, 2.".into())
+        );
+        assert_eq!(
+            english("{y:name}", &fields).unwrap_err(),
+            "found `{y:name}`, which is no thing of the scene"
+        );
+    }
+
     #[test]
     fn values_are_filled_in() {
         let mut fields = Fields::default();
@@ -102,24 +135,26 @@ mod tests {
             .push("I_4", Rgb::splat(0.51399))
             .push("I_5", Rgb::new(0.25, 0.5, 1.0));
         assert_eq!(
-            fill("Line {y}: {I_4:2}, {I_5:2}.", &fields, Language::English),
+            english("Line {y}: {I_4:2}, {I_5:2}.", &fields),
             Ok("Line 15: 0.51, (0.25, 0.50, 1.00).".into())
         );
         fields.push("channel", "red");
         assert_eq!(
-            fill("Kanal {channel}: {I_4:2}", &fields, Language::Indonesian),
+            fill(
+                "Kanal {channel}: {I_4:2}",
+                &fields,
+                |_, _| None,
+                Language::Indonesian
+            ),
             Ok("Kanal merah: 0,51".into())
         );
         assert!(
-            fill("{I_6}", &fields, Language::English)
+            english("{I_6}", &fields)
                 .unwrap_err()
                 .contains("recorded are y, I_4, I_5, channel")
         );
         for broken in ["{", "}", "a {y", "{}", "{y:x}", "{y:99}"] {
-            assert!(
-                fill(broken, &fields, Language::English).is_err(),
-                "{broken}"
-            );
+            assert!(english(broken, &fields).is_err(), "{broken}");
         }
     }
 }

@@ -13,12 +13,12 @@ pub use list::vectors::{Held, PlaneGrip, degrees_toward, grip as vector_grip};
 pub use shared::answered::{Answered, AskedArrow};
 pub use shared::finding::found;
 pub use shared::horizon::Hidden;
+#[cfg(test)]
+pub use shared::names::word as word_name;
 pub use shared::names::{
-    kind as kind_name, meaning, object as object_name, patch as patch_name,
+    kind as kind_name, meaning, object as object_name, of_field as named_by, patch as patch_name,
     quantity as quantity_name, scope as scope_names,
 };
-#[cfg(test)]
-pub use shared::names::{of_field as named_by, word as word_name};
 pub use shared::strings;
 
 use crate::algorithms::focus::Focus;
