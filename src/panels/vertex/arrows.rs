@@ -1,7 +1,7 @@
 //! The faces around the point, and the unit vectors that start there.
 
 use super::super::values::swatch;
-use crate::figure::{Arrow, Labels, Projection};
+use crate::figure::{Arrow, Labels, Projection, within};
 use crate::picture::{Ink, Picture, Rect, Stroke, Tag};
 use crate::record::Value;
 use crate::replay::shading::{CurrentLight, CurrentPoint, CurrentVertex, State};
@@ -13,6 +13,8 @@ const ELEVATION: f64 = 30.0;
 const POINT: f32 = 6.0;
 /// How much longer than the face normals the vectors at the point are.
 const LONGER: f64 = 1.1;
+/// Room for a name beyond the tip of its vector.
+const NAME: f32 = 22.0;
 
 /// Right and up of one who looks at a surface from its side: its `normal` points up, and a vector `to_eye` leans to the right by its
 /// full angle.
@@ -32,6 +34,17 @@ struct Face {
     number: usize,
     corners: Vec<DVec3>,
     normal: DVec3,
+}
+
+/// A vector in the world that starts at a place.
+struct Vector {
+    name: String,
+    from: DVec3,
+    vector: DVec3,
+    stroke: Stroke,
+    /// Whether this step is about it.
+    here: bool,
+    tag: Tag,
 }
 
 struct Drawing {
@@ -79,10 +92,14 @@ pub(super) fn draw(picture: &mut Picture, state: &State, kind: &str, area: Rect)
         drawing
             .labels
             .reserve(Rect::between(place, place).grown(POINT));
-        match (&state.point, &state.vertex) {
-            (Some(point), _) => drawing.draw_vectors(picture, at, point, kind),
-            (None, Some(vertex)) => drawing.draw_normals(picture, at, &faces, vertex, kind),
-            (None, None) => {}
+        let vectors = match (&state.point, &state.vertex) {
+            (Some(point), _) => vectors(at, point, kind),
+            (None, Some(vertex)) => normals(at, &faces, vertex, kind),
+            (None, None) => Vec::new(),
+        };
+        drawing.shorten(&vectors, area.grown(-NAME));
+        for vector in &vectors {
+            drawing.arrow(picture, vector);
         }
         let disc = swatch(point.map(Value::from))
             .fill()
@@ -157,102 +174,109 @@ impl Drawing {
         }
     }
 
-    /// N_k from the middle of each face, their sum so far, and N_v. The sum is drawn at the scale of the mean: as long as N_v
-    /// where all the normals agree.
-    fn draw_normals(
-        &mut self,
-        picture: &mut Picture,
-        at: DVec3,
-        faces: &[Face],
-        vertex: &CurrentVertex,
-        kind: &str,
-    ) {
-        let last = vertex.faces.len();
-        for face in faces {
-            let Some(k) = order(vertex, face) else {
-                continue;
-            };
-            let (_, normal, step) = vertex.faces[k];
-            let middle = face.corners.iter().sum::<DVec3>() / face.corners.len() as f64;
-            let newest = k + 1 == last && kind == "FaceNormalAdded";
-            let name = format!("N_{}", k + 1);
-            let stroke = Ink::Series(k as u8).stroke(2.0);
-            let named = (name.as_str(), newest, Tag::Step(step));
-            self.arrow(picture, middle, normal, stroke, named);
-        }
-        let here = ["VertexNormal", "FileNormal", "NormalVanished"].contains(&kind);
-        if let Some(normal) = vertex.normal {
-            let (stroke, named) = (Ink::Text.stroke(4.0), ("N_v", here, Tag::Field("N_v")));
-            self.arrow(picture, at, normal * LONGER, stroke, named);
-        } else if last > 0 {
-            let mean = vertex.sum / faces.len().max(1) as f64;
-            let stroke = Ink::Text.stroke(2.5).dashed();
-            let named = ("ΣN_k", false, Tag::Field("sum_N"));
-            self.arrow(picture, at, mean * LONGER, stroke, named);
+    /// Makes all unit vectors shorter by as much as keeps every tip within `area`.
+    fn shorten(&mut self, vectors: &[Vector], area: Rect) {
+        for vector in vectors {
+            let from = self.place(vector.from);
+            let to = self.tip(vector);
+            let part = within([from, to], area).map_or(0.0, |[_, end]| end.distance(from));
+            let whole = to.distance(from);
+            if area.contains(from) && part < whole {
+                self.unit *= part / whole;
+            }
         }
     }
 
-    /// N, V, and of the current light L and H or R.
-    fn draw_vectors(&mut self, picture: &mut Picture, at: DVec3, point: &CurrentPoint, kind: &str) {
-        let light = point.lights.last();
-        let of_light = |vector: fn(&CurrentLight) -> Option<(DVec3, f64)>| {
-            light.and_then(vector).map(|(vector, _)| vector)
-        };
-        let vectors = [
-            ("N", Some(point.normal), "Illumination", Ink::Text, 3.5),
-            ("V", point.to_eye, "Viewer", Ink::Series(0), 2.5),
-            (
-                "L",
-                of_light(|light| light.to_light),
-                "ToLight",
-                Ink::Series(1),
-                2.5,
-            ),
-            (
-                "H",
-                of_light(|light| light.halfway),
-                "Halfway",
-                Ink::Series(2),
-                2.5,
-            ),
-            (
-                "R",
-                of_light(|light| light.mirrored),
-                "Mirrored",
-                Ink::Series(3),
-                2.5,
-            ),
-        ];
-        for (name, vector, recorded_by, ink, width) in vectors {
-            let Some(vector) = vector else { continue };
-            let named = (name, kind == recorded_by, Tag::Field(name));
-            self.arrow(picture, at, vector * LONGER, ink.stroke(width), named);
-        }
+    /// Of a unit vector's own length, whatever the size of the faces.
+    fn tip(&self, vector: &Vector) -> Vec2 {
+        let along = f64::from(self.unit) * self.projection.flat(vector.vector);
+        self.place(vector.from) + along.as_vec2()
     }
 
-    fn arrow(
-        &mut self,
-        picture: &mut Picture,
-        from: DVec3,
-        vector: DVec3,
-        stroke: Stroke,
-        (name, here, tag): (&str, bool, Tag),
-    ) {
-        let from = self.place(from);
-        // Of a unit vector's own length, whatever the size of the faces.
-        let along = f64::from(self.unit) * self.projection.flat(vector);
-        let to = from + along.as_vec2();
+    fn arrow(&mut self, picture: &mut Picture, vector: &Vector) {
         let arrow = Arrow {
-            from,
-            to,
-            stroke,
-            tag,
-            name,
+            from: self.place(vector.from),
+            to: self.tip(vector),
+            stroke: vector.stroke,
+            tag: vector.tag,
+            name: &vector.name,
             size: 14.0,
-            here,
+            here: vector.here,
         };
         arrow.draw(picture, &mut self.labels);
     }
+}
+
+/// N_k from the middle of each face, their sum so far, and N_v. The sum is drawn at the scale of the mean: as long as N_v where all the
+/// normals agree.
+fn normals(at: DVec3, faces: &[Face], vertex: &CurrentVertex, kind: &str) -> Vec<Vector> {
+    let mut vectors = Vec::new();
+    let last = vertex.faces.len();
+    for face in faces {
+        let Some(k) = order(vertex, face) else {
+            continue;
+        };
+        let (_, normal, step) = vertex.faces[k];
+        vectors.push(Vector {
+            name: format!("N_{}", k + 1),
+            from: face.corners.iter().sum::<DVec3>() / face.corners.len() as f64,
+            vector: normal,
+            stroke: Ink::Series(k as u8).stroke(2.0),
+            here: k + 1 == last && kind == "FaceNormalAdded",
+            tag: Tag::Step(step),
+        });
+    }
+    if let Some(normal) = vertex.normal {
+        vectors.push(Vector {
+            name: "N_v".into(),
+            from: at,
+            vector: normal * LONGER,
+            stroke: Ink::Text.stroke(4.0),
+            here: ["VertexNormal", "FileNormal", "NormalVanished"].contains(&kind),
+            tag: Tag::Field("N_v"),
+        });
+    } else if last > 0 {
+        let mean = vertex.sum / faces.len().max(1) as f64;
+        vectors.push(Vector {
+            name: "ΣN_k".into(),
+            from: at,
+            vector: mean * LONGER,
+            stroke: Ink::Text.stroke(2.5).dashed(),
+            here: false,
+            tag: Tag::Field("sum_N"),
+        });
+    }
+    vectors
+}
+
+/// N, V, and of the current light L and H or R.
+fn vectors(at: DVec3, point: &CurrentPoint, kind: &str) -> Vec<Vector> {
+    let light = point.lights.last();
+    let of_light = |vector: fn(&CurrentLight) -> Option<(DVec3, f64)>| {
+        light.and_then(vector).map(|(vector, _)| vector)
+    };
+    let to_light = of_light(|light| light.to_light);
+    let halfway = of_light(|light| light.halfway);
+    let mirrored = of_light(|light| light.mirrored);
+    let vectors = [
+        ("N", Some(point.normal), "Illumination", Ink::Text, 3.5),
+        ("V", point.to_eye, "Viewer", Ink::Series(0), 2.5),
+        ("L", to_light, "ToLight", Ink::Series(1), 2.5),
+        ("H", halfway, "Halfway", Ink::Series(2), 2.5),
+        ("R", mirrored, "Mirrored", Ink::Series(3), 2.5),
+    ];
+    let vectors = vectors.into_iter();
+    let named = vectors.filter_map(|(name, vector, recorded_by, ink, width)| {
+        Some(Vector {
+            name: name.into(),
+            from: at,
+            vector: vector? * LONGER,
+            stroke: ink.stroke(width),
+            here: kind == recorded_by,
+            tag: Tag::Field(name),
+        })
+    });
+    named.collect()
 }
 
 /// When the normal of a face was added, counted from 0.
