@@ -5,7 +5,7 @@
 
 mod marks;
 
-use super::horizon::{after_your_answer, hatch, srgb_bytes};
+use super::horizon::{after_your_answer, hatch, hatched};
 use super::strings::focus;
 use super::values::{sentence, step_in_words};
 use super::{PanelInput, Properties};
@@ -24,6 +24,8 @@ use std::iter;
 const GHOST: i32 = 60;
 /// Points a pixel from which on the pixels are told apart by a grid.
 const GRID: f64 = 6.0;
+/// Least part of its room that a picture with pixels of one size fills.
+const FILLED: f64 = 0.9;
 const CAPTION: f32 = 11.5;
 const CAPTION_HEIGHT: f32 = 20.0;
 
@@ -90,8 +92,14 @@ fn finished(input: &PanelInput, size: Vec2) -> Picture {
     let extent = Vec2::new(width as f32, height as f32) * zoom as f32;
     let origin = origin(size, extent);
     let frame = Rect::between(origin, origin + extent);
-    let hidden = input.hidden_pixels(&input.finished.picture);
-    let bytes = srgb_bytes(&input.finished.picture, hidden.as_deref());
+    let finished = &input.finished.picture;
+    let hidden = input.hidden_pixels(finished);
+    let exposure = exposure(input.run);
+    let colors = finished
+        .color
+        .iter()
+        .map(|&color| (color * exposure).to_srgb8());
+    let bytes = hatched(colors, width, hidden.as_deref());
     picture.pixels(frame, Image::new(width, height, bytes), (0, 0));
     if hidden.is_some() {
         after_your_answer(&mut picture, frame, input.language);
@@ -102,17 +110,26 @@ fn finished(input: &PanelInput, size: Vec2) -> Picture {
     picture
 }
 
+/// As bright as the panel of the room shows the same light.
+fn exposure(run: &Run) -> f64 {
+    let Run::Radiosity(_, replay) = run else {
+        return 1.0;
+    };
+    let solved = replay.state().solved.as_ref();
+    solved.map_or(1.0, |solved| solved.exposure)
+}
+
 /// Where a picture of that extent begins that stands in the middle of `room`.
 fn origin(room: Vec2, extent: Vec2) -> Vec2 {
     // Rounding may have made it a little larger than its room.
     (0.5 * (room - extent)).floor().max(Vec2::ZERO)
 }
 
-/// Points a pixel: the largest whole number that fits; where it is small, as many as fit, since pixels that differ by one
-/// point then matter less than a picture that is too small.
+/// Points a pixel: the largest whole number that fits; where that leaves much of the room empty, as many as fit, since pixels that differ
+/// by one point then matter less than a picture that is too small.
 fn zoom(picture: Vec2, area: Rect) -> f64 {
     let fitting = f64::from((Vec2::new(area.width, area.height) / picture).min_element());
-    if fitting >= 3.0 {
+    if fitting.floor() >= FILLED * fitting {
         fitting.floor()
     } else {
         fitting

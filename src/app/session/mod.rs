@@ -174,7 +174,7 @@ pub struct Session {
 }
 
 impl Session {
-    /// Opens a lesson at its first step. Errors: those of the lesson.
+    /// Opens a lesson at its first explanation. Errors: those of the lesson.
     pub fn new(lesson: Lesson) -> Result<Self, LessonError> {
         let open = lesson.open()?;
         let mut session = Session {
@@ -240,7 +240,8 @@ impl Session {
         self.tree = TreeView::WHOLE;
         self.hovered = None;
         self.lit = None;
-        self.open.run.walk_mut().seek(0);
+        let first = self.narrated.first().copied().unwrap_or(0);
+        self.open.run.walk_mut().seek(first);
     }
 
     /// The scene in front of its camera.
