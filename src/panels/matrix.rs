@@ -21,7 +21,12 @@ const NO_MATRIX: Message = Message("matrix-no-matrix");
 const NO_ROOM: Message = Message("matrix-no-room");
 const GATHERS: Message = Message("matrix-gathers");
 const SHOOTS: Message = Message("matrix-shoots");
+const ENTRIES: Message = Message("matrix-entries");
+const SMALLER: Message = Message("matrix-smaller");
 const MATRIX: Message = Message("common-matrix-of-form-factors");
+
+/// So many of a row are said one by one.
+const MOST_ENTRIES: usize = 12;
 
 /// All that is drawn.
 struct Layout<'a> {
@@ -134,6 +139,27 @@ impl Layout<'_> {
         &self.matrix[i * self.n..(i + 1) * self.n]
     }
 
+    /// The form factors of the row or column in question that are known and not 0, the largest first.
+    fn entries(&self, hand: Hand) -> String {
+        let entry = |j: usize| match hand.shoots() {
+            true => self.matrix[j * self.n + hand.i],
+            false => self.matrix[hand.i * self.n + j],
+        };
+        let mut entries: Vec<(usize, f64)> = (0..self.n).map(|j| (j, entry(j))).collect();
+        entries.retain(|&(_, f)| f > 0.0);
+        entries.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let smaller = entries.len().saturating_sub(MOST_ENTRIES);
+        entries.truncate(MOST_ENTRIES);
+        let written = entries
+            .iter()
+            .map(|&(j, f)| format!("{} {}", self.name(j), self.language.number(f)));
+        let mut written: Vec<String> = written.collect();
+        if smaller > 0 {
+            written.push(SMALLER.format(self.language, &[("count", &smaller.to_string())]));
+        }
+        ENTRIES.format(self.language, &[("entries", &written.join("; "))])
+    }
+
     fn in_words(&self) -> String {
         let mut text = MATRIX.format(self.language, &[("n", &self.n.to_string())]);
         if let Some(hand) = self.hand {
@@ -145,7 +171,7 @@ impl Layout<'_> {
                 let arguments = [("patch", &*name), ("row", &i), ("sum", &sum)];
                 GATHERS.format(self.language, &arguments)
             };
-            text = text + " " + &does;
+            text = format!("{text} {does}; {}", self.entries(hand));
             if let Some((row, column, f)) = hand.entry {
                 text.push_str(&format!(
                     "; F({row}, {column}) = {}",

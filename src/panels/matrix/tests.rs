@@ -86,3 +86,26 @@ fn without_a_matrix_that_is_said() {
         assert_legible(&draw(&fixture.input(), SIZES[0]), "no matrix");
     }
 }
+
+#[test]
+fn the_row_in_question_is_said_with_its_form_factors() {
+    let mut fixture = solved(Solver::Jacobi);
+    let picture = at(&mut fixture, "Gathering", [500.0, 400.0]);
+    let Run::Radiosity(_, replay) = &fixture.run else {
+        panic!("it is a run of radiosity");
+    };
+    let hand = Hand::of(replay.state()).expect("a patch is in hand");
+    let room = fixture.run.enclosure().expect("an enclosure");
+    let n = room.patches.len();
+    let row = &room.matrix().expect("a matrix")[hand.i * n..(hand.i + 1) * n];
+    let prepared = fixture.run.prepared();
+    let largest = (0..n).max_by(|&a, &b| row[a].total_cmp(&row[b]));
+    let j = largest.expect("patches");
+    let name = super::super::names::patch(prepared, room, j, Language::English);
+    let said = format!("{name} {}", Language::English.number(row[j]));
+    assert!(
+        picture.alt.contains(&said),
+        "{} without {said}",
+        picture.alt
+    );
+}
