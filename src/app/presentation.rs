@@ -1,6 +1,6 @@
 //! Presentation: the key panel, one formula and one sentence, readable from eight times the screen's height.
 
-use super::layout::GAP;
+use super::layout::{GAP, MARGIN};
 use super::panel_view::Scale;
 use super::prose::{prose, set};
 use super::session::{Command, Session, Standing};
@@ -20,6 +20,37 @@ const KEY: f32 = 0.64;
 /// Part of the width for the sentence.
 const SAID: f32 = 0.5;
 
+/// Where what is presented stands, and how large it is.
+pub struct Places {
+    pub key: Rect,
+    said: Rect,
+    pub formula: Rect,
+    /// Height of the text.
+    text: f32,
+}
+
+impl Places {
+    pub fn new(whole: Rect) -> Self {
+        let inner = whole.shrink(GAP);
+        let border = inner.top() + KEY * inner.height();
+        let column = inner.left() + SAID * inner.width();
+        Places {
+            key: Rect::from_min_max(inner.min, pos2(inner.right(), border)).shrink(MARGIN),
+            said: Rect::from_min_max(
+                pos2(inner.left(), border + GAP),
+                pos2(column, inner.bottom()),
+            ),
+            formula: Rect::from_min_max(pos2(column + GAP, border + GAP), inner.max).shrink(MARGIN),
+            text: whole.height() / LINES,
+        }
+    }
+
+    /// How much larger than usual panels are.
+    pub fn zoom(&self) -> f32 {
+        self.text / LEAST_TEXT
+    }
+}
+
 /// Shows the presentation in `whole`; returns what lies under the pointer.
 pub fn show(
     session: &Session,
@@ -28,30 +59,24 @@ pub fn show(
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) -> Option<Tag> {
-    let text = whole.height() / LINES;
-    let inner = whole.shrink(GAP);
-    let border = inner.top() + KEY * inner.height();
-    let column = inner.left() + SAID * inner.width();
-    let key = Rect::from_min_max(inner.min, pos2(inner.right(), border));
-    let said = Rect::from_min_max(
-        pos2(inner.left(), border + GAP),
-        pos2(column, inner.bottom()),
-    );
-    let formula = Rect::from_min_max(pos2(column + GAP, border + GAP), inner.max);
-
+    let places = Places::new(whole);
     let mut under = None;
-    let panels = [(session.key_panel(), key), (Some(Panel::Formula), formula)];
+    let panels = [
+        (session.key_panel(), places.key),
+        (Some(Panel::Formula), places.formula),
+    ];
     for (panel, rect) in panels {
         let Some(panel) = panel else { continue };
-        style::card(session.look.theme, rect, ui);
+        style::card(session.look.theme, rect.expand(MARGIN), ui);
         let view = window.views.entry(panel).or_default();
-        let scale = Scale::Times(text / LEAST_TEXT);
-        let (response, tag) = view.show(session, panel, rect.shrink(4.0), scale, ui);
+        let scale = Scale::Times(places.zoom());
+        let (response, tag) = view.show(session, panel, rect, scale, ui);
         if response.clicked() {
             commands.extend(tag.map(Command::Click));
         }
         under = tag.or(under);
     }
+    let Places { said, text, .. } = places;
     style::card(session.look.theme, said, ui);
     let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(said.shrink(0.5 * text)));
     ScrollArea::vertical()

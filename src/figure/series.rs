@@ -90,7 +90,7 @@ pub fn legend<'a>(
         picture.line((x, middle), (x + SAMPLE, middle), stroke);
         let text = Rect::new(x + LEGEND_SAMPLE, y, row.right() - x, LEGEND_ROW);
         picture.text_in(text, name, style);
-        x += width + 12.0;
+        x += width + 8.0;
     }
     y + LEGEND_ROW
 }

@@ -70,7 +70,15 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             true => HERE.format(input.language, &[("value", UNKNOWN)]),
             false => valued(HERE, here),
         });
-        let lines = [&figures, &here].map(|line| (line.as_str(), Ink::Text));
+        // Where the two figures do not stand beside each other, each has a row.
+        let style = Style::Body.size(TEXT);
+        let figures_fit = style.width(&figures) <= cell.below.width;
+        let mut lines = match figures_fit {
+            true => vec![figures.as_str()],
+            false => figures.split(" · ").collect(),
+        };
+        lines.push(&here);
+        let lines = lines.into_iter().map(|line| (line, Ink::Text));
         cell.lines(&mut picture, lines);
         let figures = labelled(&name, &figures, input.language);
         alt = format!("{alt} {figures}.");

@@ -1,7 +1,11 @@
 //! The presentation, the list of a search, and pictures without a mouse.
 
 use super::*;
+use crate::app::presentation::Places;
 use crate::app::session::Drawer;
+use crate::lesson::builtins;
+use crate::panels::fixtures::illegible;
+use crate::picture::Shape;
 
 #[test]
 fn in_a_presentation_the_room_is_asked_and_a_key_shows_the_answer() {
@@ -32,13 +36,72 @@ fn all_that_is_presented_is_a_28th_of_the_screen_high() {
         .next();
     let node = screen.harness.get_by_label(first.expect("a sentence"));
     assert!(node.rect().height() >= height / 28.0);
-    for panel in [Panel::Image, Panel::Formula] {
-        let rect = screen.panel(panel);
-        let zoom = height / 28.0 / 11.0;
-        let size = glam::Vec2::new(rect.width(), rect.height()) / zoom;
-        let picture = draw(panel, &screen.session().panel_input(), size);
-        crate::panels::fixtures::assert_legible(&picture, panel.name());
+    let places = Places::new(screen.harness.ctx.content_rect());
+    assert_eq!(places.zoom(), height / 28.0 / 11.0);
+    for (panel, place) in [(Panel::Image, places.key), (Panel::Formula, places.formula)] {
+        let shown = screen.panel(panel);
+        // The harness leaves up to 10 pixels free on each side.
+        assert!(
+            (shown.size() - place.size()).length() < 30.0,
+            "{}",
+            panel.name()
+        );
     }
+}
+
+/// At every explanation: all text as large as that of the sentence, and pictures beside each other 200 pixels wide.
+fn check_presentation(lessons: std::ops::Range<usize>) {
+    let mut faults = Vec::new();
+    for builtin in &builtins()[lessons] {
+        let mut session = Session::new(builtin.read().expect("a right lesson")).expect("a lesson");
+        session.wait_for_picture();
+        session.update(Command::Questions).expect("no questions");
+        for (number, step) in session
+            .panel_input()
+            .narrated
+            .to_vec()
+            .into_iter()
+            .enumerate()
+        {
+            session.update(Command::Seek(step)).expect("a step");
+            session.look.language = Language::ALL[number % 2];
+            for screen in [[1280.0, 800.0], [1920.0, 1080.0]] {
+                let whole = egui::Rect::from_min_size(egui::Pos2::ZERO, screen.into());
+                let places = Places::new(whole);
+                let key = session.key_panel().expect("a panel");
+                for (panel, place) in [(key, places.key), (Panel::Formula, places.formula)] {
+                    let size = glam::Vec2::new(place.width(), place.height()) / places.zoom();
+                    let picture = draw(panel, &session.panel_input(), size);
+                    let mut found = illegible(&picture);
+                    let images = picture.items.iter().filter_map(|item| match &item.shape {
+                        Shape::Image { rect, .. } => Some(rect.width * places.zoom()),
+                        _ => None,
+                    });
+                    let small = images.filter(|&width| panel == Panel::Comparison && width < 200.0);
+                    found.extend(small.map(|width| format!("a picture {width} wide")));
+                    let place =
+                        format!("{} step {step} {} at {screen:?}", builtin.id, panel.name());
+                    faults.extend(found.into_iter().map(|fault| format!("{place}: {fault}")));
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn presented_shading_lessons_can_be_read_from_the_back_row() {
+    check_presentation(0..10);
+}
+
+#[test]
+fn presented_lessons_on_rays_can_be_read_from_the_back_row() {
+    check_presentation(10..17);
+}
+
+#[test]
+fn presented_lessons_on_radiosity_and_studies_can_be_read_from_the_back_row() {
+    check_presentation(17..28);
 }
 
 #[test]

@@ -15,7 +15,9 @@ const TITLE: f32 = 18.0;
 const NARROWEST: f32 = 115.0;
 /// Of the largest possible images.
 const MUCH_SMALLER: f32 = 0.7;
-const MARGIN: f32 = 6.0;
+/// Around all cells, and between two.
+const EDGE: f32 = 2.0;
+const GAP: f32 = 3.0;
 const TEXT: f32 = 12.0;
 /// Of a method's line beside its name.
 const SAMPLE: f32 = 16.0;
@@ -30,7 +32,7 @@ pub struct Cell {
     /// Pixels of the picture.
     size: Vec2,
     /// For lines of text, down to the next cell.
-    below: Rect,
+    pub below: Rect,
 }
 
 /// `count` cells for pictures like that, each with `lines` lines of text, in as many columns as make the images largest.
@@ -40,10 +42,10 @@ pub fn cells(like: &Frame, count: usize, lines: usize, size: Vec2) -> Vec<Cell> 
     let arranged = (1..=count).map(|columns| {
         let rows = count.div_ceil(columns);
         let cell = Vec2::new(
-            (size.x - MARGIN) / columns as f32,
-            (size.y - MARGIN) / rows as f32,
+            (size.x - 2.0 * EDGE + GAP) / columns as f32,
+            (size.y - 2.0 * EDGE + GAP) / rows as f32,
         );
-        let room = Vec2::new(cell.x - MARGIN, cell.y - MARGIN - TITLE - text).max(Vec2::ZERO);
+        let room = Vec2::new(cell.x - GAP, cell.y - GAP - TITLE - text).max(Vec2::ZERO);
         ((room / picture).min_element(), columns, cell)
     });
     // Narrow cells cut off their text: they are chosen where wide ones would make the images much smaller.
@@ -60,8 +62,8 @@ pub fn cells(like: &Frame, count: usize, lines: usize, size: Vec2) -> Vec<Cell> 
     (0..count)
         .map(|number| {
             let at = Vec2::new((number % columns) as f32, (number / columns) as f32) * cell;
-            let at = at + Vec2::splat(MARGIN);
-            let width = cell.x - MARGIN;
+            let at = at + Vec2::splat(EDGE);
+            let width = cell.x - GAP;
             let extent = picture * scale;
             // Images stand at the left of their cells, under the beginning of the title.
             let image = Rect::new(at.x, at.y + TITLE, extent.x, extent.y);
@@ -71,7 +73,7 @@ pub fn cells(like: &Frame, count: usize, lines: usize, size: Vec2) -> Vec<Cell> 
                 size: picture,
                 below: Rect::between(
                     Vec2::new(at.x, image.bottom() + 1.0),
-                    Vec2::new(at.x + width, at.y + cell.y - MARGIN),
+                    Vec2::new(at.x + width, at.y + cell.y - GAP),
                 ),
             }
         })
@@ -81,20 +83,22 @@ pub fn cells(like: &Frame, count: usize, lines: usize, size: Vec2) -> Vec<Cell> 
 impl Cell {
     /// The method's name with its line in plots; that of the run that is walked through stands out.
     pub fn title(&self, picture: &mut Picture, name: &str, (method, walked): (Method, Method)) {
-        let Rect { x, width, .. } = self.title;
-        let middle = self.title.center().y;
-        let stroke = method.series().stroke;
-        picture.line((x, middle), (x + SAMPLE, middle), stroke);
         let ink = match method == walked {
             true => Ink::This,
             false => Ink::Text,
         };
-        let name_place = Rect {
-            x: x + SAMPLE + 4.0,
-            width: width - SAMPLE - 4.0,
-            ..self.title
-        };
-        elided(picture, name_place, name, Style::Bold.size(TEXT).ink(ink));
+        let style = Style::Bold.size(TEXT).ink(ink);
+        let mut place = self.title;
+        let beside = SAMPLE + 4.0;
+        // In a narrow cell the name matters more.
+        if beside + style.width(name) <= place.width {
+            let (x, middle) = (place.x, place.center().y);
+            let stroke = method.series().stroke;
+            picture.line((x, middle), (x + SAMPLE, middle), stroke);
+            place.x += beside;
+            place.width -= beside;
+        }
+        elided(picture, place, name, style);
     }
 
     /// Lines under the image, the first ones first: broken where they are too long, and left out where they do not fit whole.
