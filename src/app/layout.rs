@@ -36,6 +36,8 @@ const LEAST_FORMULA: f32 = 64.0;
 /// Parts of the column's height that code and formula have unless the words need them.
 const CODE_SHARE: f32 = 0.32;
 const FORMULA_SHARE: f32 = 0.3;
+/// A column without this much room for the words scrolls as a whole.
+const LEAST_WORDS: f32 = 110.0;
 /// The least part of the column's height for the words.
 const LEAST_SAID: f32 = 0.24;
 
@@ -171,7 +173,17 @@ pub struct Column {
     pub formula: Rect,
 }
 
-/// Divides the column's card. `said` is the height that the words take, `formula` the least one that shows a formula with its numbers.
+/// The height of all regions of the column: that of its card, or of what scrolls in a lower one.
+pub fn column_height(card: f32, said: f32, formula: f32) -> f32 {
+    let rest = LEAST_CODE + formula.max(LEAST_FORMULA);
+    match rest + LEAST_WORDS <= card {
+        true => card,
+        false => rest + said.max(LEAST_WORDS),
+    }
+}
+
+/// Divides the column, which has its whole height. `said` is the height that the words take, `formula` the least one that shows a formula
+/// with its numbers.
 pub fn column(card: Rect, said: f32, formula: f32) -> Column {
     let height = card.height();
     let least_formula = formula.max(LEAST_FORMULA).min(0.5 * height);

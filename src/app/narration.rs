@@ -23,7 +23,31 @@ pub fn show(
     let formula = least_formula(session, window, card.width() - 2.0 * MARGIN);
     // A picture stands on whole pixels, which takes up to one point.
     let formula = formula + 2.0 * MARGIN + 1.0;
-    let column = layout::column(card, window.said_height, formula);
+    let height = layout::column_height(card.height(), window.said_height, formula);
+    let mut whole = ui.new_child(egui::UiBuilder::new().max_rect(card));
+    let scrolled = ScrollArea::vertical()
+        .id_salt("column")
+        .show(&mut whole, |ui| {
+            let (_, place) = ui.allocate_space(egui::vec2(card.width(), height));
+            regions(
+                session,
+                window,
+                layout::column(place, window.said_height, formula),
+                commands,
+                ui,
+            )
+        });
+    scrolled.inner
+}
+
+/// The regions of the column; returns what lies under the pointer.
+fn regions(
+    session: &Session,
+    window: &mut Window,
+    column: layout::Column,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) -> Option<Tag> {
     let mut said = ui.new_child(egui::UiBuilder::new().max_rect(column.said.shrink(MARGIN)));
     let scrolled = ScrollArea::vertical()
         .auto_shrink(false)

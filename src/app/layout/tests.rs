@@ -61,6 +61,18 @@ fn no_card_covers_another_or_leaves_the_window() {
 }
 
 #[test]
+fn a_low_column_scrolls_and_its_regions_have_what_they_need() {
+    assert_eq!(column_height(450.0, 300.0, 120.0), 450.0);
+    for (said, formula) in [(60.0, 70.0), (300.0, 170.0)] {
+        let height = column_height(240.0, said, formula);
+        let card = Rect::from_min_size(pos2(8.0, 48.0), vec2(230.0, height));
+        let column = column(card, said, formula);
+        assert!(column.said.height() >= said - 1e-3 && column.formula.height() >= formula - 1e-3);
+        assert!(column.code.height() >= LEAST_CODE - 1e-3);
+    }
+}
+
+#[test]
 fn the_regions_of_the_column_share_its_height_and_none_is_pushed_out() {
     let card = Rect::from_min_size(pos2(8.0, 48.0), vec2(300.0, 450.0));
     for said in [0.0, 100.0, 300.0, 2000.0] {

@@ -8,6 +8,17 @@ use crate::panels::{formula_height, time_line_heights};
 use crate::picture::{Picture, Shape};
 use glam::Vec2;
 
+const USUAL: Least = Least {
+    share: 0.45,
+    width: 400.0,
+};
+/// With text twice as large on the smaller screens the column keeps its least width and scrolls, and panels at the side give way to their
+/// names.
+const LARGE: Least = Least {
+    share: 0.37,
+    width: 360.0,
+};
+
 /// Pixels of usual screens.
 const SCREENS: [[f32; 2]; 3] = [[1280.0, 800.0], [1366.0, 768.0], [1920.0, 1080.0]];
 
@@ -28,8 +39,17 @@ fn drawn(session: &Session, panel: Panel, size: Vec2, faults: &mut Vec<String>) 
     picture
 }
 
+/// What the key panel has at least.
+#[derive(Clone, Copy)]
+struct Least {
+    /// Of the window.
+    share: f32,
+    /// Of a picture, in pixels.
+    width: f32,
+}
+
 /// Checks the window at the session's step on a screen of that many pixels.
-fn check(session: &Session, screen: [f32; 2], faults: &mut Vec<String>) {
+fn check(session: &Session, screen: [f32; 2], at_least: Least, faults: &mut Vec<String>) {
     let zoom = session.look.zoom();
     let window = egui::Vec2::from(screen) / zoom;
     let key = session.key_panel().expect("a lesson has panels");
@@ -46,7 +66,7 @@ fn check(session: &Session, screen: [f32; 2], faults: &mut Vec<String>) {
         },
     );
     let share = placed.key.area() / (window.x * window.y);
-    if share < 0.45 {
+    if share < at_least.share {
         faults.push(format!("the key panel has {share} of the window"));
     }
     let picture = drawn(session, key, inside(placed.key), faults);
@@ -56,7 +76,7 @@ fn check(session: &Session, screen: [f32; 2], faults: &mut Vec<String>) {
             _ => None,
         });
         let widest = widths.fold(0.0, f32::max);
-        if widest < 400.0 {
+        if widest < at_least.width {
             faults.push(format!("a picture {widest} pixels wide"));
         }
     }
@@ -73,8 +93,12 @@ fn check(session: &Session, screen: [f32; 2], faults: &mut Vec<String>) {
 
     let width = placed.column.width() - 2.0 * MARGIN;
     let least = formula_height(&session.panel_input(), width);
-    for said in [0.0, f32::INFINITY] {
-        let column = layout::column(placed.column, said, least + 2.0 * MARGIN + 1.0);
+    for said in [0.0, 2000.0] {
+        let formula = least + 2.0 * MARGIN + 1.0;
+        let mut whole = placed.column;
+        let height = layout::column_height(whole.height(), said, formula);
+        whole.max.y = whole.min.y + height;
+        let column = layout::column(whole, said, formula);
         let room = |region: egui::Rect| Vec2::new(width, region.height() - 2.0 * MARGIN).floor();
         let code = drawn(session, Panel::Code, room(column.code), faults);
         let current = code.items.iter().any(
@@ -105,7 +129,7 @@ fn check_lessons(numbers: std::ops::Range<usize>) {
                     session.look.language = language;
                     for screen in SCREENS {
                         let mut faults = Vec::new();
-                        check(&session, screen, &mut faults);
+                        check(&session, screen, USUAL, &mut faults);
                         let place =
                             format!("{} step {step} {theme:?} {}", builtin.id, language.code());
                         all.extend(faults.into_iter().map(|fault| format!("{place}: {fault}")));
@@ -115,6 +139,45 @@ fn check_lessons(numbers: std::ops::Range<usize>) {
         }
     }
     assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
+}
+
+fn check_large_text(numbers: std::ops::Range<usize>) {
+    let mut all = Vec::new();
+    for builtin in &builtins()[numbers] {
+        let lesson = builtin.read().expect("a right lesson");
+        let mut session = Session::new(lesson).expect("a lesson that resolves");
+        session.wait_for_picture();
+        session.update(Command::Questions).expect("no questions");
+        while session.update(Command::LargerText).is_ok() {}
+        assert_eq!(session.look.zoom(), 2.0);
+        let narrated = session.panel_input().narrated.to_vec();
+        for (number, step) in narrated.into_iter().enumerate() {
+            session.update(Command::Seek(step)).expect("a step");
+            session.look.language = Language::ALL[number % 2];
+            for (screen, at_least) in SCREENS.into_iter().zip([LARGE, LARGE, USUAL]) {
+                let mut faults = Vec::new();
+                check(&session, screen, at_least, &mut faults);
+                let place = format!("{} step {step} on {screen:?}", builtin.id);
+                all.extend(faults.into_iter().map(|fault| format!("{place}: {fault}")));
+            }
+        }
+    }
+    assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
+}
+
+#[test]
+fn shading_lessons_can_be_read_with_text_twice_as_large() {
+    check_large_text(0..10);
+}
+
+#[test]
+fn lessons_on_rays_can_be_read_with_text_twice_as_large() {
+    check_large_text(10..17);
+}
+
+#[test]
+fn lessons_on_radiosity_and_studies_can_be_read_with_text_twice_as_large() {
+    check_large_text(17..28);
 }
 
 #[test]
