@@ -4,6 +4,15 @@ use super::keys;
 use super::session::{Command, Session};
 use egui::{Response, Ui};
 
+/// Has what is off say why: under the pointer, and to a screen reader.
+pub(super) fn off(response: Response, why: &str) -> Response {
+    let node = response.id;
+    response
+        .ctx
+        .accesskit_node_builder(node, |node| node.set_description(why));
+    response.on_disabled_hover_text(why)
+}
+
 /// A button for a command: off, with the reason, where it cannot act; its hint names its key.
 pub(super) fn button(
     session: &Session,
@@ -21,7 +30,7 @@ pub(super) fn button(
         keys::key_of(&command).map_or_else(|| name.to_owned(), |key| format!("{name}  ({key})"));
     let response = response.on_hover_text(hint);
     if let Err(refused) = allowed {
-        return response.on_disabled_hover_text(refused.in_language(session.look.language));
+        return off(response, refused.in_language(session.look.language));
     }
     if response.clicked() {
         commands.push(command);

@@ -3,14 +3,19 @@
 use super::button::button;
 use super::layout::{Layout, MARGIN, TITLE};
 use super::panel_view::{self, PanelView, Scale};
+use super::row_end::{before_end, row_end};
 use super::session::{Command, Drawer, Session};
 use super::{drag, parameter_drawer, results_drawer, strings, style, tree_controls};
 use crate::language::Message;
 use crate::panels::{Panel, step_at};
-use crate::picture::{Ink, Tag};
+use crate::picture::{self, Ink, Tag};
 use egui::{Button, Rect, Response, RichText, Sense, Ui};
 use std::collections::HashMap;
 
+/// Size of the names of panels.
+const NAME: f32 = 13.0;
+/// Room for what stands at the end of the key panel's row.
+const CONTROLS: f32 = 130.0;
 /// A card narrower than this has a title and nothing beside it.
 const WIDE: f32 = 360.0;
 
@@ -59,30 +64,33 @@ fn card(
     if title.double_clicked() {
         commands.push(Command::Fill);
     }
+    let titles = names.iter().map(|&other| {
+        let title = numbered(session, other);
+        picture::Style::Bold.size(NAME).width(&title) + 2.0 * NAME
+    });
+    let fit = titles.sum::<f32>() <= row.available_width() - CONTROLS;
     for &other in names {
-        name_button(session, other, commands, &mut row);
+        name_button(session, other, fit, commands, &mut row);
     }
     let (sign, name) = match session.is_filled() {
         true => ("×", strings::UNFILL),
         false => ("□", strings::FILL),
     };
-    at_end(
-        session,
-        (sign, name, Command::Fill),
-        commands,
-        &mut row,
-        |ui, commands| {
-            if rect.width() < WIDE {
-                return;
-            }
+    let wide = rect.width() >= WIDE;
+    let fill = (sign, name, Command::Fill);
+    let rest = at_end(session, fill, commands, &mut row, |ui, commands| {
+        if wide {
             controls(session, panel, commands, ui);
-            let muted = style::color(session.look.theme, Ink::Muted);
-            let caption = RichText::new(panel_view::caption(session, panel))
-                .size(13.0)
-                .color(muted);
-            ui.add(egui::Label::new(caption).truncate().selectable(false));
-        },
-    );
+        }
+    });
+    if wide {
+        let muted = style::color(session.look.theme, Ink::Muted);
+        let caption = RichText::new(panel_view::caption(session, panel))
+            .size(13.0)
+            .color(muted);
+        let caption = egui::Label::new(caption).truncate().selectable(false);
+        before_end(rest, &mut row, |ui| drop(ui.add(caption)));
+    }
     let view = views.entry(panel).or_default();
     let shown = panel_on(session, panel, view, inside(rect), ui);
     if shown.filled {
@@ -102,7 +110,7 @@ fn small_card(
     ui: &mut Ui,
 ) -> Option<Tag> {
     style::card(session.look.theme, rect, ui);
-    name_button(session, panel, commands, &mut title_row(rect, ui));
+    name_button(session, panel, true, commands, &mut title_row(rect, ui));
     let view = views.entry(panel).or_default();
     let (response, under) = view.show(session, panel, inside(rect), Scale::Small, ui);
     if response.double_clicked() {
@@ -122,19 +130,19 @@ fn head(session: &Session, title: Message, rect: Rect, ui: &mut Ui) -> (Response
     (title, row)
 }
 
-/// At the end of a card's row a button with a sign, and what `more` adds before it.
+/// At the end of a card's row a button with a sign, and what `more` adds before it. Returns what is left of the row.
 fn at_end(
     session: &Session,
     (sign, name, command): (&str, Message, Command),
     commands: &mut Vec<Command>,
     row: &mut Ui,
     more: impl FnOnce(&mut Ui, &mut Vec<Command>),
-) {
-    row.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+) -> Rect {
+    row_end(row, |ui, _| {
+        more(ui, commands);
         let sign = Button::new(RichText::new(sign).size(13.0)).min_size(egui::vec2(24.0, 20.0));
         button(session, sign, session.localize(name), command, commands, ui);
-        more(ui, commands);
-    });
+    })
 }
 
 fn title_row(rect: Rect, ui: &mut Ui) -> Ui {
@@ -157,15 +165,31 @@ fn inside(card: Rect) -> Rect {
     inside
 }
 
-/// The number and the name of a panel; pressed, it becomes the key panel.
-fn name_button(session: &Session, panel: Panel, commands: &mut Vec<Command>, ui: &mut Ui) {
+/// The name of a panel after its number.
+fn numbered(session: &Session, panel: Panel) -> String {
     let title = session.localize(panel.title());
     let number = session.panels().iter().position(|&known| known == panel);
-    let text = match number {
+    match number {
         Some(number) => format!("{}  {title}", number + 1),
         None => title.to_owned(),
+    }
+}
+
+/// The number of a panel and, where it is to be `whole`, its name; pressed, it becomes the key panel.
+fn name_button(
+    session: &Session,
+    panel: Panel,
+    whole: bool,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
+    let title = session.localize(panel.title());
+    let text = numbered(session, panel);
+    let shown = match whole {
+        true => text.as_str(),
+        false => text.split(' ').next().unwrap_or_default(),
     };
-    let text = style::strong(text, 13.0);
+    let text = style::strong(shown, NAME);
     let enlarge = strings::ENLARGE.format(session.look.language, &[("panel", title)]);
     let frameless = Button::new(text).frame_when_inactive(false).truncate();
     button(
@@ -178,7 +202,7 @@ fn name_button(session: &Session, panel: Panel, commands: &mut Vec<Command>, ui:
     );
 }
 
-/// What a panel lets be changed, from the right.
+/// What a panel lets be changed.
 fn controls(session: &Session, panel: Panel, commands: &mut Vec<Command>, ui: &mut Ui) {
     if panel == Panel::RayTree {
         tree_controls::buttons(session, commands, ui);

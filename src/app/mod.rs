@@ -26,6 +26,7 @@ mod pressed;
 mod prose;
 mod question_card;
 mod results_drawer;
+mod row_end;
 pub mod session;
 mod skipped;
 mod strings;

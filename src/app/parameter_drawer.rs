@@ -1,6 +1,6 @@
 //! The parameters that the lesson lets be changed, each with a slider and its value.
 
-use super::button::button;
+use super::button::{button, off};
 use super::session::{Command, Session};
 use super::{arrow_focus, prose, strings};
 use crate::language::{Language, Message};
@@ -58,7 +58,10 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
         let reset = Button::new(RichText::new(session.localize(strings::PUT_BACK_ALL)).size(13.0));
         let name = session.localize(strings::PUT_BACK);
         ui.add_enabled_ui(session.is_changed(), |ui| {
-            button(session, reset, name, Command::Reset, commands, ui);
+            let response = button(session, reset, name, Command::Reset, commands, ui);
+            if !session.is_changed() {
+                off(response, session.localize(strings::NOTHING_CHANGED));
+            }
         });
     });
     if on_slider {
@@ -95,7 +98,8 @@ fn value(
         slider = slider.step_by(1.0);
     }
     let response = ui.add(slider);
-    named(&response, &name, rail.value);
+    let range = rail.in_words(session.look.language);
+    named(&response, &name, rail.value, &range);
     *on_slider |= response.has_focus();
     if matches!(parameter, Parameter::Light(_) | Parameter::Eye) {
         response.on_hover_text(session.localize(strings::FROM_THE_TARGET));
@@ -108,14 +112,19 @@ fn value(
         .max_decimals(if rail.whole { 0 } else { 3 });
     let response = ui.add(written(number, session.look.language));
     let as_number = strings::AS_A_NUMBER.format(session.look.language, &[("name", &name)]);
-    named(&response, &as_number, rail.value);
+    named(&response, &as_number, rail.value, &range);
     let moved = value != rail.value;
     let change = moved.then(|| change_to(session, scene, parameter, value));
     change.flatten()
 }
 
-fn named(response: &Response, name: &str, value: f64) {
+/// What a screen reader says of it: its name, its value, and between what it moves in which unit.
+fn named(response: &Response, name: &str, value: f64, range: &str) {
     response.widget_info(|| WidgetInfo::slider(true, value, name));
+    let node = response.id;
+    response
+        .ctx
+        .accesskit_node_builder(node, |node| node.set_description(range));
 }
 
 /// Where a slider's knob is, and between what it moves.
@@ -124,6 +133,8 @@ struct Rail {
     range: RangeInclusive<f64>,
     logarithmic: bool,
     whole: bool,
+    /// None of a number alone.
+    unit: Option<Message>,
 }
 
 impl Rail {
@@ -151,12 +162,23 @@ impl Rail {
                 (f64::from(divisions), least..=most, true)
             }
         };
+        let is_length = matches!(now, Change::Light { .. } | Change::Eye { .. });
         Some(Rail {
             value,
             range,
             logarithmic,
             whole: matches!(now, Change::Divisions { .. }),
+            unit: is_length.then_some(strings::LENGTHS),
         })
+    }
+
+    fn in_words(&self, language: Language) -> String {
+        let [least, most] = [self.range.start(), self.range.end()].map(|&end| language.number(end));
+        let range = strings::RANGE.format(language, &[("least", &least), ("most", &most)]);
+        match self.unit {
+            Some(unit) => format!("{range}, {}", unit.text(language)),
+            None => range,
+        }
     }
 }
 
@@ -218,7 +240,8 @@ fn coordinates(session: &Session, parameter: Parameter, ui: &mut Ui) -> Option<C
             DragValue::new(x).speed(speed).max_decimals(3),
             session.look.language,
         ));
-        named(&response, &format!("{who}, {axis}"), before);
+        let unit = session.localize(strings::LENGTHS);
+        named(&response, &format!("{who}, {axis}"), before, unit);
     }
     (place != position).then_some(match now {
         Change::Light { light, .. } => Change::Light {

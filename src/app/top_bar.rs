@@ -1,7 +1,9 @@
 //! The bar on top: which lesson this is, and how things are shown.
 
+use super::button::button;
 use super::layout::BAR;
 use super::prose::prose;
+use super::row_end::row_end;
 use super::session::{Command, Session, Sheet, StudyCommand};
 use super::{strings, style};
 use crate::language::{Language, Message};
@@ -13,6 +15,9 @@ const THEMES: [(Theme, Message); 3] = [
     (Theme::Dark, strings::THEME_DARK),
     (Theme::Projector, strings::THEME_PROJECTOR),
 ];
+
+/// A bar with less room than this beside the lessons' buttons has presentation and sharing in the menu alone.
+const WIDE: f32 = 560.0;
 
 pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let frame = Frame::new()
@@ -28,43 +33,52 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             ui.label(style::strong("Lightwalk", 17.0).color(Color32::WHITE));
             ui.add_space(4.0);
             lessons(session, commands, ui);
-            ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-                let narrow = ui.available_width() < 420.0;
-                super::button::button(
-                    session,
-                    Button::new("?"),
-                    session.localize(strings::KEYS),
-                    Command::Keys,
-                    commands,
-                    ui,
-                );
-                settings(session, commands, ui);
-                if !narrow && !session.look.home {
-                    let share = session.localize(strings::SHARE);
-                    super::button::button(
-                        session,
-                        Button::new(share),
-                        share,
-                        Command::Share,
-                        commands,
-                        ui,
-                    );
-                    let present = session.localize(strings::PRESENT);
-                    let button = Button::new(present).selected(session.look.presenting);
-                    super::button::button(session, button, present, Command::Present, commands, ui);
-                }
-                ui.add_space(8.0);
-                ui.spacing_mut().item_spacing.x = 2.0;
-                for language in Language::ALL.into_iter().rev() {
-                    let chosen = session.look.language == language;
-                    let text = RichText::new(language.code().to_uppercase()).strong();
-                    if chip(text, chosen, ui).clicked() {
-                        commands.push(Command::Speak(language));
-                    }
-                }
+            let rest = row_end(ui, |ui, room| {
+                at_the_right(session, room >= WIDE, commands, ui);
             });
+            if !session.look.home {
+                title(session, rest, ui);
+            }
         });
     });
+}
+
+/// Languages, presentation, settings and keys.
+fn at_the_right(session: &Session, wide: bool, commands: &mut Vec<Command>, ui: &mut Ui) {
+    ui.spacing_mut().item_spacing.x = 2.0;
+    for language in Language::ALL {
+        let chosen = session.look.language == language;
+        let text = RichText::new(language.code().to_uppercase()).strong();
+        if chip(text, chosen, ui).clicked() {
+            commands.push(Command::Speak(language));
+        }
+    }
+    ui.spacing_mut().item_spacing.x = 8.0;
+    ui.add_space(8.0);
+    if wide && !session.look.home {
+        for (name, command) in [
+            (strings::PRESENT, Command::Present),
+            (strings::SHARE, Command::Share),
+        ] {
+            let name = session.localize(name);
+            button(session, Button::new(name), name, command, commands, ui);
+        }
+    }
+    settings(session, commands, ui);
+    let keys = session.localize(strings::KEYS);
+    button(session, Button::new("?"), keys, Command::Keys, commands, ui);
+}
+
+/// The lesson's title in what is left of the bar.
+fn title(session: &Session, rest: egui::Rect, ui: &mut Ui) {
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(rest).layout(layout));
+    let title = RichText::new(session.title())
+        .size(15.0)
+        .color(style::BAR_TEXT);
+    let summary = session.lesson().summary.in_language(session.look.language);
+    ui.add(egui::Label::new(title).truncate())
+        .on_hover_text(prose(session, summary, 13.0, Ink::Text));
 }
 
 /// The colours of the bar, which are the same in every theme.
@@ -95,11 +109,11 @@ fn chip(text: RichText, chosen: bool, ui: &mut Ui) -> egui::Response {
     ui.add(Button::new(text).selected(chosen))
 }
 
-/// The page of all lessons, this lesson's title, and its neighbours.
+/// The page of all lessons, and the neighbours of this one.
 fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let name = session.localize(strings::LESSONS);
     let home = Button::new(name).selected(session.look.home);
-    super::button::button(session, home, name, Command::Home, commands, ui);
+    button(session, home, name, Command::Home, commands, ui);
     if session.look.home {
         return;
     }
@@ -109,19 +123,8 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ] {
         let name = session.localize(name);
         let sign = RichText::new(sign).size(11.0);
-        super::button::button(session, Button::new(sign), name, command, commands, ui);
+        button(session, Button::new(sign), name, command, commands, ui);
     }
-    // What stands at the right needs this much.
-    let room = (ui.available_width() - 150.0).max(60.0);
-    let title = RichText::new(session.title())
-        .size(15.0)
-        .color(style::BAR_TEXT);
-    let summary = session.lesson().summary.in_language(session.look.language);
-    ui.scope(|ui| {
-        ui.set_max_width(room);
-        ui.add(egui::Label::new(title).truncate())
-            .on_hover_text(prose(session, summary, 13.0, Ink::Text));
-    });
 }
 
 /// Themes, text size, questions; what a narrow bar has no room for is in here too.
@@ -148,7 +151,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
                 ("+", Command::LargerText),
             ] {
                 let name = strings::TEXT_SIZE_TO.format(session.look.language, &[("size", sign)]);
-                super::button::button(session, Button::new(sign), &name, command, commands, ui);
+                button(session, Button::new(sign), &name, command, commands, ui);
             }
         });
         ui.separator();
@@ -162,7 +165,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         ui.separator();
         let studies = session.localize(strings::STUDIES);
         let view = Command::Study(StudyCommand::View);
-        super::button::button(session, Button::new(studies), studies, view, commands, ui);
+        button(session, Button::new(studies), studies, view, commands, ui);
         for (strings, command) in [
             (strings::PRESENT, Command::Present),
             (strings::SHARE, Command::Share),
@@ -170,7 +173,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             (strings::FORGET, Command::Sheet(Sheet::Forget)),
         ] {
             let strings = session.localize(strings);
-            super::button::button(
+            button(
                 session,
                 Button::new(strings),
                 strings,

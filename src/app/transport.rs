@@ -1,16 +1,20 @@
 //! The row above the time line: buttons to walk and play, where we are, speed, loop, search.
 
 use super::button::button;
+use super::row_end::row_end;
 use super::session::{Command, Direction, Drawer, Session};
 use super::window_state::Window;
 use super::{strings, style};
 use crate::panels::kind_name;
 use crate::replay::query;
-use egui::containers::menu::MenuButton;
 use egui::{Button, Key, Rect, RichText, TextEdit, Ui};
 
 /// A row narrower than this leaves the speed to the keys.
 const WIDE: f32 = 1100.0;
+/// A row narrower than this has most of its buttons in a menu.
+const NARROW: f32 = 960.0;
+/// Room for the buttons after the search.
+const BUTTONS: f32 = 200.0;
 
 /// Shows the row in `rect`.
 pub fn show(
@@ -35,20 +39,31 @@ pub fn show(
         speed(session, commands, ui);
         ui.add_space(6.0);
     }
+    if rect.width() < NARROW {
+        let more = ui.menu_button("…", |ui| {
+            drawers(session, commands, ui);
+            looping(session, commands, ui);
+            run_to(session, commands, ui);
+        });
+        let name = session.localize(strings::MORE);
+        let more = more.response.on_hover_text(name);
+        more.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
+        row_end(ui, |ui, room| search(session, window, room, commands, ui));
+        return;
+    }
     looping(session, commands, ui);
     run_to(session, commands, ui);
-    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
+    row_end(ui, |ui, room| {
+        search(session, window, room - BUTTONS, commands, ui);
         drawers(session, commands, ui);
-        search(session, window, commands, ui);
     });
 }
 
 /// What opens beside the key panel.
 fn drawers(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
-    // From the right.
     for (drawer, name, command) in [
-        (Drawer::Inspector, strings::INSPECTOR, Command::Inspector),
         (Drawer::Parameters, strings::PARAMETERS, Command::Parameters),
+        (Drawer::Inspector, strings::INSPECTOR, Command::Inspector),
     ] {
         let name = session.localize(name);
         let chosen = session.look.drawer == Some(drawer);
@@ -134,8 +149,7 @@ fn looping(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             format!("{} ▾", strings::LOOP.format(session.look.language, &ends))
         }
     };
-    let menu = MenuButton::from_button(Button::new(text));
-    menu.ui(ui, |ui| {
+    ui.menu_button(text, |ui| {
         let choices = [
             (strings::LOOP_FROM_HERE, Command::LoopFrom),
             (strings::LOOP_TO_HERE, Command::LoopTo),
@@ -159,8 +173,7 @@ fn looping(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 /// A menu of the kinds of steps, with how many there are of each.
 fn run_to(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let strings = format!("{} ▾", session.localize(strings::RUN_TO));
-    let menu = MenuButton::from_button(Button::new(strings));
-    menu.ui(ui, |ui| {
+    ui.menu_button(strings, |ui| {
         let walk = session.walk();
         if walk.is_empty() {
             return;
@@ -186,10 +199,16 @@ fn run_to(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     });
 }
 
-fn search(session: &mut Session, window: &mut Window, commands: &mut Vec<Command>, ui: &mut Ui) {
+fn search(
+    session: &mut Session,
+    window: &mut Window,
+    room: f32,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
     let hint = format!("/ {}", session.localize(strings::SEARCH));
     let edit = TextEdit::singleline(&mut window.search)
-        .desired_width((ui.available_width() - 24.0).clamp(40.0, 200.0))
+        .desired_width((room - 24.0).clamp(40.0, 200.0))
         .hint_text(hint);
     let response = ui
         .add(edit)

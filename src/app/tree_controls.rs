@@ -14,18 +14,18 @@ const PRESS: f32 = 1.5;
 /// Points of the wheel that zoom to e times the size.
 const WHEEL: f32 = 200.0;
 
-/// Fit, larger and smaller, from the right.
+/// Fit, larger and smaller.
 pub fn buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.x = 4.0;
     let shown = session.tree().shown;
     for (sign, view, name) in [
-        ("−", shown.zoomed(1.0 / PRESS), strings::SMALLER_TREE),
-        ("+", shown.zoomed(PRESS), strings::LARGER_TREE),
         (
             session.localize(strings::TREE_FIT),
             View::WHOLE,
             strings::WHOLE_TREE,
         ),
+        ("+", shown.zoomed(PRESS), strings::LARGER_TREE),
+        ("−", shown.zoomed(1.0 / PRESS), strings::SMALLER_TREE),
     ] {
         let sign = RichText::new(sign).size(13.0);
         let small = Button::new(sign).min_size(egui::vec2(24.0, 22.0));

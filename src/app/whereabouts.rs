@@ -1,4 +1,4 @@
-//! The row over the narration: which explanation of how many this is, the ways to its neighbours, and the way back to the beginning.
+//! The row over the narration: which explanation of how many this is, the way back to the beginning, and the ways to its neighbours.
 
 use super::button::button;
 use super::session::{Command, Session, Sheet};
@@ -6,7 +6,7 @@ use super::{strings, style};
 use egui::{Button, RichText, Ui};
 
 /// The least room for the words and the button that goes on.
-const WORDS: f32 = 220.0;
+const WORDS: f32 = 262.0;
 
 pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let place = place(session);
@@ -15,6 +15,8 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         ui.spacing_mut().item_spacing = egui::vec2(4.0, 4.0);
         ui.spacing_mut().button_padding.x = 7.0;
         let small = |text: &str| Button::new(RichText::new(text).size(12.0));
+        let again = session.localize(strings::START_AGAIN);
+        button(session, small("↺"), again, Command::Reset, commands, ui);
         if narrates {
             let previous = session.localize(strings::PREVIOUS_SAID);
             let back = Command::PreviousNarrated;
@@ -42,8 +44,6 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             let next = Command::NextNarrated;
             button(session, small(shown), name, next, commands, ui);
         }
-        let again = session.localize(strings::START_AGAIN);
-        button(session, small("↺"), again, Command::Reset, commands, ui);
     });
 }
 

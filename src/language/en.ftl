@@ -35,6 +35,12 @@ app-keys = keys
 app-keys-title = Keys
 app-close = Close
 app-menu = More
+app-more = more ways through the run
+app-range = { $least } to { $most }
+app-lengths = in the scene’s units of length
+app-already-tried = That was tried and is wrong.
+app-nothing-changed = No parameter has been changed.
+app-at-its-end = It is at the end of the list.
 app-lessons = Lessons
 app-chapter-shading = Shading
 app-chapter-ray-tracing = Ray tracing
@@ -387,6 +393,8 @@ keys-all-lessons = all lessons
 
 matrix-no-matrix = This run finds one form factor, not all of them. Open a lesson on a radiosity solver.
 matrix-no-room = This scene has no patches: radiosity needs surfaces of finite size.
+matrix-entries = form factors: { $entries }
+matrix-smaller = { $count } smaller ones
 matrix-gathers = { $patch } gathers row { $row }, sum of the row { $sum }
 matrix-shoots = { $patch } shoots column { $column }
 
@@ -431,6 +439,7 @@ racer-jacobi = Jacobi
 racer-gauss-seidel = Gauss–Seidel
 racer-over-relaxation = over-relaxation
 racer-chebyshev = Chebyshev
+racer-conjugate-gradients = conj. gradients
 
 ## radiosity
 

@@ -35,6 +35,12 @@ app-keys = tombol
 app-keys-title = Tombol
 app-close = Tutup
 app-menu = Lainnya
+app-more = cara lain menelusuri
+app-range = { $least } sampai { $most }
+app-lengths = dalam satuan panjang adegan
+app-already-tried = Itu sudah dicoba dan salah.
+app-nothing-changed = Belum ada parameter yang diubah.
+app-at-its-end = Sudah di ujung daftar.
 app-lessons = Pelajaran
 app-chapter-shading = Shading
 app-chapter-ray-tracing = Ray tracing
@@ -387,6 +393,8 @@ keys-all-lessons = semua pelajaran
 
 matrix-no-matrix = Proses ini mencari satu faktor bentuk, bukan semuanya. Buka pelajaran tentang penyelesaian radiositas.
 matrix-no-room = Adegan ini tidak memiliki patch: radiositas memerlukan permukaan yang terbatas.
+matrix-entries = faktor bentuk: { $entries }
+matrix-smaller = { $count } lagi yang lebih kecil
 matrix-gathers = { $patch } mengumpulkan baris { $row }, jumlah baris { $sum }
 matrix-shoots = { $patch } menembakkan kolom { $column }
 
@@ -431,6 +439,9 @@ racer-jacobi = Jacobi
 racer-gauss-seidel = Gauss–Seidel
 racer-over-relaxation = relaksasi lebih
 racer-chebyshev = Chebyshev
+racer-shooting = tembak
+racer-overshooting = tembak lebih
+racer-conjugate-gradients = gradien konj.
 
 ## radiosity
 

@@ -1,8 +1,9 @@
 //! A button for each option; a wrong one that was chosen is struck out.
 
+use crate::app::button::off;
 use crate::app::prose::prose;
 use crate::app::session::{Command, Session};
-use crate::app::style;
+use crate::app::{strings, style};
 use crate::lesson::Guess;
 use crate::picture::Ink;
 use egui::{Button, Stroke, Ui};
@@ -24,7 +25,10 @@ pub(super) fn ask(
             sections.for_each(|section| section.format.strikethrough = line);
         }
         let button = Button::new(text).wrap();
-        if ui.add_enabled(!was_chosen, button).clicked() {
+        let button = ui.add_enabled(!was_chosen, button);
+        if was_chosen {
+            off(button, session.localize(strings::ALREADY_TRIED));
+        } else if button.clicked() {
             commands.push(Command::Answer(guess));
         }
     }

@@ -1,14 +1,16 @@
 //! A row for each item, with buttons that move it up and down.
 
 use super::primary;
+use crate::app::button::off;
 use crate::app::prose::prose;
+use crate::app::row_end::row_end;
 use crate::app::session::{Command, Session};
 use crate::app::strings;
 use crate::app::window_state::Window;
 use crate::language::Message;
 use crate::lesson::Guess;
 use crate::picture::Ink;
-use egui::{Align, Button, Layout, Role, Ui, UiBuilder, WidgetInfo};
+use egui::{Button, Role, Ui, UiBuilder, WidgetInfo};
 
 pub(super) fn ask(
     session: &Session,
@@ -56,16 +58,10 @@ fn row(session: &Session, place: usize, count: usize, text: &str, ui: &mut Ui) -
     let mut moves = (false, false);
     ui.horizontal_top(|ui| {
         ui.set_width(width);
-        ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-            let down = step(
-                session,
-                "↓",
-                strings::MOVE_DOWN,
-                text,
-                place + 1 < count,
-                ui,
-            );
+        let rest = row_end(ui, |ui, _| {
             let up = step(session, "↑", strings::MOVE_UP, text, place > 0, ui);
+            let can = place + 1 < count;
+            let down = step(session, "↓", strings::MOVE_DOWN, text, can, ui);
             moves = (up.clicked(), down.clicked());
             // At the end of the list the keyboard goes to the button that leads back.
             if moves.0 && place == 1 {
@@ -74,11 +70,10 @@ fn row(session: &Session, place: usize, count: usize, text: &str, ui: &mut Ui) -
             if moves.1 && place + 2 == count {
                 up.request_focus();
             }
-            ui.with_layout(Layout::left_to_right(Align::Min), |ui| {
-                let text = format!("{}. {text}", place + 1);
-                ui.add(egui::Label::new(prose(session, &text, 13.0, Ink::Text)).wrap());
-            });
         });
+        let text = format!("{}. {text}", place + 1);
+        let text = egui::Label::new(prose(session, &text, 13.0, Ink::Text)).wrap();
+        ui.scope_builder(UiBuilder::new().max_rect(rest), |ui| ui.add(text));
     });
     moves
 }
@@ -94,5 +89,8 @@ fn step(
     let button = ui.add_enabled(can, Button::new(sign).small());
     let name = name.format(session.look.language, &[("item", item)]);
     button.widget_info(|| WidgetInfo::labeled(Role::Button, can, &name));
-    button
+    match can {
+        true => button,
+        false => off(button, session.localize(strings::AT_ITS_END)),
+    }
 }

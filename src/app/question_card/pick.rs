@@ -1,5 +1,6 @@
 //! A button for each thing, for who does not click it in the picture; those that were tried are out of use.
 
+use crate::app::button::off;
 use crate::app::prose::prose;
 use crate::app::session::{Command, Session};
 use crate::app::strings;
@@ -32,6 +33,10 @@ pub(super) fn ask(
             };
             let button = ui.add_enabled(is_new, Button::new(shown));
             button.widget_info(|| WidgetInfo::labeled(Role::Button, is_new, name));
+            if !is_new {
+                off(button, session.localize(strings::ALREADY_TRIED));
+                continue;
+            }
             let text = prose(session, name, 13.0, Ink::Text);
             if button.on_hover_text(text).clicked() {
                 commands.push(Command::Answer(guess));

@@ -9,8 +9,10 @@ mod meanings;
 mod outline;
 mod painter;
 mod parameters;
+mod pictures;
 mod questions;
 mod ray_tree;
+mod reading;
 mod skipped;
 mod studies;
 
