@@ -79,7 +79,7 @@ impl PanelView {
         };
         let response = ui.interact(place.rect, ui.scope_id().with(panel.name()), sense);
         let under = self.paint(place, session.localize(panel.title()), &response, ui);
-        let response = match under.and_then(|tag| meaning(session, tag)) {
+        let response = match under.and_then(|tag| meaning(session, panel, tag)) {
             Some(meaning) => {
                 response.on_hover_text_at_pointer(prose(session, &meaning, 13.0, Ink::Text))
             }
@@ -109,10 +109,17 @@ impl Key {
     }
 }
 
-/// What the value under the pointer means.
-fn meaning(session: &Session, tag: Tag) -> Option<String> {
-    let Tag::Field(name) = tag else { return None };
-    panels::meaning(session.walk(), session.step(), name, session.look.language)
+/// What the value under the pointer means; of a pixel, what it is.
+fn meaning(session: &Session, panel: Panel, tag: Tag) -> Option<String> {
+    match tag {
+        Tag::Field(name) => {
+            panels::meaning(session.walk(), session.step(), name, session.look.language)
+        }
+        Tag::Pixel { x, y } if panel == Panel::Image => {
+            Some(panels::pixel_value(&session.panel_input(), x, y))
+        }
+        _ => None,
+    }
 }
 
 /// Tags that name the same thing: a step, and the scope that it opens.

@@ -344,6 +344,8 @@ hint-way-down = down
 
 ## image
 
+image-value = { $pixel }: linear { $linear }; 8 bits { $bytes }; { $hex }
+image-not-drawn = { $pixel }: not drawn yet
 image-only = focus: { $focus }
 image-drawn = pixels drawn so far: { $count }.
 

@@ -344,6 +344,8 @@ hint-way-down = ke bawah
 
 ## image
 
+image-value = { $pixel }: linear { $linear }; 8 bit { $bytes }; { $hex }
+image-not-drawn = { $pixel }: belum digambar
 image-only = fokus: { $focus }
 image-drawn = piksel yang sudah digambar: { $count }.
 

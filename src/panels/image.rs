@@ -4,6 +4,9 @@
 //! around it, so that it can be seen what the pixel is part of. So it is where a run begins and ends.
 
 mod marks;
+mod value;
+
+pub use value::value;
 
 use super::horizon::{after_your_answer, hatch, hatched};
 use super::strings::focus;
@@ -147,8 +150,7 @@ fn image(
     let ground = background.to_srgb8();
     let mut bytes = vec![0; 3 * canvas.width() * canvas.height()];
     let (pixels, _) = bytes.as_chunks_mut();
-    let follows_rays = matches!(input.run, Run::Rays(..));
-    let around = follows_rays && matches!(input.focus, Focus::Pixel { .. }) || is_outermost(input);
+    let around = shows_finished(input);
     let mut both = iter::zip(pixels, &input.finished.picture.color).enumerate();
     let mut drawn = 0;
     // `for_each`, not `for`: the canvas hands out its tiles' rows much faster.
@@ -172,6 +174,12 @@ fn image(
     });
     let (width, height) = (canvas.width() as u32, canvas.height() as u32);
     (Image::new(width, height, bytes), drawn)
+}
+
+/// Whether the finished picture is seen where the run has drawn nothing.
+fn shows_finished(input: &PanelInput) -> bool {
+    let follows_rays = matches!(input.run, Run::Rays(..));
+    follows_rays && matches!(input.focus, Focus::Pixel { .. }) || is_outermost(input)
 }
 
 /// Whether the step opens or closes the frame: a run begins and ends with the picture that it is about.

@@ -5,6 +5,7 @@
 mod shared;
 
 pub use list::formula::{Evaluated, evaluated, least_height as formula_height, said};
+pub use list::image::value as pixel_value;
 pub use list::ray_tree::TreeView;
 pub use list::ray_tree::{area as tree_area, middle as tree_middle};
 pub use list::rays::{Grip, grip};
