@@ -9,8 +9,10 @@ const GAPS: [f32; 7] = [3.0, 8.0, 15.0, 24.0, 36.0, 52.0, 72.0];
 const LED: usize = 3;
 /// What it costs to cover a part of a shape: more than to stand a little away from it.
 const SHAPE: f32 = 3.0;
+/// What it costs that the line to a label strikes through another one.
+const STRUCK: f32 = 12.0;
 /// Between the boxes of two labels.
-const APART: f32 = 1.0;
+const APART: f32 = 3.0;
 
 pub struct Labels {
     area: Rect,
@@ -161,7 +163,7 @@ impl Labels {
                 if ring >= LED {
                     let line = leader(at, radius, place);
                     let struck = self.taken.iter().filter(|taken| crosses(line, **taken));
-                    cost += 4.0 * struck.count() as f32;
+                    cost += STRUCK * struck.count() as f32;
                 }
                 if best.is_none_or(|(least, ..)| cost < least) {
                     best = Some((cost, place, ring));

@@ -72,7 +72,7 @@ pub fn cells(like: &Frame, count: usize, lines: usize, size: Vec2) -> Vec<Cell> 
                 image,
                 size: picture,
                 below: Rect::between(
-                    Vec2::new(at.x, image.bottom() + 1.0),
+                    Vec2::new(at.x, image.bottom()),
                     Vec2::new(at.x + width, at.y + cell.y - GAP),
                 ),
             }
