@@ -75,8 +75,10 @@ fn ask(
     let language = session.look.language;
     let waits = session.question_at(session.step());
     if let Some(guess) = session.guesses().last().filter(|_| waits) {
-        let own = question.hint(language).map(str::to_owned);
-        let hint = own.unwrap_or_else(|| question.answer.hint(guess, language));
+        let mut hint = question.answer.hint(guess, language);
+        if let Some(own) = question.hint(language) {
+            hint = format!("{hint} {own}");
+        }
         let hint = strings::ONCE_MORE.format(language, &[("hint", &hint)]);
         ui.label(prose(session, &hint, 14.0, Ink::Warn));
     }

@@ -126,7 +126,7 @@ pub struct QuestionFile {
     /// What is hidden until it is answered, beside all that is ahead of the step.
     #[serde(default, deserialize_with = "present")]
     pub hide: Option<Vec<String>>,
-    /// Said after a first wrong answer; where none is given, on which side of the answer it lies, or that it is another option.
+    /// Said after a first wrong answer, behind on which side of the right one it lies, or that it is another option.
     #[serde(default, deserialize_with = "present")]
     pub hint: Option<Text>,
     /// Said once it is answered.
