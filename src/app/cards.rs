@@ -9,13 +9,15 @@ use super::{drag, parameter_drawer, results_drawer, strings, style, tree_control
 use crate::language::Message;
 use crate::panels::{Panel, step_at};
 use crate::picture::{self, Ink, Tag};
-use egui::{Button, Rect, Response, RichText, Sense, Ui};
+use egui::{Button, Key, Rect, Response, RichText, Sense, Ui};
 use std::collections::HashMap;
 
 /// Size of the names of panels.
 const NAME: f32 = 13.0;
 /// Room for what stands at the end of the key panel's row.
 const CONTROLS: f32 = 130.0;
+/// Room for the way to what is selected.
+const WAY: f32 = 180.0;
 /// A card narrower than this has a title and nothing beside it.
 const WIDE: f32 = 360.0;
 
@@ -77,9 +79,13 @@ fn card(
         false => ("□", strings::FILL),
     };
     let wide = rect.width() >= WIDE;
+    let has_room = row.available_width() >= CONTROLS + WAY;
     let fill = (sign, name, Command::Fill);
     let rest = at_end(session, fill, commands, &mut row, |ui, commands| {
         if wide {
+            if has_room {
+                way_to_selected(session, commands, ui);
+            }
             controls(session, panel, commands, ui);
         }
     });
@@ -116,7 +122,11 @@ fn small_card(
     if response.double_clicked() {
         commands.push(Command::Key(panel));
     } else if response.clicked() {
-        commands.extend(under.map(Command::Click));
+        let command = match entered(&response, ui) {
+            true => Command::Go,
+            false => Command::Click,
+        };
+        commands.extend(under.map(command));
     }
     under
 }
@@ -202,6 +212,18 @@ fn name_button(
     );
 }
 
+/// To the step that is about what is selected.
+fn way_to_selected(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let here = session.step();
+    let Some(step) = session.selected_step().filter(|&step| step != here) else {
+        return;
+    };
+    let number = step.to_string();
+    let text = strings::SHOW_THE_STEP.format(session.look.language, &[("step", &number)]);
+    let go = Button::new(RichText::new(&text).size(13.0));
+    button(session, go, &text, Command::Seek(step), commands, ui);
+}
+
 /// What a panel lets be changed.
 fn controls(session: &Session, panel: Panel, commands: &mut Vec<Command>, ui: &mut Ui) {
     if panel == Panel::RayTree {
@@ -257,7 +279,13 @@ pub struct Shown {
     pub filled: bool,
 }
 
-/// Shows a panel in `rect` and reads clicks: plain ones go there, with shift to the scan line, with Ctrl to the polygon.
+/// Whether a click is that of the enter key.
+fn entered(response: &Response, ui: &Ui) -> bool {
+    response.has_focus() && ui.input(|input| input.key_pressed(Key::Enter))
+}
+
+/// Shows a panel in `rect` and reads clicks: plain ones select, double ones and the enter key go there; with shift they go to the scan
+/// line, with Ctrl to the polygon. The time line is there to go.
 pub fn panel_on(
     session: &Session,
     panel: Panel,
@@ -267,11 +295,14 @@ pub fn panel_on(
 ) -> Shown {
     let (response, under) = view.show(session, panel, rect, Scale::Full, ui);
     let mut command = None;
+    let went = response.double_clicked() || entered(&response, ui);
     if response.clicked() {
         let held = ui.input(|input| input.modifiers);
+        let goes = went || panel == Panel::TimeLine;
         command = under.map(|tag| match tag {
             Tag::Pixel { x, y } if held.command => Command::FocusOnPolygonAt { x, y },
-            Tag::Pixel { y, .. } if held.shift => Command::Click(Tag::ScanLine(y as i32)),
+            Tag::Pixel { y, .. } if held.shift => Command::Go(Tag::ScanLine(y as i32)),
+            tag if goes => Command::Go(tag),
             tag => Command::Click(tag),
         });
     }
@@ -289,7 +320,8 @@ pub fn panel_on(
     } else if matches!(panel, Panel::Rays | Panel::Vectors) {
         command = drag::dragged(session, panel, &response, ui).or(command);
     }
-    if panel == Panel::RayTree {
+    // A double click on a node goes there, and does not fit the tree.
+    if panel == Panel::RayTree && !(went && command.is_some()) {
         command = tree_controls::pointed(session, &response, ui).or(command);
     }
     if panel == Panel::Image {

@@ -30,6 +30,8 @@ pub struct Key {
     /// Whether a question waits.
     pending: bool,
     answered: Answered,
+    /// Of the inspector alone.
+    selected: Option<usize>,
 }
 
 /// How large a panel's picture is shown.
@@ -105,6 +107,9 @@ impl Key {
             smooth: panel == Panel::Radiosity && session.look.smooth,
             pending: session.panel_input().is_pending(),
             answered: session.panel_input().answered,
+            selected: session
+                .selected_step()
+                .filter(|_| panel == Panel::Inspector),
         }
     }
 }

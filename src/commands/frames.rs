@@ -110,6 +110,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             smooth: radiosity.smooth.then_some(smooth_patches),
             pending: None,
             answered: Answered::default(),
+            selected: None,
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

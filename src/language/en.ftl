@@ -402,7 +402,7 @@ matrix-shoots = { $patch } shoots column { $column }
 
 ## panels
 
-panels-no-steps = Nothing is recorded here: no polygon lies in the focus. Click the image to look at another place.
+panels-no-steps = Nothing is recorded here: no polygon lies in the focus. Double-click the image to look at another place.
 panels-no-polygons = This method follows rays and converts no polygons. Look at the ray tree.
 panels-no-rays = This method converts polygons and follows no rays. Open a lesson on ray casting or ray tracing.
 panels-no-patches = This run exchanges no light between patches. Open a lesson on radiosity.
@@ -510,7 +510,7 @@ scan-line-difference = difference
 
 vectors-not-yet = This ray has met no surface yet. Go on until the nearest object is found.
 vectors-no-point = While a point is being lit, this panel shows its vectors. At this step none is.
-vectors-no-surface = This ray meets no surface: it takes the colour of the background, or of a light. Click an object in the image.
+vectors-no-surface = This ray meets no surface: it takes the colour of the background, or of a light. Double-click an object in the image.
 vectors-angles = { $surface } · angle with N
 vectors-arrives = arrives
 vectors-away = behind the surface

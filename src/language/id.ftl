@@ -402,7 +402,7 @@ matrix-shoots = { $patch } menembakkan kolom { $column }
 
 ## panels
 
-panels-no-steps = Tidak ada yang direkam di sini: tidak ada poligon dalam fokus. Klik gambar untuk melihat tempat lain.
+panels-no-steps = Tidak ada yang direkam di sini: tidak ada poligon dalam fokus. Klik dua kali gambar untuk melihat tempat lain.
 panels-no-polygons = Metode ini mengikuti sinar dan tidak mengolah poligon. Lihatlah pohon sinar.
 panels-no-rays = Metode ini mengolah poligon dan tidak mengikuti sinar. Buka pelajaran tentang ray casting atau ray tracing.
 panels-no-patches = Proses ini tidak mempertukarkan cahaya antar-patch. Buka pelajaran tentang radiositas.
@@ -509,7 +509,7 @@ scan-line-difference = selisih
 
 vectors-not-yet = Sinar ini belum mengenai permukaan. Lanjutkan sampai objek terdekat ditemukan.
 vectors-no-point = Saat sebuah titik diberi pencahayaan, panel ini menampilkan vektor-vektornya. Pada langkah ini tidak ada.
-vectors-no-surface = Sinar ini tidak mengenai permukaan: mendapat warna latar belakang atau cahaya. Klik sebuah objek pada gambar.
+vectors-no-surface = Sinar ini tidak mengenai permukaan: mendapat warna latar belakang atau cahaya. Klik dua kali sebuah objek pada gambar.
 vectors-angles = { $surface } · sudut dengan N
 vectors-arrives = sampai
 vectors-away = di balik permukaan

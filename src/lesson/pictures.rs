@@ -65,6 +65,7 @@ pub(super) fn input<'a>(
         smooth: None,
         pending: None,
         answered: Answered::default(),
+        selected: None,
     }
 }
 

@@ -1,4 +1,4 @@
-//! All values known at the step: its own first, then those of the scopes around it from the innermost outwards, each with
+//! All values known at the step, or at the one that is selected: its own first, then those of the scopes around it from the innermost outwards, each with
 //! where it was recorded. Of a name that several scopes record the innermost value is shown.
 
 use super::message::{NO_STEPS, message};
@@ -26,7 +26,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     if walk.is_empty() {
         return message(NO_STEPS, input.language, size);
     }
-    let step = walk.position();
+    let step = shown_step(input);
     let recorded = known(walk, step);
     let layout = Layout::of(&recorded, input, size);
 
@@ -48,7 +48,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     };
     for (i, row) in layout.rows.iter().take(rows).enumerate() {
         picture.tagged(Tag::Field(row.recorded.field.name), |picture| {
-            layout.draw(picture, row, layout.place(i, size), step);
+            layout.draw(picture, row, layout.place(i, size), walk.position());
         });
     }
     if more > 0 {
@@ -62,10 +62,20 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
 
 const TITLE: f32 = 30.0;
 
-/// The kind of the step, its number and its depth.
+/// The selected step, unless a question waits and it lies ahead; else the one that is shown.
+fn shown_step(input: &PanelInput) -> usize {
+    let selected = input.selected.filter(|&step| step <= input.last_known());
+    selected.unwrap_or(input.run.walk().position())
+}
+
+/// The kind of the step, its number and its depth; in blue where it is another one than is shown elsewhere.
 fn title(picture: &mut Picture, input: &PanelInput, size: Vec2) {
     let walk = input.run.walk();
-    let step = walk.position();
+    let step = shown_step(input);
+    let ink = match step == walk.position() {
+        true => Ink::This,
+        false => Ink::Linked,
+    };
     let line = Rect::new(MARGIN, 6.0, size.x - 2.0 * MARGIN, 20.0);
     let place = Style::Body.size(12.0).ink(Ink::Muted).end();
     let [number, depth] = [step, walk.outline().depth(step)].map(|number| number.to_string());
@@ -73,7 +83,7 @@ fn title(picture: &mut Picture, input: &PanelInput, size: Vec2) {
         .format(input.language, &[("step", &number), ("depth", &depth)]);
     let short = step_in_words(step, input);
     let name = names::kind(walk.kind(step), input.language);
-    let kind = Style::Bold.size(14.0).ink(Ink::This);
+    let kind = Style::Bold.size(14.0).ink(ink);
     let room = line.width - kind.width(&name) - GAP;
     let fits = place.width(&long) <= room;
     let text = if fits { long } else { short };
@@ -279,7 +289,14 @@ impl Layout {
     /// The step with its own values.
     fn in_words(&self, recorded: &[RecordedField], input: &PanelInput) -> String {
         let walk = input.run.walk();
-        let step = walk.position();
+        let step = shown_step(input);
+        let heading = match input.selected {
+            Some(_) => {
+                let kind = names::kind(walk.kind(step), input.language);
+                names::numbered(&kind, &step.to_string(), input.language)
+            }
+            None => values::step_in_words(input),
+        };
         let own: Vec<String> = recorded
             .iter()
             .filter(|recorded| recorded.step == step)
@@ -290,7 +307,7 @@ impl Layout {
                 format!("{name} = {value}")
             })
             .collect();
-        sentence(&values::step_in_words(input), &own, input.language)
+        sentence(&heading, &own, input.language)
     }
 }
 

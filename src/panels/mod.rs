@@ -121,6 +121,8 @@ pub struct PanelInput<'a> {
     pub pending: Option<&'a [Hidden]>,
     /// What was answered to the question at the step, as far as pictures show it.
     pub answered: Answered,
+    /// The step of what is selected, whose values the inspector shows in place of those of the step.
+    pub selected: Option<usize>,
 }
 
 #[cfg(test)]

@@ -52,6 +52,12 @@ impl<T: Copy> Canvas<T> {
         Arc::make_mut(&mut self.tiles[tile])[place] = value;
     }
 
+    /// The value of a pixel; none outside of the canvas.
+    pub fn get(&self, x: usize, y: usize) -> Option<T> {
+        let (tile, place) = (x < self.width && y < self.height).then(|| self.locate(x, y))?;
+        Some(self.tiles[tile][place])
+    }
+
     /// All values, row by row from the top.
     pub fn iter(&self) -> impl Iterator<Item = &T> {
         self.runs().flatten()

@@ -75,6 +75,7 @@ impl Walk {
             smooth: radiosity.smooth.then_some(smooth_patches),
             pending: None,
             answered: Answered::default(),
+            selected: None,
         };
         let size = if panel == Panel::TimeLine {
             (800.0 / shrink, 130.0 / shrink)

@@ -57,8 +57,10 @@ pub enum Command {
         x: u32,
         y: u32,
     },
-    /// Goes to what a tag shows, focuses on it, or highlights it.
+    /// Answers with what a tag shows, where it is asked for; else selects it.
     Click(Tag),
+    /// Goes to what a tag shows, or focuses on it.
+    Go(Tag),
     Hover(Option<Tag>),
     /// Another part of the ray tree, or at another size.
     ViewTree(TreeView),

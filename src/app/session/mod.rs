@@ -15,6 +15,7 @@ mod preview;
 mod question;
 mod results;
 mod search;
+mod select;
 mod study;
 mod study_commands;
 mod turn;
@@ -157,8 +158,7 @@ pub struct Session {
     tree: TreeView,
     pub look: Look,
     hovered: Option<Tag>,
-    /// Highlighted by a click, until the next one.
-    lit: Option<Tag>,
+    selected: Option<select::Selected>,
     /// The key panel that the user has chosen.
     chosen: Option<Panel>,
     /// Whether the key panel fills the window.
@@ -196,7 +196,7 @@ impl Session {
             tree: TreeView::WHOLE,
             look: Look::new(),
             hovered: None,
-            lit: None,
+            selected: None,
             chosen: None,
             filled: false,
             results: None,
@@ -239,7 +239,7 @@ impl Session {
         self.around = Loop::default();
         self.tree = TreeView::WHOLE;
         self.hovered = None;
-        self.lit = None;
+        self.selected = None;
         let first = self.narrated.first().copied().unwrap_or(0);
         self.open.run.walk_mut().seek(first);
     }
@@ -324,6 +324,7 @@ impl Session {
             smooth: self.look.smooth.then_some(smooth_patches),
             pending: self.pending(),
             answered: self.answered(),
+            selected: self.selected_step(),
         }
     }
 
@@ -347,10 +348,6 @@ impl Session {
 
     pub fn hovered(&self) -> Option<Tag> {
         self.hovered
-    }
-
-    pub fn lit(&self) -> Option<Tag> {
-        self.lit
     }
 
     pub fn localize(&self, strings: Message) -> &'static str {

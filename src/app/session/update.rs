@@ -51,6 +51,7 @@ impl Session {
             }
             Command::FocusOnPolygonAt { x, y } => return self.focus_on_polygon(x, y),
             Command::Click(tag) => return self.click(tag),
+            Command::Go(tag) => return self.go(tag),
             Command::Hover(tag) => self.hovered = tag,
             Command::ViewTree(view) => self.tree = view,
             Command::Answer(guess) => return self.answer(&guess),
@@ -170,7 +171,7 @@ impl Session {
     }
 
     /// Goes to a step, or to the first question on the way that waits for its answer.
-    fn go_to(&mut self, target: usize) -> Result<(), Refused> {
+    pub(super) fn go_to(&mut self, target: usize) -> Result<(), Refused> {
         match self.question_between(self.step(), target) {
             Some(step) if step == self.step() => return Err(strings::ANSWER_FIRST.into()),
             Some(step) => self.seek(step),
@@ -183,6 +184,7 @@ impl Session {
         let from = self.step();
         self.open.run.walk_mut().seek(step);
         self.follow_narration(from);
+        self.select_again();
     }
 
     /// A text with conditions selects events; any other is looked for everywhere.
@@ -262,6 +264,20 @@ impl Session {
                 self.tree = self.tree.toggled(step);
                 Ok(())
             }
+            Tag::Line(_) => self.go(tag),
+            _ => {
+                self.select(tag);
+                Ok(())
+            }
+        }
+    }
+
+    /// What a question asks for is answered all the same.
+    fn go(&mut self, tag: Tag) -> Result<(), Refused> {
+        match tag {
+            Tag::Pixel { .. } if self.pixel_is_asked() => self.click(tag),
+            Tag::Pixel { .. } | Tag::Patch(_) if self.thing_asked().is_some() => self.click(tag),
+            Tag::Fold(_) => self.click(tag),
             Tag::Step(step) | Tag::Scope(step) => self.update(Command::Seek(step)),
             Tag::Line(line) => {
                 let listing = self.walk().line(self.step()).listing;
@@ -278,10 +294,7 @@ impl Session {
             {
                 self.focus_on(self.focus_of(tag).ok_or(strings::OUTSIDE)?)
             }
-            _ => {
-                self.lit = Some(tag).filter(|_| self.lit != Some(tag));
-                Ok(())
-            }
+            _ => self.go_to_thing(tag),
         }
     }
 

@@ -81,7 +81,7 @@ fn a_pinch_zooms_about_the_pointer_and_a_drag_drags() {
 }
 
 #[test]
-fn a_click_on_the_sign_collapses_and_one_on_a_node_goes_there() {
+fn a_click_on_the_sign_collapses_and_one_on_a_node_selects_it() {
     let mut screen = tree_screen();
     let walk = screen.session().walk();
     let rays: Vec<usize> = (0..walk.len())
@@ -92,10 +92,11 @@ fn a_click_on_the_sign_collapses_and_one_on_a_node_goes_there() {
     click(&mut screen, Tag::Fold(rays[0]));
     assert!(tree(&screen).collapsed.is_empty());
     let before = screen.session().step();
-    screen
-        .session_mut()
-        .update(Command::Click(Tag::Scope(rays[1])))
-        .expect("a way");
-    screen.harness.run();
+    click(&mut screen, Tag::Scope(rays[1]));
+    assert_eq!(screen.session().step(), before, "one click selects");
+    assert_eq!(screen.session().selected_step(), Some(rays[1]));
+    screen.keep("selected-node");
+    let way = strings::SHOW_THE_STEP.format(Language::English, &[("step", &rays[1].to_string())]);
+    screen.click(&way);
     assert!(rays[1] < before && screen.session().step() == rays[1]);
 }

@@ -135,6 +135,7 @@ impl Fixture {
             smooth: None,
             pending: None,
             answered: Answered::default(),
+            selected: None,
         }
     }
 

@@ -97,15 +97,100 @@ fn the_polygon_under_a_pixel_is_found() {
 }
 
 #[test]
-fn clicks_go_there_or_light_up() {
+fn a_click_selects_and_leaves_the_step_where_it_is() {
     let mut session = triangle();
+    go(&mut session, Command::End);
+    let end = session.step();
     go(&mut session, Command::Click(Tag::Step(7)));
+    assert_eq!((session.step(), session.selected_step()), (end, Some(7)));
+    assert!(
+        session.lit().contains(&Tag::Scope(7)),
+        "wherever the step is shown"
+    );
+    go(&mut session, Command::Click(Tag::Step(7)));
+    assert_eq!((session.selected(), session.lit()), (None, Vec::new()));
+    go(&mut session, Command::Go(Tag::Step(7)));
     assert_eq!(session.step(), 7);
-    go(&mut session, Command::Click(Tag::Edge(1)));
-    assert_eq!((session.lit(), session.step()), (Some(Tag::Edge(1)), 7));
-    go(&mut session, Command::Click(Tag::Edge(1)));
-    assert_eq!(session.lit(), None);
+    // A line of the pseudocode says which step comes next.
     let line = session.walk().line(session.step()).number;
     go(&mut session, Command::Click(Tag::Line(line)));
     assert!(session.step() != 7 && session.walk().line(session.step()).number == line);
+}
+
+#[test]
+fn the_step_of_a_thing_is_the_last_one_about_it_so_far() {
+    let mut session = triangle();
+    let about = |session: &Session, step: usize| {
+        session.walk().own_fields(step).get("edge") == Some(Value::Integer(1))
+    };
+    let steps: Vec<usize> = (0..=session.last_step())
+        .filter(|&step| about(&session, step))
+        .collect();
+    go(&mut session, Command::Seek(steps[0]));
+    go(&mut session, Command::Click(Tag::Edge(1)));
+    assert_eq!(session.selected_step(), Some(steps[0]));
+    // It stays selected while one walks on.
+    go(&mut session, Command::Seek(steps[2] + 1));
+    let newest = steps.iter().copied().rfind(|&step| step <= session.step());
+    assert_eq!(
+        (session.selected(), session.selected_step()),
+        (Some(Tag::Edge(1)), newest)
+    );
+    // Before the first, there is none to show, but one to go to.
+    go(&mut session, Command::Start);
+    assert_eq!(
+        (session.selected(), session.selected_step()),
+        (Some(Tag::Edge(1)), None)
+    );
+    go(&mut session, Command::Go(Tag::Edge(1)));
+    assert_eq!(session.step(), steps[0]);
+}
+
+#[test]
+fn a_pixel_lights_up_with_the_step_that_coloured_it() {
+    let mut session = triangle();
+    go(&mut session, Command::End);
+    let kind = |step: usize| session.walk().kind(step) == "PixelColored";
+    let colored = (0..=session.last_step())
+        .find(|&step| kind(step))
+        .expect("a pixel");
+    let fields = session.walk().fields(colored);
+    let number = |name: &str| match fields.get(name) {
+        Some(Value::Integer(number)) => number as u32,
+        other => panic!("{name}: {other:?}"),
+    };
+    let pixel = Tag::Pixel {
+        x: number("x"),
+        y: number("y"),
+    };
+    let (step, focus) = (session.step(), session.focus());
+    go(&mut session, Command::Click(pixel));
+    assert_eq!((session.step(), session.focus()), (step, focus));
+    assert_eq!(session.selected_step(), Some(colored));
+    assert!(session.lit().contains(&Tag::Step(colored)));
+    let size = glam::vec2(500.0, 600.0);
+    let drawn = draw(Panel::Inspector, &session.panel_input(), size);
+    assert!(
+        drawn.tagged_bounds(Tag::Step(colored)).is_some(),
+        "its values stand in the inspector"
+    );
+    go(&mut session, Command::Go(pixel));
+    assert_ne!(session.focus(), focus, "the second action looks at it");
+}
+
+#[test]
+fn a_matrix_cell_lights_up_with_its_patches() {
+    let mut session = session("gathering");
+    session.update(Command::Questions).expect("a switch");
+    go(&mut session, Command::End);
+    let step = session.step();
+    go(&mut session, Command::Click(Tag::FormFactor { i: 0, j: 3 }));
+    for tag in [Tag::FormFactor { i: 0, j: 3 }, Tag::Patch(0), Tag::Patch(3)] {
+        assert!(session.lit().contains(&tag), "{tag:?}");
+    }
+    let about = session.selected_step().expect("an exchange");
+    let fields = session.walk().fields(about);
+    let both = ["i", "j"].map(|name| fields.get(name));
+    assert_eq!(both, [0, 3].map(|number| Some(Value::Integer(number))));
+    assert_eq!(session.step(), step);
 }

@@ -175,7 +175,7 @@ fn a_thing_is_picked_where_a_picture_shows_it() {
     assert!(after.items.len() > before.items.len());
     // What is answered is a question no more: the click lights the patch up.
     go(&mut shooting, Command::Click(Tag::Patch(13)));
-    assert_eq!(shooting.lit(), Some(Tag::Patch(13)));
+    assert_eq!(shooting.selected(), Some(Tag::Patch(13)));
 }
 
 #[test]
