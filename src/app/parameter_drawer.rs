@@ -133,8 +133,8 @@ struct Rail {
     range: RangeInclusive<f64>,
     logarithmic: bool,
     whole: bool,
-    /// None of a number alone.
-    unit: Option<Message>,
+    /// Of other numbers there is no unit.
+    is_length: bool,
 }
 
 impl Rail {
@@ -162,23 +162,22 @@ impl Rail {
                 (f64::from(divisions), least..=most, true)
             }
         };
-        let is_length = matches!(now, Change::Light { .. } | Change::Eye { .. });
         Some(Rail {
             value,
             range,
             logarithmic,
             whole: matches!(now, Change::Divisions { .. }),
-            unit: is_length.then_some(strings::LENGTHS),
+            is_length: matches!(now, Change::Light { .. } | Change::Eye { .. }),
         })
     }
 
     fn in_words(&self, language: Language) -> String {
         let [least, most] = [self.range.start(), self.range.end()].map(|&end| language.number(end));
-        let range = strings::RANGE.format(language, &[("least", &least), ("most", &most)]);
-        match self.unit {
-            Some(unit) => format!("{range}, {}", unit.text(language)),
-            None => range,
-        }
+        let words = match self.is_length {
+            true => strings::RANGE_OF_LENGTHS,
+            false => strings::RANGE,
+        };
+        words.format(language, &[("least", &least), ("most", &most)])
     }
 }
 

@@ -18,6 +18,7 @@ pub const CLOSE: Message = Message("app-close");
 pub const MENU: Message = Message("app-menu");
 pub const MORE: Message = Message("app-more");
 pub const RANGE: Message = Message("app-range");
+pub const RANGE_OF_LENGTHS: Message = Message("app-range-of-lengths");
 pub const LENGTHS: Message = Message("app-lengths");
 pub const ALREADY_TRIED: Message = Message("app-already-tried");
 pub const NOTHING_CHANGED: Message = Message("app-nothing-changed");

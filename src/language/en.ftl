@@ -38,6 +38,7 @@ app-menu = More
 app-more = more ways through the run
 app-range = { $least } to { $most }
 app-lengths = in the scene’s units of length
+app-range-of-lengths = { $least } to { $most }, in the scene’s units of length
 app-already-tried = That was tried and is wrong.
 app-nothing-changed = No parameter has been changed.
 app-at-its-end = It is at the end of the list.
@@ -440,6 +441,8 @@ race-patches = { $count } patches
 racer-jacobi = Jacobi
 racer-gauss-seidel = Gauss–Seidel
 racer-over-relaxation = over-relaxation
+racer-shooting = shooting
+racer-overshooting = overshooting
 racer-chebyshev = Chebyshev
 racer-conjugate-gradients = conj. gradients
 

@@ -38,6 +38,7 @@ app-menu = Lainnya
 app-more = cara lain menelusuri
 app-range = { $least } sampai { $most }
 app-lengths = dalam satuan panjang adegan
+app-range-of-lengths = { $least } sampai { $most }, dalam satuan panjang adegan
 app-already-tried = Itu sudah dicoba dan salah.
 app-nothing-changed = Belum ada parameter yang diubah.
 app-at-its-end = Sudah di ujung daftar.
