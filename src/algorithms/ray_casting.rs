@@ -30,7 +30,12 @@ pub static PSEUDOCODE: Listing = Listing {
         ("nearer", "      NearestT ← t;  NearestObject ← {object}"),
         ("found", "  {if-nothing-is-met}"),
         ("background", "    pixel ← {background}"),
-        ("surface", "  {otherwise}"),
+        ("light-met", "  {if-a-light-is-met-its-colour}"),
+        (
+            "surface",
+            "  {otherwise}  P ← O + NearestT · u;  N ← {normal-there}",
+        ),
+        ("turned", "    {if} u · N > 0:  N ← −N"),
         ("local", "    I ← illumination(P, N) + {emission}"),
         ("returned trace", "    pixel ← I"),
     ],

@@ -43,16 +43,41 @@ pub static PSEUDOCODE: Listing = Listing {
             "found background",
             "  {if-nothing-is-met-return-background}",
         ),
-        ("surface", "  {for-each-light}"),
+        ("light-met", "  {if-a-light-is-met-return-its-colour}"),
+        ("surface", "  P ← O + NearestT · u;  N ← {normal-there}"),
+        ("turned", "  {if} u · N > 0:  N ← −N"),
+        ("", "  {for-each-light}"),
         ("shadow", "    {shoot-a-ray-to-the-light-in-shadow-or-not}"),
         (
             "local",
             "  I ← {ambient-and-light-that-arrives-and-emission}",
         ),
         ("reflection", "  {if-the-surface-is-reflective}"),
-        ("reflected", "    I ← I + k_r · trace(R, level + 1)"),
+        (
+            "reflected-too-deep",
+            "    {if-level-is-the-depth-nothing-comes}",
+        ),
+        ("", "    I_R ← trace(R, level + 1)"),
+        (
+            "reflected-attenuated",
+            "    I_R ← I_R / (a0 + a1·d + a2·d²)",
+        ),
+        ("reflected", "    I ← I + k_r · I_R"),
         ("refraction", "  {if-it-is-transparent}"),
-        ("transmitted", "    I ← I + k_t · trace(T, level + 1)"),
+        (
+            "total",
+            "    {if} cos²θ_r < 0:  T ← R   {total-internal-reflection}",
+        ),
+        (
+            "transmitted-too-deep",
+            "    {if-level-is-the-depth-nothing-comes}",
+        ),
+        ("", "    I_T ← trace(T, level + 1)"),
+        (
+            "transmitted-attenuated",
+            "    I_T ← I_T / (a0 + a1·d + a2·d²)",
+        ),
+        ("transmitted", "    I ← I + k_t · I_T"),
         ("returned", "  {return} I"),
     ],
 };
@@ -234,9 +259,11 @@ impl<'a, S: Search> RayTracer<'a, S> {
         let (scene, primitives) = (&self.prepared.scene, self.prepared.primitives());
         let (light, direction) = (incidence.light as u32, incidence.to_light);
         let distance = incidence.distance;
+        let ray = place.past_all(direction);
         recorder.enter(|| {
             ray_tree::Event::ShadowRay {
                 light,
+                origin: ray.origin,
                 direction,
                 distance,
             }
@@ -244,7 +271,6 @@ impl<'a, S: Search> RayTracer<'a, S> {
         });
         let touching = place.leaving(direction, false).blocker(scene, recorder);
         let blocker = touching.or_else(|| {
-            let ray = place.past_all(direction);
             let between = short_of(&ray, &place.interaction.surface, distance);
             let search = self.search;
             search.blocker(scene, primitives, &ray, between, recorder)

@@ -61,6 +61,7 @@ pub enum Event {
     /// Opens the ray from the surface to a light.
     ShadowRay {
         light: u32,
+        origin: DVec3,
         direction: DVec3,
         distance: f64,
     },

@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 
 /// Functions of mathematics, Greek letters by their names, what is abbreviated the same everywhere, names of the literature, and
 /// the symbol of unshot radiosity, which is the same in formulas and pseudocode.
-const SYMBOLS: &str = "alpha beta delta DeltaB eta Gamma omega rho theta arccos cos max min sin NearestT SOR TIR unshot";
+const SYMBOLS: &str = "alpha beta delta DeltaB eta Gamma omega rho theta arccos cos fov max min sin tan NearestT SOR TIR unshot";
 
 /// Functions and variables of the pseudocode, as it has them in every language, and subscripts, which are texts of their own there.
 const PSEUDOCODE: &str = "NearestObject areaToArea blocked contour elementToPolygon formFactor hemicube illumination level \

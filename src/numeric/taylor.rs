@@ -21,6 +21,30 @@ impl LinearNormal {
         self.n_0 + self.n_x * x + self.n_y * y
     }
 
+    /// Divided by the length of N_0, which must not be zero: the cosines are the same.
+    pub fn unit(self) -> Self {
+        let length = self.n_0.length();
+        let [n_0, n_x, n_y] = [self.n_0, self.n_x, self.n_y].map(|part| part / length);
+        LinearNormal { n_0, n_x, n_y }
+    }
+
+    /// `toward`·N = p_0 + p_x·x + p_y·y: its three coefficients.
+    pub fn along(&self, toward: DVec3) -> [f64; 3] {
+        [self.n_0, self.n_x, self.n_y].map(|part| toward.dot(part))
+    }
+
+    /// N·N = 1 + q_x·x + q_y·y + q_xx·x² + q_xy·xy + q_yy·y² of a normal whose N_0 is a unit vector: its five coefficients.
+    pub fn squared(&self) -> [f64; 5] {
+        let LinearNormal { n_0, n_x, n_y } = *self;
+        [
+            2.0 * n_x.dot(n_0),
+            2.0 * n_y.dot(n_0),
+            n_x.dot(n_x),
+            2.0 * n_x.dot(n_y),
+            n_y.dot(n_y),
+        ]
+    }
+
     /// The normal that points the other way everywhere.
     pub fn reversed(self) -> Self {
         LinearNormal {
@@ -33,23 +57,21 @@ impl LinearNormal {
 
 impl Quadratic {
     /// The Taylor series of `toward`·N/|N|, the cosine between N and a unit vector. N_0 must not be zero.
-    ///
-    /// With `toward`·N = ax + by + c and N·N = dx² + exy + fy² + gx + hy + i, the derivatives of their quotient
-    /// (ax + by + c)/√(dx² + exy + fy² + gx + hy + i) at (0, 0) are those of the paper.
     pub fn of_cosine(normal: &LinearNormal, toward: DVec3) -> Self {
-        // A normal of unit length at (0, 0) has the same cosine, and makes i = 1.
-        let length = normal.n_0.length();
-        let [n_0, n_x, n_y] = [normal.n_0, normal.n_x, normal.n_y].map(|part| part / length);
-        let (a, b, c) = (toward.dot(n_x), toward.dot(n_y), toward.dot(n_0));
-        let (d, e, f) = (n_x.dot(n_x), 2.0 * n_x.dot(n_y), n_y.dot(n_y));
-        let (g, h) = (2.0 * n_x.dot(n_0), 2.0 * n_y.dot(n_0));
+        let unit = normal.unit();
+        Quadratic::of_quotient(unit.along(toward), unit.squared())
+    }
+
+    /// The Taylor series of (p_0 + p_x·x + p_y·y)/√(1 + q_x·x + q_y·y + q_xx·x² + q_xy·xy + q_yy·y²): its derivatives at (0, 0) are
+    /// those of the paper, where the coefficients are c, a, b and g, h, d, e, f.
+    pub fn of_quotient([p_0, p_x, p_y]: [f64; 3], [q_x, q_y, q_xx, q_xy, q_yy]: [f64; 5]) -> Self {
         Quadratic([
-            c,
-            b - c * h / 2.0,
-            a - c * g / 2.0,
-            (3.0 * c * h * h - 4.0 * c * f - 4.0 * b * h) / 8.0,
-            (3.0 * c * g * h - 2.0 * c * e - 2.0 * b * g - 2.0 * a * h) / 4.0,
-            (3.0 * c * g * g - 4.0 * c * d - 4.0 * a * g) / 8.0,
+            p_0,
+            p_y - p_0 * q_y / 2.0,
+            p_x - p_0 * q_x / 2.0,
+            (3.0 * p_0 * q_y * q_y - 4.0 * p_0 * q_yy - 4.0 * p_y * q_y) / 8.0,
+            (3.0 * p_0 * q_x * q_y - 2.0 * p_0 * q_xy - 2.0 * p_y * q_x - 2.0 * p_x * q_y) / 4.0,
+            (3.0 * p_0 * q_x * q_x - 4.0 * p_0 * q_xx - 4.0 * p_x * q_x) / 8.0,
         ])
     }
 

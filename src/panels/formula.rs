@@ -16,7 +16,7 @@ use crate::language::{Language, Message};
 use crate::picture::Picture;
 use crate::record::Value;
 use crate::replay::Run;
-use crate::vocabulary::expression::{Equation, Expression, Relation, Term, evaluate};
+use crate::vocabulary::expression::{Equation, Expression, Relation, evaluate};
 use crate::vocabulary::{Entry, Formula, Kind, When, counted};
 pub use evaluated::{Evaluated, evaluated};
 use glam::Vec2;
@@ -112,7 +112,7 @@ fn entry(kind: &'static Kind, known: &Known) -> Option<&'static Entry> {
 }
 
 fn holds(when: When, known: &Known) -> bool {
-    let number = |name| match known.value(name) {
+    let number = |name| match known.last(name) {
         Some(Value::Number(v)) => v,
         Some(Value::Integer(v)) => v as f64,
         _ => f64::NAN,
@@ -122,13 +122,21 @@ fn holds(when: When, known: &Known) -> bool {
         When::Recorded(name) => known.value(name).is_some(),
         When::Unrecorded(name) => known.value(name).is_none(),
         When::Is(name, word) => known.value(name) == Some(Value::Word(word)),
-        When::True(name) => known.value(name) == Some(Value::Truth(true)),
+        When::True(name) => known.last(name) == Some(Value::Truth(true)),
         When::Negative(name) => number(name) < 0.0,
+        When::Zero(name) => match known.last(name) {
+            Some(Value::Vector(vector)) => vector.length() == 0.0,
+            _ => number(name) == 0.0,
+        },
         When::NotPositive(name) => number(name) <= 0.0,
         When::Finite(name) => number(name).is_finite(),
         When::Equals(name, whole) => known.value(name) == Some(Value::Integer(whole)),
         When::AtLeast(name, bound) => number(name) >= bound,
-        When::Same(a, b) => known.value(a) == known.value(b),
+        When::Same(a, b) => {
+            let [a, b] = [a, b].map(|text| known.referred(text));
+            a.is_some() && a == b
+        }
+        When::Known(text) => known.referred(text).is_some(),
         When::Not(when) => !holds(*when, known),
         When::All(all) => all.iter().all(|when| holds(*when, known)),
     }
@@ -139,16 +147,18 @@ fn formulas(entry: &'static Entry, known: &mut Known) -> Vec<&'static Formula> {
     let mut found = Vec::new();
     for formula in entry.formulas {
         let equation = formula.equation();
+        if !holds(formula.when, known) {
+            continue;
+        }
         if let (Some(subject), Some((Relation::Defined, right))) =
             (equation.subject(), &equation.right)
         {
-            let value = evaluate(right, &|reference| known.values(reference));
-            if let Some(Term::Number(number)) = value {
-                known.define(subject.name, Value::Number(number.value));
+            if let Some(term) = evaluate(right, &|reference| known.terms(reference)) {
+                known.define(subject.name, term);
             }
         }
         let left = equation.left.references();
-        if holds(formula.when, known) && left.into_iter().all(|left| known.values(left).is_some()) {
+        if left.into_iter().all(|left| known.values(left).is_some()) {
             found.push(formula);
         }
     }

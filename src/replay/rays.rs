@@ -230,6 +230,7 @@ impl State {
                 light,
                 direction,
                 distance,
+                ..
             } => {
                 self.shadow = Some(CurrentShadow {
                     light,

@@ -186,7 +186,9 @@ impl State {
                     cut: None,
                 });
             }
-            Event::EdgeSkipped { .. } | Event::EdgeTableBuilt { .. } => {}
+            Event::CornerTransformed { .. }
+            | Event::EdgeSkipped { .. }
+            | Event::EdgeTableBuilt { .. } => {}
             Event::ScanLine { y, y_4 } => {
                 self.clear_scan_line();
                 self.scan_line = Some(CurrentRow { y, y_4 });
@@ -223,6 +225,7 @@ impl State {
                 x_5,
                 first,
                 end,
+                ..
             } => {
                 self.edge = None;
                 self.pixel = None;

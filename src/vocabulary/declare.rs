@@ -63,7 +63,7 @@ impl<A: Named> Recorded for Interpolated<A> {
 /// Declares the kinds of an event type:
 ///
 /// ```text
-/// pattern => "Name" at "label" [or "label" if condition,] [number "field", …] [scope "key of its name"]
+/// pattern => "Name" at "label" [or "label" if condition,]… [number "field", …] [scope "key of its name"]
 ///     { "quantity" = value, … }
 ///     [ entry, … ];
 /// ```
@@ -71,13 +71,13 @@ impl<A: Named> Recorded for Interpolated<A> {
 /// Where several quantities stand before a value (`"I_4" | "N_4"`), the value chooses its name. Events that wrap others
 /// delegate to them.
 macro_rules! vocabulary {
-    (@kind $name:literal, $label:literal, [$($other:literal)?], [$($number:literal)*], [$($scope:expr)?],
+    (@kind $name:literal, $label:literal, [$($other:literal)*], [$($number:literal)*], [$($scope:expr)?],
         [$($field:literal)*], [$($entry:expr),*]
     ) => {
         $crate::vocabulary::Kind {
             name: $name,
             quantities: &[$($crate::vocabulary::quantity($field)),*],
-            labels: &[$label $(, $other)?],
+            labels: &[$label $(, $other)*],
             scope: vocabulary!(@option $($scope)?),
             numbers: &[$($number),*],
             entries: &[$($entry),*],
@@ -86,13 +86,13 @@ macro_rules! vocabulary {
     (@option) => { None };
     (@option $some:expr) => { Some($some) };
     (@label $label:literal) => { $label };
-    (@label $label:literal or $other:literal if $condition:expr) => {
-        if $condition { $other } else { $label }
+    (@label $label:literal or $other:literal if $condition:expr $(, or $more:literal if $further:expr)*) => {
+        if $condition { $other } else { vocabulary!(@label $label $(or $more if $further),*) }
     };
     (
         [$($generics:tt)*] $event:ty { $($outer:pat => $inner:ident,)* };
         $(
-            $pattern:pat $(if $guard:expr)? => $name:literal at $label:literal $(or $other:literal if $condition:expr,)?
+            $pattern:pat $(if $guard:expr)? => $name:literal at $label:literal $(or $other:literal if $condition:expr,)*
                 $(number $($number:literal),+)? $(scope $scope:literal)?
                 { $($($field:literal)|+ = $value:expr),* $(,)? }
                 [ $($entry:expr),* $(,)? ];
@@ -100,7 +100,7 @@ macro_rules! vocabulary {
     ) => {
         /// All kinds that are declared here.
         pub const KINDS: &[$crate::vocabulary::Kind] = &[$(
-            vocabulary!(@kind $name, $label, [$($other)?], [$($($number)+)?],
+            vocabulary!(@kind $name, $label, [$($other)*], [$($($number)+)?],
                 [$($crate::language::Message($scope))?], [$($($field)+)*], [$($entry),*])
         ),*];
 
@@ -113,14 +113,14 @@ macro_rules! vocabulary {
                     $($outer => $inner.declaration(fields),)*
                     $($pattern $(if $guard)? => {
                         const KIND: $crate::vocabulary::Kind =
-                            vocabulary!(@kind $name, $label, [$($other)?], [$($($number)+)?],
+                            vocabulary!(@kind $name, $label, [$($other)*], [$($($number)+)?],
                                 [$($crate::language::Message($scope))?], [$($($field)+)*], [$($entry),*]);
                         if let Some(fields) = fields {
                             $($crate::vocabulary::declare::Recorded::push($value, [$($field),+][0], fields);)*
                             // A kind without values leaves it untouched.
                             let _ = fields;
                         }
-                        (&KIND, vocabulary!(@label $label $(or $other if $condition)?))
+                        (&KIND, vocabulary!(@label $label $(or $other if $condition),*))
                     })*
                 }
             }

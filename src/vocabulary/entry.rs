@@ -74,13 +74,16 @@ pub enum When {
     Is(&'static str, &'static str),
     True(&'static str),
     Negative(&'static str),
+    Zero(&'static str),
     NotPositive(&'static str),
     Finite(&'static str),
     /// The whole number recorded under the name.
     Equals(&'static str, i64),
     AtLeast(&'static str, f64),
-    /// Two values are the same.
+    /// Two values are the same, each written as a formula refers to it.
     Same(&'static str, &'static str),
+    /// What a formula refers to so is known: `{I_4<<edge,y-1}`.
+    Known(&'static str),
     Not(&'static When),
     All(&'static [When]),
 }

@@ -73,11 +73,13 @@ vocabulary! {
         [
             entry("event-points", &[is("x"), is("y")]),
         ];
-    Event::Pair { cos_x, cos_y, r, term, sum } => "Pair" at "pair"
+    Event::Pair { cos_x, cos_y, r, weights: [w_x, w_y], term, sum } => "Pair" at "pair"
         {
             "cos_theta_x" = cos_x,
             "cos_theta_y" = cos_y,
             "r" = r,
+            "w_x" = w_x,
+            "w_y" = w_y,
             "term" = term,
             "sum" = sum,
         }
@@ -86,8 +88,9 @@ vocabulary! {
                 "event-pair",
                 &[
                     is("r = |y − x|"),
-                    is("term = 'w_x w_y' [cos_theta_x · cos_theta_y; π r^2]")
-                        .unevaluated("the weights of the Gauss points are not recorded"),
+                    is("cos_theta_x = max(0, [normal_at_x · (y − x); r])"),
+                    is("cos_theta_y = max(0, −[normal_at_y · (y − x); r])"),
+                    is("term = w_x w_y [cos_theta_x · cos_theta_y; π r^2]"),
                     is("{A_i F_{ij}=sum} = {(A_i F_{ij})_{old}=sum<0/Pieces} + term"),
                     ],
             ),
@@ -130,11 +133,12 @@ vocabulary! {
             entry(
                 "event-element-seen",
                 &[
+                    is("F_x = {F_x<}"),
                     is("{A_i F_{ij}=sum} = {(A_i F_{ij})_{old}=sum<<0/Pieces} + w · F_x")
                         .when(When::Not(&ADAPTIVE)),
                     is("{A_i F_{ij}=sum} = '(A_i F_{ij})_{old}' + w · F_x")
                         .when(ADAPTIVE)
-                        .unevaluated("each part of the patch begins a sum of its own"),
+                        .unevaluated(PARTS),
                 ],
             ),
         ];
@@ -260,19 +264,23 @@ vocabulary! {
             only(
                 When::Is("method", "monte-carlo"),
                 "event-form-factor-found-monte-carlo",
-                &[is("F_ij = [hits; ray_count]"), EXCHANGE],
+                &[is("F_ij = [hits; ray_count]"), is("A_i_F_ij = area_of_i · F_ij")],
             ),
             only(
                 When::Is("method", "hemicube"),
                 "event-form-factor-found-hemicube",
-                &[is("F_ij"), EXCHANGE],
+                &[is("F_ij = {F_mean<}"), is("A_i_F_ij = area_of_i · F_ij")],
             ),
             entry(
                 "event-form-factor-found",
                 &[
-                    is("A_i_F_ij = '(A_i F_{ij})_{old}' · {V_{ij}=share}")
-                        .unevaluated("the sum over all pieces is not recorded")
-                        .when(When::Recorded("share")),
+                    is("A_i_F_ij = {V_{ij}=share} Σ{A_i F_{ij}=sum/Pieces}")
+                        .when(When::All(&[SUMMED, When::Recorded("share")])),
+                    is("A_i_F_ij = Σ{A_i F_{ij}=sum/Pieces}")
+                        .when(When::All(&[SUMMED, When::Unrecorded("share")])),
+                    is("A_i_F_ij = {V_{ij}=share} 'Σ A_i F_{ij}'")
+                        .when(When::All(&[ADAPTIVE, When::Recorded("share")]))
+                        .unevaluated(PARTS),
                     is("F_ij = [A_i_F_ij; area_of_i]"),
                     ],
             ),
@@ -285,6 +293,9 @@ const BY_DISTANCE: &[Formula] = &[
     is("{R_j=radius_j}"),
 ];
 const INTEGRAL: &str = "an integral";
+/// The pieces of the two patches have sums.
+const SUMMED: When = When::All(&[When::Not(&ADAPTIVE), When::Known("{sum/Pieces}")]);
+const PARTS: &str = "each part of the patch begins a sum of its own";
 /// The smaller patch is divided further and further.
 const ADAPTIVE: When = When::Equals("points", 0);
 const EDGES: &[Formula] = &[
@@ -300,7 +311,6 @@ const SEEN: &str = "F_x = {F_{x,old}=F_x<0} + delta_F";
 const SIGHT: &[Formula] = &[is("{V_{ij}=share} = ['Σ K V(x, y)'; 'Σ K']")
     .unevaluated("what single lines of sight would carry is not recorded")];
 const SEEN_FROM: &[Formula] = &[is("x"), is("F_x"), is("F_visible")];
-const EXCHANGE: Formula = is("A_i_F_ij");
 
 /// The listings of all methods; a label stands in one of them only.
 static LISTINGS: [&Listing; 9] = [

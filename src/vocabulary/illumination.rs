@@ -13,7 +13,22 @@ vocabulary! {
             "N" = normal,
         }
         [
-            entry("event-illumination", &[is("P"), is("N")]),
+            entry(
+                "event-illumination",
+                &[
+                    is("P = P_v").when(When::Recorded("P_v")),
+                    is("P = P_m").when(When::Recorded("P_m")),
+                    is("P = {P<}").when(When::Known("{P<}")),
+                    is("P = eye + [z_0; focal] (middle_point − eye)").when(When::Recorded("N_0")),
+                    is("N = [N_0; |N_0|]").when(When::Recorded("N_0")),
+                    is("N = N_v").when(AT_VERTEX),
+                    is("N = −N_v").when(AT_VERTEX_TURNED),
+                    is("N = {N<}").when(AT_PIXEL),
+                    is("N = −{N<}").when(AT_PIXEL_TURNED),
+                    is("N = face_normal").when(OF_FACE),
+                    is("N = −face_normal").when(OF_FACE_TURNED),
+                    ],
+            ),
         ];
     Event::Viewer { to_eye, turned } => "Viewer" at "viewer"
         {
@@ -25,7 +40,7 @@ vocabulary! {
             only(
                 When::True("turned"),
                 "event-viewer-turned",
-                &[is("V = [eye − P; |eye − P|]"), is("N")],
+                &[is("V = [eye − P; |eye − P|]"), is("N · V ≥ 0")],
             ),
             entry("event-viewer", &[is("V = [eye − P; |eye − P|]")]),
         ];
@@ -50,6 +65,7 @@ vocabulary! {
                 When::Finite("d"),
                 "event-light",
                 &[
+                    is("light_position"),
                     is("d = |light_position − P|"),
                     is("f_att = [1; light_a_0 + light_a_1 · d + light_a_2 · d^2]"),
                     is("I_light"),
@@ -57,7 +73,7 @@ vocabulary! {
             ),
             entry(
                 "event-light-infinitely-far",
-                &[is("f_att"), is("I_light")],
+                &[is("f_att = 1"), is("I_light")],
             ),
         ];
     Event::ToLight { to_light, n_dot_l } => "ToLight" at "to-light"
@@ -66,7 +82,14 @@ vocabulary! {
             "N_dot_L" = n_dot_l,
         }
         [
-            entry("event-to-light", &[is("L"), is("N_dot_L = N · L")]),
+            entry(
+                "event-to-light",
+                &[
+                    is("L = [light_position − P; |light_position − P|]").when(AT_DISTANCE),
+                    is("L = −light_toward"),
+                    is("N_dot_L = N · L"),
+                    ],
+            ),
         ];
     Event::Diffuse { k_d, term } => "Diffuse" at "diffuse"
         {
@@ -77,6 +100,8 @@ vocabulary! {
             entry(
                 "event-diffuse",
                 &[
+                    is("k_d = {k_{d,material}=material_k_d} · {texture^}").when(When::All(&[TEXTURED, BY_RAY])),
+                    is("k_d = {k_{d,material}=material_k_d} · {T^}").when(When::All(&[TEXTURED, When::Not(&BY_RAY)])),
                     is("I_d = k_d · I_light · f_att · max(0, N_dot_L)"),
                     is("slide_factor = [d · {cos φ=N_dot_L}; √d]").when(When::Finite("d")).noted(ON_THE_SLIDE),
                     ],
@@ -118,7 +143,7 @@ vocabulary! {
             "I_s" = term,
         }
         [
-            only(When::NotPositive("N_dot_L"), "event-specular-none", &[is("I_s")]),
+            only(When::NotPositive("N_dot_L"), "event-specular-none", &[is("I_s = 0 · k_s")]),
             only(
                 When::Recorded("R_dot_V"),
                 "event-specular",
@@ -141,7 +166,7 @@ vocabulary! {
             only(
                 When::Unrecorded("I_d"),
                 "event-light-added-blocked",
-                &[is("I_added")],
+                &[is("I_added = 0 · I_light")],
             ),
             only(
                 When::Unrecorded("I_s"),
@@ -166,6 +191,18 @@ vocabulary! {
             ),
         ];
 }
+
+/// A texture has changed the material's k_d.
+const TEXTURED: When = When::Not(&When::Same("k_d", "material_k_d"));
+const BY_RAY: When = When::Recorded("u");
+const AT_VERTEX: When = When::Same("N", "N_v");
+const AT_VERTEX_TURNED: When = When::All(&[When::Recorded("N_v"), When::Not(&AT_VERTEX)]);
+const AT_PIXEL: When = When::Same("N", "{N<}");
+const AT_PIXEL_TURNED: When = When::All(&[When::Known("{N<}"), When::Not(&AT_PIXEL)]);
+const OF_FACE: When = When::All(&[When::Recorded("P_m"), When::Same("N", "face_normal")]);
+const OF_FACE_TURNED: When = When::All(&[When::Recorded("P_m"), When::Not(&OF_FACE)]);
+/// The light does not stand at the very point.
+const AT_DISTANCE: When = When::Not(&When::NotPositive("d"));
 
 /// The slide's factor in place of attenuation and cosine.
 const ON_THE_SLIDE: Message = Message("note-as-on-the-slide");

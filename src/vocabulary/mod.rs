@@ -8,6 +8,7 @@ pub mod expression;
 mod fast_phong;
 mod form_factor;
 mod illumination;
+mod intersection;
 mod kind;
 mod prepared_scene;
 mod primary;

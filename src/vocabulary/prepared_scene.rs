@@ -13,7 +13,16 @@ vocabulary! {
             "A" = ambient,
         }
         [
-            entry("event-frame", &[is("A")]),
+            entry(
+                "event-frame",
+                &[
+                    is("forward = [target − eye; |target − eye|]"),
+                    is("right = [forward × camera_up; |forward × camera_up|]"),
+                    is("up = right × forward"),
+                    is("focal = [width; 2 tan half_fov]"),
+                    is("A"),
+                    ],
+            ),
         ];
     Event::Polygon { object, polygon } => "Polygon" at "polygon" number "polygon" scope "scope-polygon"
         {

@@ -1,6 +1,6 @@
 //! A ray through each pixel.
 
-use super::entry::{When, entry, is, only};
+use super::entry::{Formula, When, entry, is, only};
 use crate::algorithms::primary::Event;
 
 vocabulary! {
@@ -22,7 +22,21 @@ vocabulary! {
             "y_P" = place.y,
         }
         [
-            entry("event-through", &[is("x_P"), is("y_P")]),
+            only(
+                When::Recorded("sample"),
+                "event-through",
+                &[
+                    is("{i=sample_row} := ⌊sample / {n=samples}⌋"),
+                    is("{j=sample_column} := sample − {i=sample_row} · {n=samples}"),
+                    is("x_P = x + [{j=sample_column} + 0.5; {n=samples}]"),
+                    is("y_P = y + [{i=sample_row} + 0.5; {n=samples}]"),
+                    SCREEN_POINT,
+                    ],
+            ),
+            entry(
+                "event-through",
+                &[is("x_P = x + 0.5"), is("y_P = y + 0.5"), SCREEN_POINT],
+            ),
         ];
     Event::PixelColored { color } => "PixelColored" at "trace"
         {
@@ -41,3 +55,8 @@ vocabulary! {
             ),
         ];
 }
+
+/// The point of the projection plane that stands at (x_P, y_P).
+pub(super) const SCREEN_POINT: Formula = is(
+    "screen_point = eye + (x_P − [width; 2]) · right + ([height; 2] − y_P) · up + focal · forward",
+);

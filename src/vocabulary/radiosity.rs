@@ -3,6 +3,7 @@
 use super::Declared;
 use super::entry::{Formula, When, entry, is, only};
 use crate::algorithms::radiosity::{Event, SolverEvent as S};
+use crate::language::Message;
 use crate::record::{self, Fields, Line};
 
 vocabulary! {
@@ -136,7 +137,16 @@ vocabulary! {
             "sum" = sum,
         }
         [
-            entry("event-exchanged", &[is("sum = {sum_{old}=sum<0} + F_ij · B_j")]),
+            entry(
+                "event-exchanged",
+                &[
+                    is("product = F_ij · B_j"),
+                    is("sum = {sum_{old}=sum<0} + product"),
+                    is("F_ij = matrix_F_ij"),
+                    is("{M_{ij}=entry} := 1 − rho_i · F_ij").when(SAME).noted(ROW),
+                    is("{M_{ij}=entry} := −rho_i · F_ij").when(When::Not(&SAME)).noted(ROW),
+                    ],
+            ),
         ];
     Event { recorded: S::Gathered { i, b_new, change }, .. } => "Gathered" at "gathered"
         {
@@ -151,13 +161,18 @@ vocabulary! {
                 &[
                     is("B_i = B_old + omega (E_i + rho_i · {Σ_j F_{ij} B_j=sum<} − B_old)")
                         .when(When::Recorded("sum")),
+                    is("B_i = B_old + omega (E_i + rho_i 'Σ_j F_{ij} B_j' − B_old)")
+                        .when(When::Unrecorded("sum"))
+                        .unevaluated(UNFOLLOWED),
                     CHANGE,
                     ],
             ),
             entry(
                 "event-gathered",
                 &[
+                    is("{Σ_j F_{ij} B_j=sum<} = Σ{*product}").when(When::Recorded("sum")),
                     is("B_i = E_i + rho_i · {Σ_j F_{ij} B_j=sum<}").when(When::Recorded("sum")),
+                    is("B_i = E_i + rho_i 'Σ_j F_{ij} B_j'").when(When::Unrecorded("sum")).unevaluated(UNFOLLOWED),
                     CHANGE,
                     ],
             ),
@@ -184,9 +199,9 @@ vocabulary! {
             only(
                 When::Recorded("ambient"),
                 "event-overshooting",
-                &[is("shot = unshot_i + ambient"), is("A_i")],
+                &[is("shot = unshot_i + ambient"), is("A_i = area_of_i")],
             ),
-            entry("event-shooting", &[is("unshot_i"), is("A_i")]),
+            entry("event-shooting", &[is("shot = unshot_i"), is("A_i = area_of_i")]),
         ];
     Event { recorded: S::Received { j, f_ji, rho_j, delta, b_j, unshot_j }, .. } => "Received" at "received"
         {
@@ -227,7 +242,13 @@ vocabulary! {
                 &[
                     is("B_i = {B_{i,old}=B_i<<i} + shot").when(FIRST),
                     is("B_i = {B_{i,old}=B_j<<j:i,k-1|B_i<<i,k-1} + shot").when(When::Not(&FIRST)),
-                    is("unshot_i"),
+                    is("unshot_i = {unshot_j<<j:i,i,k}").when(SHOWN),
+                    is("unshot_i = −ambient + 'ρ_i F_{ii} shot'")
+                        .when(When::All(&[When::Not(&SHOWN), When::Recorded("ambient")]))
+                        .unevaluated(UNFOLLOWED),
+                    is("unshot_i = 'ρ_i F_{ii} shot'")
+                        .when(When::All(&[When::Not(&SHOWN), When::Unrecorded("ambient")]))
+                        .unevaluated(UNFOLLOWED),
                 ],
             ),
         ];
@@ -291,6 +312,10 @@ const RESIDUAL: &[Formula] = &[
 const RELATIVE: Formula = is("residual = ['‖E − (I − ρF) B‖'; '‖E‖']").unevaluated(ALL_PATCHES);
 const UNKNOWNS: &str = "the unknowns of a whole system";
 const ALL_PATCHES: &str = "a sum over all patches, whose parts are not recorded";
+const UNFOLLOWED: &str = "the exchanges of this patch are not recorded";
+const ROW: Message = Message("note-row-of-the-system");
+/// What the patch that shoots received of its own light.
+const SHOWN: When = When::Known("{unshot_j<<j:i,i,k}");
 const FIRST: When = When::Equals("k", 0);
 const SECOND: When = When::Equals("k", 1);
 const SAME: When = When::Same("i", "j");

@@ -1,7 +1,7 @@
 //! Rays that end at the first surface.
 
 use super::Declared;
-use super::entry::{entry, is};
+use super::entry::{When, entry, is};
 use crate::algorithms::ray_casting::{Event, PSEUDOCODE};
 use crate::algorithms::{illumination, primary};
 use crate::record::{self, Fields, Line};
@@ -20,7 +20,7 @@ vocabulary! {
             "u" = ray.direction,
         }
         [
-            entry("event-ray-primary", &[is("O"), is("u = [screen_point − O; |screen_point − O|]")]),
+            entry("event-ray-primary", &[is("O = eye"), is("u = [screen_point − O; |screen_point − O|]")]),
         ];
     Event::Local { emission, local } => "Local" at "local"
         {
@@ -35,7 +35,13 @@ vocabulary! {
             "I" = color,
         }
         [
-            entry("event-returned", &[is("I")]),
+            entry(
+                "event-returned",
+                &[
+                    is("I = {I_local<}").when(When::Known("{I_local<}")),
+                    is("I = {color<}").when(When::Not(&When::Known("{I_local<}"))),
+                    ],
+            ),
         ];
 }
 

@@ -2,7 +2,8 @@
 
 use super::entry::{Formula, When, entry, is, only};
 use crate::algorithms::incidence::divisor;
-use crate::algorithms::ray_tree::{Event, RayKind};
+use crate::algorithms::ray_tree::{End, Event, RayKind};
+use crate::language::Message;
 
 vocabulary! {
     [] Event {
@@ -15,18 +16,19 @@ vocabulary! {
             "u" = ray.direction,
         }
         [
-            only(When::Is("ray", "reflected"), "event-ray-reflected", RAY),
-            only(When::Is("ray", "transmitted"), "event-ray-transmitted", RAY),
+            only(When::Is("ray", "reflected"), "event-ray-reflected", MIRRORED),
+            only(When::Is("ray", "transmitted"), "event-ray-transmitted", REFRACTED),
             only(
                 When::Is("ray", "total_internal_reflection"),
                 "event-ray-total-internal-reflection",
-                RAY,
+                MIRRORED,
             ),
-            entry("event-ray-primary", &[is("O"), is("u = [screen_point − O; |screen_point − O|]")]),
+            entry("event-ray-primary", &[is("O = eye"), is("u = [screen_point − O; |screen_point − O|]")]),
         ];
-    Event::ShadowRay { light, direction, distance } => "ShadowRay" at "shadow" number "light" scope "scope-shadow-ray"
+    Event::ShadowRay { light, origin, direction, distance } => "ShadowRay" at "shadow" number "light" scope "scope-shadow-ray"
         {
             "light" = light,
+            "O" = origin,
             "L" = direction,
             "d" = distance,
         }
@@ -37,9 +39,14 @@ vocabulary! {
                 &[
                     is("L = [light_position − P; |light_position − P|]"),
                     is("d = |light_position − P|"),
+                    LEFT_OF_POINT,
+                    LEFT_POINT,
                     ],
             ),
-            entry("event-shadow-ray-infinitely-far", &[is("L"), is("d")]),
+            entry(
+                "event-shadow-ray-infinitely-far",
+                &[is("L = −light_toward"), LEFT_OF_POINT, LEFT_POINT],
+            ),
         ];
     Event::Shadow { light, blocked, by } => "Shadow" at "shadow"
         {
@@ -49,7 +56,7 @@ vocabulary! {
             "t" = by.map(|hit| hit.t),
         }
         [
-            only(When::True("blocked"), "event-shadow-blocked", &[is("t < d")]),
+            only(When::True("blocked"), "event-shadow-blocked", &[is("t = {t<}"), is("t < d")]),
             entry("event-shadow-none", &[]),
         ];
     Event::Local { emission, local } => "Local" at "local"
@@ -107,7 +114,7 @@ vocabulary! {
                     ],
             ),
         ];
-    Event::Branched { branch } if branch.kind == RayKind::TotalInternalReflection => "TotalInternalReflection" at "refraction"
+    Event::Branched { branch } if branch.kind == RayKind::TotalInternalReflection => "TotalInternalReflection" at "total"
         {
             "branch" = branch.kind.name(),
             "k_t" = branch.coefficient,
@@ -132,7 +139,10 @@ vocabulary! {
         [
             entry("event-reflection", &[is("R = u − 2 (u · N) N"), is("k_r")]),
         ];
-    Event::Ended { kind, end } => "BranchEnded" at "refraction" or "reflection" if kind == RayKind::Reflected,
+    Event::Ended { kind, end } => "BranchEnded" at "refraction"
+        or "reflected-too-deep" if end == End::Depth && kind == RayKind::Reflected,
+        or "transmitted-too-deep" if end == End::Depth,
+        or "reflection" if kind == RayKind::Reflected,
         {
             "branch" = kind.name(),
             "why" = end.name(),
@@ -142,7 +152,7 @@ vocabulary! {
             only(When::Is("branch", "reflected"), "event-branch-ended-reflected", &[]),
             entry("event-branch-ended-transmitted", &[]),
         ];
-    Event::Attenuated { kind, distance, attenuation, carried } => "Attenuated" at "transmitted" or "reflected" if kind == RayKind::Reflected,
+    Event::Attenuated { kind, distance, attenuation, carried } => "Attenuated" at "transmitted-attenuated" or "reflected-attenuated" if kind == RayKind::Reflected,
         {
             "branch" = kind.name(),
             "d" = distance,
@@ -171,11 +181,19 @@ vocabulary! {
             only(
                 When::Is("branch", "reflected"),
                 "event-branch-added-reflected",
-                &[is("{I=I_sum} = {I_{local}=I_sum<} + k_r · {I_R=carried}")],
+                &[
+                    is("{I=I_sum} = {I_{local}=I_sum<} + k_r · {I_R=carried}"),
+                    is("{I_R=carried} = {I<}").when(AS_RETURNED),
+                    is("{I_R=carried} = {I_{att}=carried<}").when(When::Not(&AS_RETURNED)),
+                    ],
             ),
             entry(
                 "event-branch-added-transmitted",
-                &[is("{I=I_sum} = {I_{old}=I_sum<} + k_t · {I_T=carried}")],
+                &[
+                    is("{I=I_sum} = {I_{old}=I_sum<} + k_t · {I_T=carried}"),
+                    is("{I_T=carried} = {I<}").when(AS_RETURNED),
+                    is("{I_T=carried} = {I_{att}=carried<}").when(When::Not(&AS_RETURNED)),
+                    ],
             ),
         ];
     Event::Returned { color } => "Returned" at "returned"
@@ -183,10 +201,24 @@ vocabulary! {
             "I" = color,
         }
         [
-            entry("event-returned", &[is("I")]),
+            entry(
+                "event-returned",
+                &[
+                    is("I = {I_sum<}").when(When::Known("{I_sum<}")),
+                    is("I = {color<}").when(When::Not(&When::Known("{I_sum<}"))),
+                    ],
+            ),
         ];
 }
 
-const RAY: &[Formula] = &[is("O"), is("u")];
+const MIRRORED: &[Formula] = &[is("u = {R<}"), LEFT_OF, LEFT];
+const REFRACTED: &[Formula] = &[is("u = {T<}"), LEFT_OF, LEFT];
+/// A ray starts a little off the surface, so that it does not meet it where it stands.
+const LEFT_OF: Formula = is("{ε=offset} := O − {P<}");
+const LEFT: Formula = is("O = {P<} + {ε=offset}").noted(Message("note-offset"));
+const LEFT_OF_POINT: Formula = is("{ε=offset} := O − P");
+const LEFT_POINT: Formula = is("O = P + {ε=offset}").noted(Message("note-offset"));
+/// The light of the ray as it came back, not attenuated.
+const AS_RETURNED: When = When::Same("carried", "{I<}");
 const COSINE: &str = "cos2_theta_r = 1 − ([eta_i; eta_r])^2 (1 − (cos_theta_i)^2)";
 const ANGLE: &str = "{θ_r in °=theta_r_degrees} = arccos √cos2_theta_r";

@@ -1,7 +1,7 @@
 //! Scan conversion: edge table, scan lines, spans and pixels, whatever is interpolated.
 
 use super::declare::Interpolated;
-use super::entry::{When, entry, is, only};
+use super::entry::{Formula, When, entry, is, only};
 use crate::algorithms::scan_line::{Event, Named};
 use crate::language::Message;
 
@@ -15,6 +15,42 @@ vocabulary! {
         [
             entry("event-edge-table", &[]),
         ];
+    Event::CornerTransformed { corner, position } => "CornerTransformed" at "edge-table"
+        {
+            "corner" = corner,
+            "x_c" = position.x,
+            "y_c" = position.y,
+            "z_c" = position.z,
+        }
+        [
+            only(
+                When::Known("corner_position"),
+                "event-corner-transformed",
+                &[
+                    is("x_c = (corner_position − eye) · right"),
+                    is("y_c = (corner_position − eye) · up"),
+                    is("z_c = (corner_position − eye) · forward"),
+                    ],
+            ),
+            only(
+                When::Known("hidden_z"),
+                "event-corner-cut",
+                &[
+                    is("{s=cut_share} := [near − hidden_z; seen_z − hidden_z]"),
+                    is("x_c = hidden_x + {s=cut_share} (seen_x − hidden_x)"),
+                    is("y_c = hidden_y + {s=cut_share} (seen_y − hidden_y)"),
+                    is("z_c = near"),
+                    ],
+            ),
+            entry(
+                "event-corner-of-piece",
+                &[
+                    is("x_c = 'x_h' + 's' ('x_s' − 'x_h')").unevaluated(CUT),
+                    is("y_c = 'y_h' + 's' ('y_s' − 'y_h')").unevaluated(CUT),
+                    is("z_c = 'z_h' + 's' ('z_s' − 'z_h')").unevaluated(CUT),
+                    ],
+            ),
+        ];
     Event::CornerPlaced { corner, x, y, z, value } => "CornerPlaced" at "edge-table"
         {
             "corner" = corner,
@@ -27,9 +63,9 @@ vocabulary! {
             entry(
                 "event-corner-placed",
                 &[
-                    is("x"),
-                    is("y"),
-                    is("z"),
+                    is("x = [width; 2] + focal · [x_c; z_c]"),
+                    is("y = [height; 2] − focal · [y_c; z_c]"),
+                    is("z = z_c"),
                     is("I").when(When::Recorded("I")),
                     is("N").when(When::Recorded("N")),
                     ],
@@ -86,7 +122,7 @@ vocabulary! {
         [
             entry("event-scan-line", &[is("y_4 = y + 0.5")]),
         ];
-    Event::Edge { edge, upper, lower, y_1, y_2, x_4 } => "Edge" at "edge" number "edge" scope "scope-edge"
+    Event::Edge { edge, upper, lower, y_1, y_2, x_4, z_4 } => "Edge" at "edge" number "edge" scope "scope-edge"
         {
             "edge" = edge,
             "upper" = upper,
@@ -94,14 +130,20 @@ vocabulary! {
             "y_1" = y_1,
             "y_2" = y_2,
             "x_4" = x_4,
+            "z_4" = z_4,
         }
         [
             only(
                 When::Recorded("x_4"),
                 "event-edge",
-                &[is(
-                    "x_4 = {x_1=x@corner:upper} + (y_4 − y_1) · {dx_dy@edge:edge}",
-                    )],
+                &[
+                    is("x_4 = {x_1=x@corner:upper} + (y_4 − y_1) · {dx_dy@edge:edge}"),
+                    is(
+                        "[1; z_4] = [y_2 − y_4; y_2 − y_1] · [1; {z_1=z@corner:upper}] + [y_4 − y_1; y_2 − y_1] · [1; {z_2=z@corner:lower}]",
+                    ),
+                    is("y_1 = {y@corner:upper}"),
+                    is("y_2 = {y@corner:lower}"),
+                    ],
             ),
         ];
     Event::EdgeEnds { upper, lower } => "EdgeEnds" at "cut"
@@ -110,8 +152,15 @@ vocabulary! {
             "I_2" | "N_2" = Interpolated(lower, |names| names.lower),
         }
         [
-            only(When::Recorded("N_1"), "event-edge-ends-normal", &[is("N_1"), is("N_2")]),
-            entry("event-edge-ends-intensity", &[is("I_1"), is("I_2")]),
+            only(
+                When::Recorded("N_1"),
+                "event-edge-ends-normal",
+                &[is("N_1 = {N@corner:upper}"), is("N_2 = {N@corner:lower}")],
+            ),
+            entry(
+                "event-edge-ends-intensity",
+                &[is("I_1 = {I@corner:upper}"), is("I_2 = {I@corner:lower}")],
+            ),
         ];
     Event::EdgeInterpolated { direct, incremental } => "EdgeInterpolated" at "cut"
         {
@@ -127,8 +176,12 @@ vocabulary! {
                     is(
                     "N_4 = [y_4 − y_2; y_1 − y_2] · N_1 + [y_1 − y_4; y_1 − y_2] · N_2",
                     ),
-                    is("N_4_incremental = {N_{4,old}=N_4_incremental<<polygon,edge,y-1} + {dN_dy@edge:edge}"),
-                    is("{Δ=difference}").noted(INCREMENTAL),
+                    is("{ΔN=dN_dy@edge:edge} = [N_2 − N_1; y_2 − y_1]").when(NORMAL_ABOVE),
+                    is("{N_4′=N_4_incremental} = {N_4=N_4_incremental<<polygon,edge,y-1} + {ΔN=dN_dy@edge:edge}")
+                        .when(NORMAL_ABOVE)
+                        .noted(ROW_BELOW),
+                    is("{N_4′=N_4_incremental} = N_4").when(When::Not(&NORMAL_ABOVE)).noted(FIRST_ROW),
+                    is("{Δ=difference} = {N_4′=N_4_incremental} − N_4").noted(INCREMENTAL),
                     ],
             ),
             entry(
@@ -137,8 +190,12 @@ vocabulary! {
                     is(
                     "I_4 = [y_4 − y_2; y_1 − y_2] · I_1 + [y_1 − y_4; y_1 − y_2] · I_2",
                     ),
-                    is("I_4_incremental = {I_{4,old}=I_4_incremental<<polygon,edge,y-1} + {dI_dy@edge:edge}"),
-                    is("{Δ=difference}").noted(INCREMENTAL),
+                    is("{ΔI=dI_dy@edge:edge} = [I_2 − I_1; y_2 − y_1]").when(ABOVE),
+                    is("{I_4′=I_4_incremental} = {I_4=I_4_incremental<<polygon,edge,y-1} + {ΔI=dI_dy@edge:edge}")
+                        .when(ABOVE)
+                        .noted(ROW_BELOW),
+                    is("{I_4′=I_4_incremental} = I_4").when(When::Not(&ABOVE)).noted(FIRST_ROW),
+                    is("{Δ=difference} = {I_4′=I_4_incremental} − I_4").noted(INCREMENTAL),
                     ],
             ),
         ];
@@ -148,10 +205,12 @@ vocabulary! {
         [
             entry("event-edge-cut", &[]),
         ];
-    Event::Span { x_4, x_5, first, end } => "Span" at "span" number "first" scope "scope-span"
+    Event::Span { x_4, x_5, z_4, z_5, first, end } => "Span" at "span" number "first" scope "scope-span"
         {
             "x_4" = x_4,
             "x_5" = x_5,
+            "z_4" = z_4,
+            "z_5" = z_5,
             "first" = first,
             "end" = end,
         }
@@ -183,8 +242,8 @@ vocabulary! {
             "nearer" = nearer,
         }
         [
-            only(When::True("nearer"), "event-depth-tested-nearer", &[is("z < nearest")]),
-            entry("event-depth-tested-hidden", &[is("z ≥ nearest")]),
+            only(When::True("nearer"), "event-depth-tested-nearer", &[is("z < nearest"), DEPTH]),
+            entry("event-depth-tested-hidden", &[is("z ≥ nearest"), DEPTH]),
         ];
     Event::SpanInterpolated { direct, incremental } => "SpanInterpolated" at "interpolation"
         {
@@ -200,8 +259,12 @@ vocabulary! {
                     is(
                     "N_P = [x_5 − x_P; x_5 − x_4] · N_4 + [x_P − x_4; x_5 − x_4] · N_5",
                     ),
-                    is("N_P_incremental = {N_{P,old}=N_P_incremental<<polygon,y,first,x-1} + [N_5 − N_4; x_5 − x_4]"),
-                    is("{Δ=difference}").noted(INCREMENTAL),
+                    is("{ΔN=span_step} := [N_5 − N_4; x_5 − x_4]").when(NORMAL_BEFORE),
+                    is("{N_P′=N_P_incremental} = {N_P=N_P_incremental<<polygon,y,first,x-1} + {ΔN=span_step}")
+                        .when(NORMAL_BEFORE)
+                        .noted(NEXT_PIXEL),
+                    is("{N_P′=N_P_incremental} = N_P").when(When::Not(&NORMAL_BEFORE)).noted(FIRST_PIXEL),
+                    is("{Δ=difference} = {N_P′=N_P_incremental} − N_P").noted(INCREMENTAL),
                     ],
             ),
             entry(
@@ -210,8 +273,12 @@ vocabulary! {
                     is(
                     "I_P = [x_5 − x_P; x_5 − x_4] · I_4 + [x_P − x_4; x_5 − x_4] · I_5",
                     ),
-                    is("I_P_incremental = {I_{P,old}=I_P_incremental<<polygon,y,first,x-1} + [I_5 − I_4; x_5 − x_4]"),
-                    is("{Δ=difference}").noted(INCREMENTAL),
+                    is("{ΔI=span_step} := [I_5 − I_4; x_5 − x_4]").when(BEFORE),
+                    is("{I_P′=I_P_incremental} = {I_P=I_P_incremental<<polygon,y,first,x-1} + {ΔI=span_step}")
+                        .when(BEFORE)
+                        .noted(NEXT_PIXEL),
+                    is("{I_P′=I_P_incremental} = I_P").when(When::Not(&BEFORE)).noted(FIRST_PIXEL),
+                    is("{Δ=difference} = {I_P′=I_P_incremental} − I_P").noted(INCREMENTAL),
                     ],
             ),
         ];
@@ -230,7 +297,14 @@ vocabulary! {
                 "event-pixel-colored-textured",
                 &[is("{pixel=color} = {I textured=I_textured}")],
             ),
-            only(When::Recorded("x_0"), "event-pixel-colored-summed", &[is("{pixel=color}")]),
+            only(
+                When::Recorded("x_0"),
+                "event-pixel-colored-summed",
+                &[
+                    is("{pixel=color} = {I_a@} + Σ{*I_d} + Σ{*I_s}").when(LIT),
+                    is("{pixel=color} = {I_a@}").when(When::Not(&LIT)),
+                    ],
+            ),
             only(
                 When::Recorded("I_P_incremental"),
                 "event-pixel-colored-interpolated",
@@ -258,4 +332,20 @@ vocabulary! {
         ];
 }
 
+/// The depth of the pixel, whose inverse is linear on the screen.
+const DEPTH: Formula =
+    is("[1; z] = [x_5 − x_P; x_5 − x_4] · [1; z_4] + [x_P − x_4; x_5 − x_4] · [1; z_5]");
+/// Whether the same edge was cut a row higher.
+const ABOVE: When = When::Known("{I_4_incremental<<polygon,edge,y-1}");
+const NORMAL_ABOVE: When = When::Known("{N_4_incremental<<polygon,edge,y-1}");
+/// Whether the pixel to the left was coloured.
+const BEFORE: When = When::Known("{I_P_incremental<<polygon,y,first,x-1}");
+const NORMAL_BEFORE: When = When::Known("{N_P_incremental<<polygon,y,first,x-1}");
+/// Whether any light reaches the pixel.
+const LIT: When = When::Known("{*I_d}");
+const CUT: &str = "a piece of what the near plane and the sides of the picture leave";
+const ROW_BELOW: Message = Message("note-row-below");
+const FIRST_ROW: Message = Message("note-first-row");
+const NEXT_PIXEL: Message = Message("note-next-pixel");
+const FIRST_PIXEL: Message = Message("note-first-pixel");
 pub(super) const INCREMENTAL: Message = Message("note-incremental");

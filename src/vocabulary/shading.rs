@@ -1,7 +1,7 @@
 //! What the scan-line methods that light surfaces have in common.
 
 use super::Declared;
-use super::entry::{entry, is};
+use super::entry::{Formula, entry, is};
 use crate::algorithms::shading::{Event, Shading};
 use crate::algorithms::texture;
 use crate::record::{self, Fields, Line};
@@ -42,14 +42,14 @@ vocabulary! {
             "vertex" = vertex,
         }
         [
-            entry("event-vertex-ready", &[is("N_v")]),
+            entry("event-vertex-ready", &[]),
         ];
     Event::PixelPoint { position } => "PixelPoint" at "point"
         {
             "P" = position,
         }
         [
-            entry("event-pixel-point", &[is("P = eye + z · [pixel_direction; pixel_direction · forward]")]),
+            entry("event-pixel-point", &[PIXEL_POINT, is("P = eye + [z; focal] (screen_point − eye)")]),
         ];
     Event::PixelNormal { length, normal } => "PixelNormal" at "normal"
         {
@@ -59,9 +59,10 @@ vocabulary! {
         [
             entry(
                 "event-pixel-normal",
-                &[is(
-                    "N = [N_P_incremental; {|N_P|=length}]",
-                    )],
+                &[
+                    is("{|N_P|=length} = |N_P_incremental|"),
+                    is("N = [N_P_incremental; {|N_P|=length}]"),
+                    ],
             ),
         ];
     Event::PixelNormalLost { length, normal } => "PixelNormalLost" at "normal"
@@ -81,6 +82,11 @@ vocabulary! {
             entry("event-true-point", &[is("P"), is("N")]),
         ];
 }
+
+/// The point of the projection plane at the centre of the pixel.
+const PIXEL_POINT: Formula = is(
+    "screen_point = eye + (x_P − [width; 2]) · right + ([height; 2] − (y + 0.5)) · up + focal · forward",
+);
 
 impl<M: Shading> record::Event for Event<M> {
     fn kind(&self) -> &'static str {

@@ -13,7 +13,7 @@ vocabulary! {
         [
             entry("event-background", &[is("{I_{background}=color}")]),
         ];
-    Event::LightMet { light, color } => "LightMet" at "background"
+    Event::LightMet { light, color } => "LightMet" at "light-met"
         {
             "light" = light,
             "color" = color,
@@ -32,11 +32,17 @@ vocabulary! {
                 "event-surface-met",
                 &[
                     is("P = O + {t=NearestT} · u"),
-                    is("N_geometric"),
+                    is("N_geometric = [P − sphere_center; sphere_radius]").when(When::Known("sphere_radius")),
+                    is("N_geometric = plane_normal").when(When::Known("plane_normal")),
+                    is("{n=triangle_normal} := (corner_b − corner_a) × (corner_c − corner_a)").when(OF_CORNERS),
+                    is("N_geometric = [{n=triangle_normal}; |{n=triangle_normal}|]").when(OF_CORNERS),
+                    is("N_geometric = whole_face_normal").when(When::Known("whole_face_normal")),
+                    is("N_geometric = [(P − side_base) − ((P − side_base) · side_axis) side_axis; side_radius]").when(When::Known("side_axis")),
+                    is("N_geometric = end_normal").when(When::Known("end_normal")),
                     ],
             ),
         ];
-    Event::Faced { normal, cos_theta_i, entering } => "Faced" at "surface"
+    Event::Faced { normal, cos_theta_i, entering } => "Faced" at "turned"
         {
             "N" = normal,
             "cos_theta_i" = cos_theta_i,
@@ -56,6 +62,7 @@ vocabulary! {
             entry(
                 "event-faced-leaving",
                 &[
+                    is("u · N_geometric ≥ 0"),
                     is("N = −N_geometric"),
                     is("cos_theta_i = −(u · N)"),
                     is("{θ_i in °=theta_i_degrees} = arccos cos_theta_i"),
@@ -75,3 +82,9 @@ vocabulary! {
             ),
         ];
 }
+
+/// A triangle whose normal is its own.
+const OF_CORNERS: When = When::All(&[
+    When::Known("corner_a"),
+    When::Not(&When::Known("whole_face_normal")),
+]);

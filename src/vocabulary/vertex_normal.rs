@@ -1,6 +1,6 @@
 //! The mean of the normals around a vertex.
 
-use super::entry::{entry, is};
+use super::entry::{When, entry, is};
 use crate::algorithms::vertex_normal::Event;
 
 vocabulary! {
@@ -13,7 +13,7 @@ vocabulary! {
             "sum_N" = sum,
         }
         [
-            entry("event-face-normal-added", &[is("{S=sum_N} = Σ{*N_k}")]),
+            entry("event-face-normal-added", &[is("N_k = [Σ{face_fan}; |Σ{face_fan}|]").when(When::Not(&When::Zero("N_k"))), is("{S=sum_N} = Σ{*N_k}")]),
         ];
     Event::VertexNormal { faces, length, normal } => "VertexNormal" at "vertex-normal"
         {
@@ -22,7 +22,7 @@ vocabulary! {
             "N_v" = normal,
         }
         [
-            entry("event-vertex-normal", &[is("N_v = [sum_N; {|ΣN_k|=length}]")]),
+            entry("event-vertex-normal", &[is("{|ΣN_k|=length} = |sum_N|"), is("N_v = [sum_N; {|ΣN_k|=length}]")]),
         ];
     Event::FileNormal { normal } => "FileNormal" at "vertex-normal"
         {
@@ -38,6 +38,6 @@ vocabulary! {
             "N_v" = normal,
         }
         [
-            entry("event-normal-vanished", &[is("{|ΣN_k|=length}"), is("N_v = {N_1=N_k!}")]),
+            entry("event-normal-vanished", &[is("{|ΣN_k|=length} = |sum_N|"), is("N_v = {N_1=N_k!}")]),
         ];
 }

@@ -1,6 +1,9 @@
 //! The search for the nearest object, and for what stands before a light.
 
 use super::entry::{When, entry, is, only};
+use super::intersection::{
+    BEHIND_LIGHT, BLOCKS, MET_BEHIND, MET_NEARER, MISSED, MISSED_ON_THE_WAY,
+};
 use crate::algorithms::visible::{Event, Intersection};
 
 vocabulary! {
@@ -22,9 +25,9 @@ vocabulary! {
             "nearer" = nearer,
         }
         [
-            only(When::True("nearer"), "event-object-tested-nearer", &[is("t < NearestT")]),
-            only(When::Finite("t"), "event-object-tested-behind", &[is("t ≥ NearestT")]),
-            entry("event-object-tested-missed", &[is("t")]),
+            only(When::True("nearer"), "event-object-tested-nearer", MET_NEARER),
+            only(When::Finite("t"), "event-object-tested-behind", MET_BEHIND),
+            entry("event-object-tested-missed", MISSED),
         ];
     Event::LightTested { light, t, nearest_t, nearer } => "LightTested" at "test" or "nearer" if nearer,
         {
@@ -34,9 +37,9 @@ vocabulary! {
             "nearer" = nearer,
         }
         [
-            only(When::True("nearer"), "event-light-tested-nearer", &[is("t < NearestT")]),
-            only(When::Finite("t"), "event-light-tested-behind", &[is("t ≥ NearestT")]),
-            entry("event-light-tested-missed", &[is("t")]),
+            only(When::True("nearer"), "event-light-tested-nearer", MET_NEARER),
+            only(When::Finite("t"), "event-light-tested-behind", MET_BEHIND),
+            entry("event-light-tested-missed", MISSED),
         ];
     Event::Found { met } => "Found" at "found"
         {
@@ -58,9 +61,9 @@ vocabulary! {
             "blocks" = blocks,
         }
         [
-            only(When::True("blocks"), "event-between-tested-blocks", &[is("t < d")]),
-            only(When::Finite("t"), "event-between-tested-behind", &[is("t ≥ d")]),
-            entry("event-between-tested-missed", &[is("t")]),
+            only(When::True("blocks"), "event-between-tested-blocks", BLOCKS),
+            only(When::Finite("t"), "event-between-tested-behind", BEHIND_LIGHT),
+            entry("event-between-tested-missed", MISSED_ON_THE_WAY),
         ];
     Event::Unshadowing { object } => "Unshadowing" at "shadow"
         {

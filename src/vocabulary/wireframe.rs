@@ -1,7 +1,7 @@
 //! The edges alone.
 
 use super::Declared;
-use super::entry::{entry, is};
+use super::entry::{When, entry, is};
 use crate::algorithms::wireframe::{Event, PSEUDOCODE};
 use crate::record::{self, Fields, Line};
 
@@ -25,7 +25,21 @@ vocabulary! {
             "y_2" = end.y,
         }
         [
-            entry("event-edge-clipped", &[is("x_1"), is("y_1"), is("x_2"), is("y_2")]),
+            entry(
+                "event-edge-clipped",
+                &[
+                    is("{z_a=from_depth} := (from_position − eye) · forward"),
+                    is("x_1 = [width; 2] + focal · [(from_position − eye) · right; {z_a=from_depth}]").when(FROM_SEEN),
+                    is("y_1 = [height; 2] − focal · [(from_position − eye) · up; {z_a=from_depth}]").when(FROM_SEEN),
+                    is("x_1 = 'x_a' + 's' ('x_b' − 'x_a')").when(When::Not(&FROM_SEEN)).unevaluated(CUT),
+                    is("y_1 = 'y_a' + 's' ('y_b' − 'y_a')").when(When::Not(&FROM_SEEN)).unevaluated(CUT),
+                    is("{z_b=to_depth} := (to_position − eye) · forward"),
+                    is("x_2 = [width; 2] + focal · [(to_position − eye) · right; {z_b=to_depth}]").when(TO_SEEN),
+                    is("y_2 = [height; 2] − focal · [(to_position − eye) · up; {z_b=to_depth}]").when(TO_SEEN),
+                    is("x_2 = 'x_a' + 's' ('x_b' − 'x_a')").when(When::Not(&TO_SEEN)).unevaluated(CUT),
+                    is("y_2 = 'y_a' + 's' ('y_b' − 'y_a')").when(When::Not(&TO_SEEN)).unevaluated(CUT),
+                    ],
+            ),
         ];
     Event::EdgeUnseen => "EdgeUnseen" at "clip"
         {
@@ -60,6 +74,10 @@ vocabulary! {
             entry(
                 "event-pixel-plotted",
                 &[
+                    is("x_exact = {x_{old}=x_exact<} + dx").when(GOES_ON),
+                    is("y_exact = {y_{old}=y_exact<} + dy").when(GOES_ON),
+                    is("x_exact = x_1").when(STARTS),
+                    is("y_exact = y_1").when(STARTS),
                     is("x = max(0, min(⌊x_exact⌋, width − 1))"),
                     is("y = max(0, min(⌊y_exact⌋, height − 1))"),
                     ],
@@ -72,6 +90,14 @@ vocabulary! {
             entry("event-edge-done", &[]),
         ];
 }
+
+/// The ends of the edge are within the picture.
+const FROM_SEEN: When = When::True("from_is_seen");
+const TO_SEEN: When = When::True("to_is_seen");
+/// The pixel before was plotted too.
+const GOES_ON: When = When::Known("{x_exact<}");
+const STARTS: When = When::All(&[When::Same("x_exact", "x_1"), When::Same("y_exact", "y_1")]);
+const CUT: &str = "the borders of the picture and the near plane cut the edge";
 
 impl record::Event for Event {
     fn kind(&self) -> &'static str {

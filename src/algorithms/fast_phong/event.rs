@@ -16,6 +16,8 @@ pub enum Cosine {
     NDotH,
     /// R·V, of the specular term (Phong 1975).
     RDotV,
+    /// N·V, of which R·V is made.
+    NDotV,
 }
 
 impl Cosine {
@@ -24,6 +26,7 @@ impl Cosine {
             Cosine::NDotL => "N_dot_L",
             Cosine::NDotH => "N_dot_H",
             Cosine::RDotV => "R_dot_V",
+            Cosine::NDotV => "N_dot_V",
         }
     }
 }
@@ -38,17 +41,36 @@ pub enum Event {
         triangle: u32,
         corners: [u32; 3],
     },
-    /// The point of expansion on the screen, and N there, on the side of the eye; where the vertex normals cancel out it is
-    /// the normal of the face.
+    /// A corner of the triangle, `number` 0 to 2, on the screen and with its depth, and its unit normal.
+    TriangleCorner {
+        number: u32,
+        place: DVec2,
+        depth: f64,
+        normal: DVec3,
+    },
+    /// The point of expansion on the screen, its depth, and N there, on the side of the eye; where the vertex normals cancel out
+    /// it is the normal of the face. Pieces of one triangle that was `cut` have one point of expansion.
     NormalAtMiddle {
         middle: DVec2,
+        depth: f64,
         n_0: DVec3,
         vanished: bool,
+        turned: bool,
+        cut: bool,
     },
     /// What one pixel to the right and one row down add to N.
     NormalSlopes {
         n_x: DVec3,
         n_y: DVec3,
+    },
+    /// N·N/|N_0|² over the triangle: see [`LinearNormal::squared`](crate::numeric::LinearNormal::squared).
+    NormalSquared {
+        squared: [f64; 5],
+    },
+    /// The dot product of N/|N_0| with a direction: see [`LinearNormal::along`](crate::numeric::LinearNormal::along).
+    DotProduct {
+        cosine: Cosine,
+        along: [f64; 3],
     },
     Series {
         cosine: Cosine,

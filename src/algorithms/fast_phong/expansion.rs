@@ -76,12 +76,26 @@ impl Expansion {
         self.at = None;
         self.lights.clear();
         let LinearNormal { n_0, n_x, n_y } = normal;
+        for (number, corner) in (0..).zip(triangle) {
+            recorder.step(|| Event::TriangleCorner {
+                number,
+                place: screen[number as usize],
+                depth: corner.position.z,
+                normal: corner.value,
+            });
+        }
         recorder.step(|| Event::NormalAtMiddle {
             middle: self.middle,
+            depth: middle.depth,
             n_0,
             vanished,
+            turned,
+            cut: middle.of_pieces,
         });
         recorder.step(|| Event::NormalSlopes { n_x, n_y });
+        recorder.step(|| Event::NormalSquared {
+            squared: normal.unit().squared(),
+        });
         let unit = n_0.normalize_or_zero();
         recorder.enter(|| {
             let normal = unit;
@@ -111,7 +125,8 @@ impl Expansion {
                 Term::new(Cosine::NDotL, material.diffuse * arriving, diffuse),
                 Term::new(cosine, material.specular * arriving, specular),
             ]);
-            for term in self.lights.iter().flatten().skip(2 * light) {
+            for term in &self.lights[light] {
+                term.exact.expanded(term.cosine, recorder);
                 recorder.step(|| Event::Series {
                     cosine: term.cosine,
                     series: term.series,
@@ -211,6 +226,27 @@ impl Exact {
         }
     }
 
+    /// Tells what the series is made of: the dot product with N, or of R·V the series of N·V beside that of N·L.
+    fn expanded<R: Recorder<Event>>(&self, cosine: Cosine, recorder: &mut R) {
+        let unit = self.normal.unit();
+        let Some(to_eye) = self.mirrored_to else {
+            recorder.step(|| Event::DotProduct {
+                cosine,
+                along: unit.along(self.toward),
+            });
+            return;
+        };
+        let cosine = Cosine::NDotV;
+        recorder.step(|| Event::DotProduct {
+            cosine,
+            along: unit.along(to_eye),
+        });
+        recorder.step(|| Event::Series {
+            cosine,
+            series: Quadratic::of_cosine(&self.normal, to_eye),
+        });
+    }
+
     /// R·V is 2(N·L)(N·V) − L·V, so that its series comes from those of N·L and N·V.
     fn series(&self) -> Quadratic {
         if self.normal.n_0 == DVec3::ZERO {
@@ -279,6 +315,8 @@ fn highlight<R: Recorder<Event>>(
 pub struct Middle {
     screen: DVec2,
     depth: f64,
+    /// Of all pieces of a triangle that was cut.
+    of_pieces: bool,
 }
 
 impl Middle {
@@ -288,6 +326,7 @@ impl Middle {
         Middle {
             screen: middle_of(triangle.each_ref().map(|c| view.to_screen(c.position))),
             depth: 3.0 / sum,
+            of_pieces: false,
         }
     }
 
@@ -305,6 +344,7 @@ impl Middle {
         (area > 0.0).then(|| Middle {
             screen: place / area,
             depth: area / inverse_depth,
+            of_pieces: true,
         })
     }
 }

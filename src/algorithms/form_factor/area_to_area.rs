@@ -43,6 +43,7 @@ pub fn exchange<R: Recorder<Event>>(
                 cos_x: cos_x / r2.sqrt(),
                 cos_y: cos_y / r2.sqrt(),
                 r: r2.sqrt(),
+                weights: [weight_x, weight_y],
                 term,
                 sum,
             });

@@ -32,6 +32,8 @@ pub enum Event {
         cos_x: f64,
         cos_y: f64,
         r: f64,
+        /// Weights of the points x and y.
+        weights: [f64; 2],
         term: f64,
         sum: f64,
     },

@@ -110,8 +110,10 @@ impl<V: Varying> Edge<V> {
             y_1: self.upper.y,
             y_2: self.lower.y,
             x_4: self.x_4,
+            z_4: 1.0 / self.inverse_depth.value,
         }
     }
+
     pub fn ends(&self) -> Event<V::Recorded> {
         Event::EdgeEnds {
             upper: self.upper.value.recorded(),

@@ -80,9 +80,17 @@ impl<'a, V: Varying> EdgeTable<'a, V> {
         for (number, corner) in self.clipped.iter().enumerate() {
             let screen = self.view.to_screen(corner.position);
             let inverse_depth = 1.0 / corner.position.z;
+            let number = number as u32;
+            recorder.step(|| {
+                Event::CornerTransformed {
+                    corner: number,
+                    position: corner.position,
+                }
+                .into()
+            });
             recorder.step(|| {
                 Event::CornerPlaced {
-                    corner: number as u32,
+                    corner: number,
                     x: screen.x,
                     y: screen.y,
                     z: 1.0 / inverse_depth,

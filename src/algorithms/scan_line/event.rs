@@ -2,6 +2,7 @@
 
 use super::varying::{Named, Varying};
 use crate::color::Rgb;
+use glam::DVec3;
 
 /// Indices: `edge` and `corner` count within the polygon as it is after clipping at the near plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -9,6 +10,11 @@ pub enum Event<A> {
     /// Opens the construction of the edge table.
     EdgeTable {
         corners: u32,
+    },
+    /// In the camera frame.
+    CornerTransformed {
+        corner: u32,
+        position: DVec3,
     },
     /// On the screen, in pixels; z is the depth.
     CornerPlaced {
@@ -50,6 +56,8 @@ pub enum Event<A> {
         y_1: f64,
         y_2: f64,
         x_4: f64,
+        /// Depth at the cut, as are `z_4` and `z_5` of a span at its ends.
+        z_4: f64,
     },
     EdgeEnds {
         upper: A,
@@ -66,6 +74,8 @@ pub enum Event<A> {
     Span {
         x_4: f64,
         x_5: f64,
+        z_4: f64,
+        z_5: f64,
         first: u32,
         end: u32,
     },

@@ -72,6 +72,8 @@ impl<V: Varying> Span<V> {
         Event::Span {
             x_4: self.x_4,
             x_5: self.x_5,
+            z_4: 1.0 / self.inverse_depths[0],
+            z_5: 1.0 / self.inverse_depths[1],
             first: self.first,
             end: self.end,
         }

@@ -29,7 +29,7 @@ pub fn evaluated(run: &Run, step: usize) -> Vec<Evaluated> {
 
 pub(super) fn of_entry(entry: &'static Entry, known: &mut Known) -> Vec<Evaluated> {
     let formulas = formulas(entry, known).into_iter();
-    let value = |side: &Expression| evaluate(side, &|reference| known.values(reference));
+    let value = |side: &Expression| evaluate(side, &|reference| known.terms(reference));
     let evaluated = |formula: &'static Formula| {
         let equation = formula.equation();
         let (_, right) = equation.right.as_ref()?;

@@ -104,7 +104,7 @@ pub fn set_pieces(
                 for (at, c) in text.char_indices() {
                     depth += i32::from(c == '(') - i32::from(c == ')');
                     let next = text[at..].chars().nth(1);
-                    if c == ' ' && depth == 0 && next.is_some_and(|next| "+−·<≥".contains(next))
+                    if c == ' ' && depth == 0 && next.is_some_and(|next| "+−·×<≥".contains(next))
                     {
                         append_text(&mut atoms, &text[start..at], style);
                         atoms.push(Atom {
@@ -122,7 +122,7 @@ pub fn set_pieces(
             }
             Piece::Value(reference) | Piece::Sum(reference) => {
                 let is_base = matches!(pieces.get(i + 1), Some(Piece::Raised(_)));
-                let bracketed = is_base || "+−·/".contains(before);
+                let bracketed = is_base || "+−·×/".contains(before);
                 let number = match voice {
                     Voice::Symbols => None,
                     Voice::Numbers(channel) => {

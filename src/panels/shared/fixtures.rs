@@ -210,6 +210,40 @@ pub fn textured(method: Method, mapping: Mapping) -> Fixture {
     Fixture::rendered(Setup::new(prepared, mapping), method, Focus::Frame)
 }
 
+/// A floor that reaches behind the eye, and a triangle in front; 28×21, the whole frame.
+pub fn behind_the_eye(method: Method) -> Fixture {
+    let polygon = |vertices: &[[f64; 3]]| Shape::Polygon {
+        vertices: vertices.iter().copied().map(DVec3::from).collect(),
+    };
+    let floor = [
+        [-2.0, -1.0, 8.0],
+        [2.0, -1.0, 9.0],
+        [2.0, -1.0, -6.0],
+        [-2.0, -1.0, -6.0],
+    ];
+    let leaf = [[-1.0, 0.2, 0.0], [0.4, 0.1, 0.3], [0.1, 1.2, 0.0]];
+    let scene = scene(
+        vec![material("red", Rgb::new(0.7, 0.2, 0.1), Highlight::Phong)],
+        vec![
+            object("floor", 0, polygon(&floor)),
+            object("leaf", 0, polygon(&leaf)),
+        ],
+        vec![lamp(Rgb::WHITE)],
+    );
+    Fixture::of(scene, method, Focus::Frame, (28, 21))
+}
+
+/// Rays among every kind of primitive, with surfaces that touch; 20×15, the whole frame.
+pub fn shapes() -> Fixture {
+    let scene = crate::scene::read(
+        include_bytes!("sample/shapes.json"),
+        &crate::scene::Limits::default(),
+        &mut |_| Ok(Vec::new()),
+    );
+    let scene = scene.expect("the sample is a scene");
+    Fixture::of(scene, Method::RayTracing, Focus::Frame, (20, 15))
+}
+
 /// Every kind of step of the ray methods: objects met, missed and hidden, a light ball, blocked lights, glass with total
 /// internal reflection, a mirror, a texture, branches that end for each reason. 16×12, the whole frame.
 pub fn rays(method: Method, samples: u32) -> Fixture {

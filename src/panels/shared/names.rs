@@ -9,7 +9,7 @@ use crate::record::Value;
 use crate::replay::{Run, Walk};
 use crate::scene::Light;
 use crate::vocabulary::expression::Reference;
-use crate::vocabulary::{Kind, Quantity, counted, find};
+use crate::vocabulary::{Kind, Quantity, SceneValue, counted, find};
 
 /// A word that an event records, as people read it.
 pub fn word(word: &'static str, language: Language) -> String {
@@ -44,6 +44,10 @@ pub fn meaning(walk: &dyn Walk, step: usize, name: &str, language: Language) -> 
 /// What a formula writes for a value: the quantity's own symbol, in words where it is one, or the symbol chosen there.
 pub fn symbol(reference: &Reference, language: Language) -> String {
     let symbol = reference.symbol();
+    if let Some(of_scene) = SceneValue::named(reference.name).filter(|own| own.symbol == symbol) {
+        let called = called("quantity", reference.name, language);
+        return called.unwrap_or_else(|| of_scene.symbol.to_string());
+    }
     match find(reference.name).filter(|quantity| quantity.symbol == symbol) {
         Some(own) => quantity(&own, language),
         // A value before this step.

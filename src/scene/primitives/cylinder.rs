@@ -19,8 +19,8 @@ pub(super) struct Cylinder {
 }
 
 const MANTLE: u32 = 0;
-const LOWER_CAP: u32 = 1;
-const UPPER_CAP: u32 = 2;
+pub(super) const LOWER_CAP: u32 = 1;
+pub(super) const UPPER_CAP: u32 = 2;
 
 impl Cylinder {
     /// The nearest t > 0, and the part that is met there.

@@ -258,16 +258,23 @@ impl Faces {
             || triangle::weights_at(corners, position),
             |meeting| meeting.weights,
         );
-        let place = self.planes.partition_point(|plane| plane.end <= triangle);
-        let plane = self
-            .planes
-            .get(place)
-            .filter(|plane| plane.start <= triangle);
+        let plane = self.plane(triangle);
         let mut surface = triangle::surface(corners, weights, plane.map(|plane| plane.normal));
         if let Some(plane) = plane {
             surface.error += DVec3::splat(2.0 * plane.off_plane);
         }
         surface
+    }
+
+    fn plane(&self, triangle: u32) -> Option<&FacePlane> {
+        let place = self.planes.partition_point(|plane| plane.end <= triangle);
+        let plane = self.planes.get(place);
+        plane.filter(|plane| plane.start <= triangle)
+    }
+
+    /// The normal of the whole face that a triangle is of, where all triangles of the face take it.
+    pub fn plane_of(&self, triangle: u32) -> Option<DVec3> {
+        Some(self.plane(triangle)?.normal)
     }
 
     /// Texture coordinates at a point of a triangle; (0, 0) where the mesh has none.

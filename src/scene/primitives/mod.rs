@@ -15,6 +15,7 @@ mod faces;
 mod frame;
 mod hierarchy;
 mod packet;
+mod part;
 mod plane;
 pub(super) mod polygon;
 mod ray;
@@ -28,6 +29,7 @@ mod true_surface;
 
 pub use contact::{Between, Contact, Nearest};
 pub use face_chart::FaceChart;
+pub use part::Part;
 pub use polygon::triangles;
 pub use ray::{Ray, leaving, short_of};
 pub use sphere::meet_ball;

@@ -4,7 +4,9 @@
 //! to what its operands bring along. Values that go in are exact.
 
 use super::{Expression, Function, Operator, Reference};
+use crate::color::Rgb;
 use crate::record::Value;
+use glam::DVec3;
 
 /// A number, and its rounding error at most, in rounding units.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -64,6 +66,13 @@ impl Rounded {
     fn angle(radians: f64, slope: f64, error: f64) -> Self {
         let error = if error == 0.0 { 0.0 } else { slope * error };
         Rounded::new(radians.to_degrees(), error.to_degrees())
+    }
+
+    /// Of an angle in degrees.
+    fn tan(self) -> Self {
+        let value = self.value.to_radians().tan();
+        let slope = 1.0 + value * value;
+        Rounded::new(value, slope * self.error.to_radians())
     }
 
     fn root(self) -> Self {
@@ -136,6 +145,30 @@ impl Term {
         })
     }
 
+    fn cross(self, other: Term) -> Option<Term> {
+        let (Term::Vector(a), Term::Vector(b)) = (self, other) else {
+            return None;
+        };
+        Some(Term::Vector(std::array::from_fn(|axis| {
+            let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
+            let product = a[next].times(b[last]);
+            product.plus(a[last].times(b[next]).negative())
+        })))
+    }
+
+    /// As a value, without its error.
+    pub fn value(&self) -> Value {
+        let vector = |parts: &[Rounded; 3]| parts.map(|part| part.value);
+        match self {
+            Term::Number(number) => Value::Number(number.value),
+            Term::Color(parts) => {
+                let [r, g, b] = vector(parts);
+                Value::Rgb(Rgb { r, g, b })
+            }
+            Term::Vector(parts) => Value::Vector(DVec3::from_array(vector(parts))),
+        }
+    }
+
     /// The absolute value, or the length.
     fn length(self) -> Option<Rounded> {
         match self {
@@ -168,17 +201,16 @@ impl TryFrom<Value> for Term {
 /// as in the sum of a number and a vector.
 pub fn evaluate(
     expression: &Expression,
-    look_up: &impl Fn(&Reference) -> Option<Vec<Value>>,
+    look_up: &impl Fn(&Reference) -> Option<Vec<Term>>,
 ) -> Option<Term> {
     let of = |inner: &Expression| evaluate(inner, look_up);
     match expression {
         Expression::Number(_, value) => Some(Term::Number(Rounded::exact(*value))),
-        Expression::Value(reference) => Term::try_from(*look_up(reference)?.first()?).ok(),
+        Expression::Value(reference) => look_up(reference)?.first().copied(),
         Expression::Sum(reference) => {
-            let values = look_up(reference)?;
-            let mut terms = values.into_iter().map(|value| Term::try_from(value).ok());
-            let first = terms.next()??;
-            terms.try_fold(first, |sum, term| sum.plus(term?))
+            let mut terms = look_up(reference)?.into_iter();
+            let first = terms.next()?;
+            terms.try_fold(first, Term::plus)
         }
         Expression::Notation(_) => None,
         Expression::Parentheses(inner) => of(inner),
@@ -189,6 +221,7 @@ pub fn evaluate(
                 Operator::Plus => a.plus(b),
                 Operator::Minus => a.plus(b.map(Rounded::negative)),
                 Operator::Dot | Operator::Space => a.times(b),
+                Operator::Cross => a.cross(b),
                 Operator::Slash => quotient(a, b),
             }
         }
@@ -240,6 +273,7 @@ fn call(function: Function, arguments: &[Term]) -> Option<Rounded> {
         Function::Min => extreme(|a, b| a < b),
         Function::Arccos => angle(f64::acos),
         Function::Arcsin => angle(f64::asin),
+        Function::Tan => Some(first.number()?.tan()),
         Function::Root => Some(first.number()?.root()),
         Function::Length => first.length(),
         Function::Floor => integral(f64::floor),

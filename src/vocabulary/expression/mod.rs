@@ -58,6 +58,8 @@ pub enum Operator {
     Minus,
     /// `·`: of two vectors the dot product.
     Dot,
+    /// `×`: of two vectors the cross product.
+    Cross,
     /// A product without a sign.
     Space,
     /// A quotient on the line.
@@ -70,6 +72,7 @@ impl Operator {
             Operator::Plus => " + ",
             Operator::Minus => " − ",
             Operator::Dot => " · ",
+            Operator::Cross => " × ",
             Operator::Space => " ",
             Operator::Slash => " / ",
         }
@@ -83,6 +86,8 @@ pub enum Function {
     /// Of a number between −1 and 1, in degrees; rounding beyond is cut off.
     Arccos,
     Arcsin,
+    /// Of an angle in degrees.
+    Tan,
     Root,
     /// |…|: of a vector its length.
     Length,
@@ -98,6 +103,7 @@ impl Function {
             Function::Min => ["min(", ")"],
             Function::Arccos => ["arccos ", ""],
             Function::Arcsin => ["arcsin ", ""],
+            Function::Tan => ["tan ", ""],
             Function::Root => ["√", ""],
             Function::Length => ["|", "|"],
             Function::Floor => ["⌊", "⌋"],
@@ -105,11 +111,12 @@ impl Function {
         }
     }
 
-    const ALL: [Function; 8] = [
+    const ALL: [Function; 9] = [
         Function::Max,
         Function::Min,
         Function::Arccos,
         Function::Arcsin,
+        Function::Tan,
         Function::Root,
         Function::Length,
         Function::Floor,
@@ -121,7 +128,7 @@ impl Function {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Reference {
     /// The symbol that stands here for the quantity's own.
-    other_symbol: Option<&'static str>,
+    pub other_symbol: Option<&'static str>,
     pub name: &'static str,
     pub source: Source,
 }
@@ -146,19 +153,27 @@ pub enum Source {
     /// The value recorded last before the step, in the same scope. With a start it is 0 at the beginning of the scope, and after
     /// each step of the kind that the start names.
     Before(Option<&'static str>),
+    /// The value recorded last before the step, in the same scope or one around it.
+    Around,
     /// The values of the scope's steps up to this one.
     All,
     /// The first of them that is not zero.
     First,
+    /// The one recorded last before each step of the kind but the first, in the same scope, and the last one of all: what each part
+    /// came to that such a step begins.
+    Parts(&'static str),
     /// Those that the scopes inside recorded at their end.
     Inside,
-    /// The value recorded beside `key`, where that equals the value of `by`; without a key, by the nearest scope before.
+    /// The value recorded beside `key`, where that equals the value of `by`, or the word in quotation marks; without a key, by the
+    /// nearest scope before.
     Beside { key: &'static str, by: &'static str },
     /// The value recorded last before the step, in this scope or one like it, under one of the names and where its keys agree;
-    /// with a start as above.
+    /// with a start as above. Closed scopes are looked into where they are of a kind `within`, and without one, of a kind that
+    /// is around the step.
     Earlier {
         options: Vec<(&'static str, Vec<Key>)>,
         start: Option<&'static str>,
+        within: Vec<&'static str>,
     },
 }
 

@@ -4,9 +4,11 @@
 //! `'…'` notation without a value. Braces say more about a value: `{n=n_s}` shows another symbol for it. Where it is looked up
 //! follows the name: `{x_1=x@corner:upper}` is the `x` recorded together with a `corner` equal to `upper`, and `{I@}` the `I` of
 //! the nearest scope before; `{I_sum<}` is the one before the step in the same scope, `{sum<0}` the same, but 0 at its
-//! beginning, and `{sum<0/Pieces}` 0 after each step of that kind; `{c<<light,x-1}` is the one of an earlier step with the
+//! beginning, and `{sum<0/Pieces}` 0 after each step of that kind; `{P^}` is the one before in this scope or one around it;
+//! `Σ{sum/Pieces}` adds what each part came to that a step of that kind began; `{c<<light,x-1}` is the one of an earlier step with the
 //! same `light` at this `x` − 1, `{unshot_j<<j|unshot_i<<i:j}` that or the one whose `i` is this `j`, whichever is later, and
-//! `{F<<0}` any earlier one, else 0. `Σ{*N_k}` sums all of the scope up to the step,
+//! `{F<<0}` any earlier one, else 0; `{L<<light in Illumination,Light}` looks into scopes of these kinds. `{T_0@cosine:"N_dot_L"}`
+//! has that word beside it. `Σ{*N_k}` sums all of the scope up to the step,
 //! `Σ{+I_added}` the results of the scopes inside, and `{N_k!}` is the first that is not zero. `a := b` names `b` for the
 //! formulas that follow.
 
@@ -103,6 +105,8 @@ impl Parser {
             self.space();
             let operator = if self.skip("·") {
                 Operator::Dot
+            } else if self.skip("×") {
+                Operator::Cross
             } else if self.skip("/") {
                 Operator::Slash
             } else if self.rest.starts_with(begins_value) {
@@ -216,12 +220,16 @@ impl Parser {
             (name, Source::All)
         } else if let Some(name) = source.strip_prefix('+') {
             (name, Source::Inside)
+        } else if let Some(name) = source.strip_suffix('^') {
+            (name, Source::Around)
         } else if let Some(name) = source.strip_suffix('!') {
             (name, Source::First)
         } else if let Some((name, _)) = source.split_once("<<") {
             (name, earlier(source))
         } else if let Some((name, start)) = source.split_once('<') {
             (name, Source::Before(start_of(start)))
+        } else if let Some((name, kind)) = source.split_once('/') {
+            (name, Source::Parts(kind))
         } else if let Some((name, beside)) = source.split_once('@') {
             let (key, by) = beside.split_once(':').unwrap_or(("", ""));
             (name, Source::Beside { key, by })
@@ -238,6 +246,10 @@ impl Parser {
 
 /// `name<<keys` or `name<<keys|other name<<keys`; `name<<0/Kind` has no keys.
 fn earlier(text: &'static str) -> Source {
+    let (text, within) = match text.split_once(" in ") {
+        Some((text, kinds)) => (text, kinds.split(',').collect()),
+        None => (text, Vec::new()),
+    };
     let mut start = None;
     let mut options = Vec::new();
     for option in text.split('|') {
@@ -249,7 +261,11 @@ fn earlier(text: &'static str) -> Source {
         };
         options.push((name, keys));
     }
-    Source::Earlier { options, start }
+    Source::Earlier {
+        options,
+        start,
+        within,
+    }
 }
 
 /// `0` or `0/Kind`: where a running sum begins.

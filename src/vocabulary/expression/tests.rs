@@ -57,14 +57,14 @@ fn with_symbols(text: &str) -> String {
         };
         let (word, after) = rest.split_at(end);
         rest = after;
-        let functions = ["max", "min", "arccos", "arcsin"];
+        let functions = ["max", "min", "arccos", "arcsin", "tan"];
         written.push_str(&match c {
             '\'' => word.trim_matches('\'').to_string(),
             '{' => match word[1..end - 1].rsplit_once('=') {
                 Some((symbol, _)) => symbol.to_string(),
                 None => {
                     let name = word[1..end - 1].trim_start_matches(['*', '+']);
-                    let name_end = name.find(['<', '@', '!']).unwrap_or(name.len());
+                    let name_end = name.find(['<', '@', '!', '^', '/']).unwrap_or(name.len());
                     symbol(&name[..name_end])
                 }
             },
@@ -75,12 +75,20 @@ fn with_symbols(text: &str) -> String {
     written
 }
 
+/// Whether a formula names a value so for those that follow it.
+fn is_defined(name: &str) -> bool {
+    let defines = |text: &str| {
+        let name_of =
+            |left: &str| left.trim_matches(['{', '}', ' ']).rsplit('=').next() == Some(name);
+        text.split_once(":=").is_some_and(|(left, _)| name_of(left))
+    };
+    declared().any(defines)
+}
+
 fn symbol(name: &str) -> String {
     let recorded = find(name).map(|quantity| quantity.symbol);
     let of_scene = || SceneValue::named(name).map(|value| value.symbol);
-    let defined = ["u_pixel", "v_pixel", "pixel_area"]
-        .contains(&name)
-        .then_some("");
+    let defined = is_defined(name).then_some("");
     let known = recorded.or_else(of_scene).or(defined);
     known
         .unwrap_or_else(|| panic!("{name} is no value"))
@@ -134,11 +142,17 @@ fn value(text: &'static str) -> Option<Vec<f64>> {
             "u" => DVec3::new(1.0, 2.0, 2.0).into(),
             "N" => DVec3::new(0.0, 0.0, -1.0).into(),
             "k_d" => Rgb::new(0.5, 0.25, 1.0).into(),
-            "N_k" => return Some(vec![DVec3::X.into(), DVec3::Y.into(), DVec3::X.into()]),
+            "N_k" => {
+                let vectors = [DVec3::X, DVec3::Y, DVec3::X];
+                return vectors
+                    .map(|vector| Term::try_from(Value::from(vector)).ok())
+                    .into_iter()
+                    .collect();
+            }
             "met" => Value::Word("nothing"),
             _ => return None,
         };
-        Some(vec![value])
+        Some(vec![Term::try_from(value).ok()?])
     };
     let term = evaluate(&equation.left, &named)?;
     Some(
@@ -186,8 +200,21 @@ fn what_does_not_go_together_has_no_value() {
 }
 
 #[test]
+fn the_cross_product_stands_across_both_vectors() {
+    // (0, 0, −1) × (1, 0, 0) = (0, −1, 0)
+    assert_eq!(value("N × {N_k!}"), Some(vec![0.0, -1.0, 0.0]));
+    assert_eq!(value("a × N"), None);
+}
+
+#[test]
+fn a_tangent_is_that_of_degrees() {
+    let tan = value("tan 45").expect("a value")[0];
+    assert!((tan - 1.0).abs() < 1e-15, "{tan}");
+}
+
+#[test]
 fn the_error_bound_grows_where_digits_cancel() {
-    let exact = |_: &Reference| Some(vec![Value::Number(1e8)]);
+    let exact = |_: &Reference| Some(vec![Term::try_from(Value::Number(1e8)).ok()?]);
     let bound = |text: &'static str| {
         let equation = Equation::parse(text).expect("it parses");
         evaluate(&equation.left, &exact)

@@ -1,11 +1,15 @@
 //! The values in formulas that no event records, because the scene states them.
 
+mod camera;
+mod corner;
+mod intersection;
+mod light;
+
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::record::Value;
-use crate::scene::Light;
-use glam::{DVec2, DVec3};
+use crate::record::{Fields, Value};
+use glam::DVec3;
 
 /// The recorded values of a step, by name.
 pub type Recorded<'a> = &'a dyn Fn(&str) -> Option<Value>;
@@ -16,6 +20,8 @@ pub struct Given<'a> {
     pub prepared: &'a PreparedScene,
     /// Of runs of radiosity.
     pub enclosure: Option<&'a Enclosure>,
+    /// What the step itself recorded.
+    pub own: &'a Fields,
 }
 
 /// A named value of the scene, or several.
@@ -28,7 +34,15 @@ pub struct SceneValue {
 
 impl SceneValue {
     pub fn named(name: &str) -> Option<&'static SceneValue> {
-        SCENE_VALUES.iter().find(|value| value.name == name)
+        let families = [
+            camera::VALUES,
+            light::VALUES,
+            corner::VALUES,
+            intersection::VALUES,
+            PATCHES,
+        ];
+        let mut values = families.into_iter().flatten();
+        values.find(|value| value.name == name)
     }
 
     /// At a step that recorded these values.
@@ -45,49 +59,7 @@ const fn value(
     SceneValue { name, symbol, find }
 }
 
-const SCENE_VALUES: [SceneValue; 15] = [
-    value("eye", "eye", |given, _| one(given.prepared.view.eye)),
-    value("forward", "forward", |given, _| {
-        one(given.prepared.view.forward)
-    }),
-    value("light_position", "light", |given, recorded| {
-        one(light(given.prepared, recorded)?.0)
-    }),
-    value("light_a_0", "a_0", |given, recorded| {
-        one(light(given.prepared, recorded)?.1[0])
-    }),
-    value("light_a_1", "a_1", |given, recorded| {
-        one(light(given.prepared, recorded)?.1[1])
-    }),
-    value("light_a_2", "a_2", |given, recorded| {
-        one(light(given.prepared, recorded)?.1[2])
-    }),
-    value("screen_point", "P_s", |given, recorded| {
-        let place = DVec2::new(number(recorded, "x_P")?, number(recorded, "y_P")?);
-        one(given
-            .prepared
-            .view
-            .from_screen(place, given.prepared.view.focal))
-    }),
-    value("pixel_direction", "u", |given, recorded| {
-        let pixel = DVec2::new(number(recorded, "x")?, number(recorded, "y")?);
-        let point = given
-            .prepared
-            .view
-            .from_screen(pixel + 0.5, given.prepared.view.focal);
-        one((point - given.prepared.view.eye).normalize())
-    }),
-    value("polygon_corners", "P_k", |given, recorded| {
-        Some(
-            corners(given.prepared, recorded)?
-                .into_iter()
-                .map(Value::from)
-                .collect(),
-        )
-    }),
-    value("corner_count", "n", |given, recorded| {
-        one(corners(given.prepared, recorded)?.len() as f64)
-    }),
+const PATCHES: &[SceneValue] = &[
     value("area_of_i", "A_i", |given, recorded| {
         area(given, recorded, "i")
     }),
@@ -98,6 +70,12 @@ const SCENE_VALUES: [SceneValue; 15] = [
         let enclosure = given.enclosure?;
         let (i, j) = (index(recorded, "i")?, index(recorded, "j")?);
         one(*enclosure.matrix()?.get(i * enclosure.patches.len() + j)?)
+    }),
+    value("normal_at_x", "N_x", |given, recorded| {
+        normal_at(given, recorded, "x")
+    }),
+    value("normal_at_y", "N_y", |given, recorded| {
+        normal_at(given, recorded, "y")
     }),
     value("ray_count", "n", |given, _| match form_factors(given)? {
         Method::MonteCarlo { rays, .. } => one(rays),
@@ -123,6 +101,13 @@ fn number(recorded: Recorded, name: &str) -> Option<f64> {
     }
 }
 
+fn vector(recorded: Recorded, name: &str) -> Option<DVec3> {
+    match recorded(name)? {
+        Value::Vector(vector) => Some(vector),
+        _ => None,
+    }
+}
+
 fn index(recorded: Recorded, name: &str) -> Option<usize> {
     match recorded(name)? {
         Value::Integer(number) => usize::try_from(number).ok(),
@@ -130,33 +115,22 @@ fn index(recorded: Recorded, name: &str) -> Option<usize> {
     }
 }
 
-/// Position and attenuation of the point light of the step.
-fn light(prepared: &PreparedScene, recorded: Recorded) -> Option<(DVec3, [f64; 3])> {
-    match *prepared.scene.lights.get(index(recorded, "light")?)? {
-        Light::Point {
-            position,
-            attenuation,
-            ..
-        } => Some((position, attenuation)),
-        Light::Directional { .. } => None,
-    }
-}
-
-/// The corners of the step's polygon, in the world.
-fn corners(prepared: &PreparedScene, recorded: Recorded) -> Option<Vec<DVec3>> {
-    let polygon = prepared.polygon(index(recorded, "polygon")?)?;
-    let corners = polygon.corners();
-    Some(
-        corners
-            .map(|(vertex, _)| polygon.mesh.position(vertex))
-            .collect(),
-    )
-}
-
 fn area(given: Given, recorded: Recorded, patch: &str) -> Option<Vec<Value>> {
     let patches = &given.enclosure?.patches;
     let patch = index(recorded, patch).filter(|&patch| patch < patches.len())?;
     one(patches[patch].area)
+}
+
+/// The normal of the piece of patch i or j that a point lies on: that whose plane it is nearest to.
+fn normal_at(given: Given, recorded: Recorded, point: &str) -> Option<Vec<Value>> {
+    let patches = &given.enclosure?.patches;
+    let point = vector(recorded, point)?;
+    let both = [index(recorded, "i")?, index(recorded, "j")?];
+    let pieces = both.into_iter().flat_map(|patch| patches.pieces(patch));
+    let height = |corner: DVec3, normal: DVec3| (point - corner).dot(normal).abs();
+    let found = pieces
+        .min_by(|a, b| height(a.corners[0], a.normal).total_cmp(&height(b.corners[0], b.normal)));
+    one(found?.normal)
 }
 
 fn form_factors(given: Given) -> Option<Method> {
