@@ -7,9 +7,9 @@ use super::prose::prose;
 use super::session::{Command, Session};
 use super::window_state::Window;
 use super::{panel_view, question_card, strings, style, whereabouts};
-use crate::panels::{Panel, formula_height, kind_name};
+use crate::panels::{Panel, formula_height, kind_name, whole_formula_height};
 use crate::picture::{Ink, Tag};
-use egui::{Frame, Margin, Rect, RichText, ScrollArea, Ui};
+use egui::{Frame, Margin, Rect, RichText, ScrollArea, Sense, Ui, vec2};
 
 /// Shows the column on the card `card`: three regions, none of which pushes another out. Returns what lies under the pointer.
 pub fn show(
@@ -20,7 +20,7 @@ pub fn show(
     ui: &mut Ui,
 ) -> Option<Tag> {
     style::card(session.look.theme, card, ui);
-    let formula = least_formula(session, window, card.width() - 2.0 * MARGIN);
+    let [formula, _] = formula_heights(session, window, card.width() - 2.0 * MARGIN);
     // A picture stands on whole pixels, which takes up to one point.
     let formula = formula + 2.0 * MARGIN + 1.0;
     let height = layout::column_height(card.height(), window.said_height, formula);
@@ -69,26 +69,45 @@ fn regions(
         ui.ctx()
             .request_discard("the words of this step take another height");
     }
+    let width = column.formula.width() - 2.0 * MARGIN;
+    let [_, least_whole] = formula_heights(session, window, width);
     let mut under = None;
     for (panel, region) in [(Panel::Code, column.code), (Panel::Formula, column.formula)] {
         rule(session, region, ui);
         let view = window.views.entry(panel).or_default();
-        let shown = panel_on(session, panel, view, region.shrink(MARGIN), ui);
+        let rect = region.shrink(MARGIN);
+        let shown = if panel == Panel::Formula && least_whole > rect.height() {
+            let size = vec2(rect.width(), least_whole);
+            let mut child = ui.new_child(egui::UiBuilder::new().max_rect(rect));
+            let scrolled = ScrollArea::vertical()
+                .id_salt(("formula", session.recording(), session.step()))
+                .show(&mut child, |ui| {
+                    let (whole, _) = ui.allocate_exact_size(size, Sense::hover());
+                    panel_on(session, panel, view, whole, ui)
+                });
+            scrolled.inner
+        } else {
+            panel_on(session, panel, view, rect, ui)
+        };
         commands.extend(shown.command);
         under = shown.under.or(under);
     }
     under
 }
 
-/// The least height at which the formula of this step can be read with its numbers.
-fn least_formula(session: &Session, window: &mut Window, width: f32) -> f32 {
+/// The least heights at which the first formula of this step, and at which all of them can be read with their numbers.
+fn formula_heights(session: &Session, window: &mut Window, width: f32) -> [f32; 2] {
     let key = Key::new(session, Panel::Formula);
     match &window.formula {
-        Some((known, at, height)) if *known == key && *at == width => *height,
+        Some((known, at, heights)) if *known == key && *at == width => *heights,
         _ => {
-            let height = formula_height(&session.panel_input(), width);
-            window.formula = Some((key, width, height));
-            height
+            let input = session.panel_input();
+            let heights = [
+                formula_height(&input, width),
+                whole_formula_height(&input, width),
+            ];
+            window.formula = Some((key, width, heights));
+            heights
         }
     }
 }

@@ -25,6 +25,8 @@ pub struct Key {
     breakpoints: Vec<usize>,
     /// Of the ray tree alone.
     tree: Option<TreeView>,
+    /// Of formulas alone.
+    channel: Option<usize>,
     /// Of the room alone.
     smooth: bool,
     /// Whether a question waits.
@@ -104,6 +106,10 @@ impl Key {
             language: session.look.language,
             breakpoints: session.breakpoints().to_vec(),
             tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
+            channel: session
+                .panel_input()
+                .channel
+                .filter(|_| panel == Panel::Formula),
             smooth: panel == Panel::Radiosity && session.look.smooth,
             pending: session.panel_input().is_pending(),
             answered: session.panel_input().answered,

@@ -28,8 +28,8 @@ pub struct Window {
     pub(super) borders: Borders,
     /// Where progress is kept; nowhere in tests.
     pub(super) keeper: Option<Keeper>,
-    /// The least height of the formula with its numbers, and what it depends on.
-    pub(super) formula: Option<(Key, f32, f32)>,
+    /// The least heights of the first formula and of all, with their numbers, and what they depend on.
+    pub(super) formula: Option<(Key, f32, [f32; 2])>,
     /// Height of narration and question in the frame before.
     pub(super) said_height: f32,
     pub(super) styled: Option<Theme>,

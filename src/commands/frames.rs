@@ -107,6 +107,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             narrated: &narrated,
             breakpoints: &[],
             tree: TreeView::whole(),
+            channel: None,
             smooth: radiosity.smooth.then_some(smooth_patches),
             pending: None,
             answered: Answered::default(),

@@ -324,6 +324,7 @@ illumination-distance = distance d
 ## formula
 
 formula-no-formula = This step has no formula. Go on to the next.
+formula-more = { $count } more below: enlarge this panel.
 
 ## hints after a first wrong answer
 

@@ -324,6 +324,7 @@ illumination-distance = jarak d
 ## formula
 
 formula-no-formula = Langkah ini tidak memiliki rumus. Lanjutkan ke langkah berikutnya.
+formula-more = { $count } lagi di bawah: perbesar panel ini.
 
 ## hints after a first wrong answer
 

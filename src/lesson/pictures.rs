@@ -62,6 +62,7 @@ pub(super) fn input<'a>(
         narrated,
         breakpoints: &[],
         tree: TreeView::whole(),
+        channel: None,
         smooth: None,
         pending: None,
         answered: Answered::default(),

@@ -39,13 +39,15 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     };
     let formulas = formulas(entry, &mut known);
     let says = filled(entry.sentence, &known, prepared, input.language);
+    let worked = worked_channel(input, &formulas, &known);
 
     let mut picture = Picture::new(size.x, size.y);
     let layout = |detail: &Detail, count: usize, text: f32| {
         Layout::new(
             &says,
-            &formulas[..count],
+            [&formulas[..count], &formulas[count..]],
             &known,
+            worked,
             input.language,
             size.x,
             text,
@@ -85,6 +87,15 @@ pub fn said(run: &Run, step: usize, language: Language) -> String {
 
 /// The least height at which the first formula can be read with its numbers, in a panel of that width.
 pub fn least_height(input: &PanelInput, width: f32) -> f32 {
+    height_of(input, width, 1)
+}
+
+/// The same for all formulas.
+pub fn whole_height(input: &PanelInput, width: f32) -> f32 {
+    height_of(input, width, usize::MAX)
+}
+
+fn height_of(input: &PanelInput, width: f32, count: usize) -> f32 {
     let walk = input.run.walk();
     let mut known = match walk.is_empty() {
         true => return 0.0,
@@ -94,14 +105,47 @@ pub fn least_height(input: &PanelInput, width: f32) -> f32 {
         return 0.0;
     };
     let formulas = formulas(entry, &mut known);
-    let first = &formulas[..formulas.len().min(1)];
+    let shown = &formulas[..formulas.len().min(count)];
+    let worked = worked_channel(input, &formulas, &known);
     let heights = DETAILS[..SHORT].iter().map(|detail| {
         let (text, language) = (detail.smallest, input.language);
-        Layout::new("", first, &known, language, width, text, detail)
+        Layout::new(
+            "",
+            [shown, &[]],
+            &known,
+            worked,
+            language,
+            width,
+            text,
+            detail,
+        )
     });
     let fitting = heights.filter(|layout| layout.fits);
     let least = fitting.map(|layout| layout.height).reduce(f32::min);
     least.map_or(0.0, |height| height + 2.0 * MARGIN)
+}
+
+/// The channel that is worked out: the one that was chosen, else that in which the first coloured result is largest.
+fn worked_channel(input: &PanelInput, formulas: &[&Formula], known: &Known) -> usize {
+    let mut results = formulas
+        .iter()
+        .filter_map(|formula| result(formula.equation(), known));
+    let color = results.find_map(|value| match value {
+        Value::Rgb(color) if !color.is_grey() => Some(color),
+        _ => None,
+    });
+    input.channel.unwrap_or_else(|| {
+        let channels = color.map_or([0.0; 3], |color| color.channels());
+        // The first of equals.
+        let larger = |best: usize, next: usize| {
+            if channels[next] > channels[best] {
+                next
+            } else {
+                best
+            }
+        };
+        (0..channels.len()).fold(0, larger)
+    })
 }
 
 const NO_FORMULA: Message = Message("formula-no-formula");

@@ -4,7 +4,10 @@
 
 mod shared;
 
-pub use list::formula::{Evaluated, evaluated, least_height as formula_height, said};
+pub use list::formula::{
+    Evaluated, evaluated, least_height as formula_height, said,
+    whole_height as whole_formula_height,
+};
 pub use list::image::value as pixel_value;
 pub use list::ray_tree::TreeView;
 pub use list::ray_tree::{area as tree_area, middle as tree_middle};
@@ -115,6 +118,8 @@ pub struct PanelInput<'a> {
     pub breakpoints: &'a [usize],
     /// Which part of the ray tree is shown.
     pub tree: &'a TreeView,
+    /// The channel that formulas are worked out in; none where it is the largest of their results.
+    pub channel: Option<usize>,
     /// How patches are drawn whose light is interpolated between their corners; none where each has one colour.
     pub smooth: Option<DrawPatches>,
     /// While a question waits at the step, what it hides beside all that is ahead of the step; none where no question waits.

@@ -31,6 +31,8 @@ pub enum Tag {
     Scope(usize),
     /// A point of a plot: its curve, and its number on that.
     Point { curve: usize, point: usize },
+    /// Red, green or blue, counted from 0, of a formula.
+    Channel(usize),
     /// The sign that collapses a ray of the ray tree, by the step that opened it.
     Fold(usize),
 }

@@ -49,6 +49,27 @@ macro_rules! placed {
                 "]"
             ))
             .when(WHOLE),
+            is(concat!("z_", $number, " = 'z_h' + 's' ('z_s' − 'z_h')"))
+                .when(PIECE)
+                .unevaluated(PIECES),
+            is(concat!(
+                "x_",
+                $number,
+                " = [width; 2] + focal · ['x_c'; z_",
+                $number,
+                "]"
+            ))
+            .when(PIECE)
+            .unevaluated(PIECES),
+            is(concat!(
+                "y_",
+                $number,
+                " = [height; 2] − focal · ['y_c'; z_",
+                $number,
+                "]"
+            ))
+            .when(PIECE)
+            .unevaluated(PIECES),
         ]
     };
 }
@@ -319,6 +340,7 @@ const ALONG_V: &[Formula] = along!("V");
 
 /// The triangle was not cut.
 const WHOLE: When = When::Known("corner_position");
+const PIECE: When = When::Not(&WHOLE);
 const TURNED: When = When::True("turned");
 const UPRIGHT: When = When::Not(&TURNED);
 /// The normals of the corners cancel out.
@@ -326,7 +348,7 @@ const VANISHED: When = When::True("vanished");
 const SEEN: When = When::Not(&VANISHED);
 /// The triangle has an area, and its normals do not cancel out.
 const SLOPES: When = When::All(&[SEEN, When::Not(&When::Zero("double_area"))]);
-const PIECES: &str = "over all pieces of the triangle";
+const PIECES: &str = "a triangle that reaches behind the eye is cut to pieces";
 const TABLE: &str = "a table gives the power";
 const FROM_TABLE: Message = Message("note-power-table");
 

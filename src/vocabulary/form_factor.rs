@@ -155,7 +155,11 @@ vocabulary! {
             only(
                 When::Is("way", "at right angles"),
                 "event-edge-pair-at-right-angles",
-                &[is("e_dot_f"), is("{A_i F_{ij}=sum}")],
+                &[
+                    is("e_dot_f"),
+                    is("I = 0"),
+                    is("{A_i F_{ij}=sum} = {(A_i F_{ij})_{old}=sum<0/Pieces}"),
+                    ],
             ),
             only(When::Is("way", "on one line"), "event-edge-pair-on-one-line", EDGES),
             entry("event-edge-pair", EDGES),
@@ -281,6 +285,10 @@ vocabulary! {
                     is("A_i_F_ij = {V_{ij}=share} 'Σ A_i F_{ij}'")
                         .when(When::All(&[ADAPTIVE, When::Recorded("share")]))
                         .unevaluated(PARTS),
+                    is("A_i_F_ij = 'Σ A_i F_{ij}'")
+                        .when(When::All(&[ADAPTIVE, When::Unrecorded("share")]))
+                        .unevaluated(PARTS),
+                    is("A_i_F_ij = 0").when(When::All(&[UNSUMMED, When::Zero("A_i_F_ij")])),
                     is("F_ij = [A_i_F_ij; area_of_i]"),
                     ],
             ),
@@ -295,6 +303,8 @@ const BY_DISTANCE: &[Formula] = &[
 const INTEGRAL: &str = "an integral";
 /// The pieces of the two patches have sums.
 const SUMMED: When = When::All(&[When::Not(&ADAPTIVE), When::Known("{sum/Pieces}")]);
+/// Nothing was summed up, as nothing passes between the patches.
+const UNSUMMED: When = When::All(&[When::Not(&ADAPTIVE), When::Not(&SUMMED)]);
 const PARTS: &str = "each part of the patch begins a sum of its own";
 /// The smaller patch is divided further and further.
 const ADAPTIVE: When = When::Equals("points", 0);

@@ -86,7 +86,7 @@ vocabulary! {
                 "event-to-light",
                 &[
                     is("L = [light_position − P; |light_position − P|]").when(AT_DISTANCE),
-                    is("L = −light_toward"),
+                    is("L = −light_toward").when(When::Known("light_toward")),
                     is("N_dot_L = N · L"),
                     ],
             ),
@@ -187,11 +187,16 @@ vocabulary! {
             only(
                 When::Recorded("I_a"),
                 "event-illuminated",
-                &[is("I = I_a + Σ{+I_added}")],
+                &[
+                    is("I = I_a + Σ{+I_added}").when(LIT),
+                    is("I = I_a").when(When::Not(&LIT)),
+                    ],
             ),
         ];
 }
 
+/// The scene has a light.
+const LIT: When = When::Known("{+I_added}");
 /// A texture has changed the material's k_d.
 const TEXTURED: When = When::Not(&When::Same("k_d", "material_k_d"));
 const BY_RAY: When = When::Recorded("u");
@@ -202,7 +207,10 @@ const AT_PIXEL_TURNED: When = When::All(&[When::Known("{N<}"), When::Not(&AT_PIX
 const OF_FACE: When = When::All(&[When::Recorded("P_m"), When::Same("N", "face_normal")]);
 const OF_FACE_TURNED: When = When::All(&[When::Recorded("P_m"), When::Not(&OF_FACE)]);
 /// The light does not stand at the very point.
-const AT_DISTANCE: When = When::Not(&When::NotPositive("d"));
+const AT_DISTANCE: When = When::All(&[
+    When::Known("light_position"),
+    When::Not(&When::NotPositive("d")),
+]);
 
 /// The slide's factor in place of attenuation and cosine.
 const ON_THE_SLIDE: Message = Message("note-as-on-the-slide");

@@ -92,10 +92,10 @@ vocabulary! {
                 "event-weighted-over-relaxation",
                 &[
                     is("omega = [2; 1 + √(1 − {μ=gain}^2)]").when(When::Not(&MAY_GAIN_LIGHT)),
-                    is("omega").when(MAY_GAIN_LIGHT),
+                    is("omega = 1").when(MAY_GAIN_LIGHT),
                     ],
             ),
-            only(When::NotPositive("k"), "event-weighted-first", &[is("omega")]),
+            only(When::NotPositive("k"), "event-weighted-first", &[is("omega = 1")]),
             entry(
                 "event-weighted-chebyshev",
                 &[

@@ -71,7 +71,7 @@ vocabulary! {
             "N" = normal,
         }
         [
-            entry("event-pixel-normal-lost", &[is("{|N_P|=length}"), is("N")]),
+            entry("event-pixel-normal-lost", &[is("{|N_P|=length} = |N_P_incremental|"), is("N = face_normal")]),
         ];
     Event::TruePoint { position, normal } => "TruePoint" at "normal"
         {

@@ -56,8 +56,15 @@ vocabulary! {
                     is("{I textured=I_textured} = I_P_incremental − I_d + T · I_d")
                         .when(When::Recorded("I_P_incremental")),
                     is("{I textured=I_textured} = {I@} − I_d + T · I_d")
-                        .when(When::Unrecorded("I_P_incremental")),
+                        .when(When::All(&[When::Unrecorded("I_P_incremental"), When::Unrecorded("x_0")])),
+                    is("{I textured=I_textured} = {I_a@} + Σ{*I_s} + T · I_d").when(SUMMED_AND_LIT),
+                    is("{I textured=I_textured} = {I_a@} + T · I_d").when(SUMMED_AND_DARK),
                 ],
             ),
         ];
 }
+
+/// Fast Phong sums up the terms of its lights, of which any may reach the pixel.
+const SUMMED_AND_LIT: When = When::All(&[When::Recorded("x_0"), When::Known("{*I_s}")]);
+const SUMMED_AND_DARK: When =
+    When::All(&[When::Recorded("x_0"), When::Not(&When::Known("{*I_s}"))]);

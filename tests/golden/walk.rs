@@ -72,6 +72,7 @@ impl Walk {
             narrated: &self.narrated,
             breakpoints: &[],
             tree: TreeView::whole(),
+            channel: None,
             smooth: radiosity.smooth.then_some(smooth_patches),
             pending: None,
             answered: Answered::default(),

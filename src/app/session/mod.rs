@@ -156,6 +156,8 @@ pub struct Session {
     around: Loop,
     /// Which part of the ray tree is shown.
     tree: TreeView,
+    /// The channel chosen for formulas.
+    channel: Option<usize>,
     pub look: Look,
     hovered: Option<Tag>,
     selected: Option<select::Selected>,
@@ -194,6 +196,7 @@ impl Session {
             speed: playing::NORMAL_SPEED,
             around: Loop::default(),
             tree: TreeView::WHOLE,
+            channel: None,
             look: Look::new(),
             hovered: None,
             selected: None,
@@ -321,6 +324,7 @@ impl Session {
             narrated: &self.narrated,
             breakpoints: self.breakpoints(),
             tree: &self.tree,
+            channel: self.channel,
             smooth: self.look.smooth.then_some(smooth_patches),
             pending: self.pending(),
             answered: self.answered(),

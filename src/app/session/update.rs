@@ -264,6 +264,10 @@ impl Session {
                 self.tree = self.tree.toggled(step);
                 Ok(())
             }
+            Tag::Channel(channel) => {
+                self.channel = Some(channel);
+                Ok(())
+            }
             Tag::Line(_) => self.go(tag),
             _ => {
                 self.select(tag);
@@ -277,7 +281,7 @@ impl Session {
         match tag {
             Tag::Pixel { .. } if self.pixel_is_asked() => self.click(tag),
             Tag::Pixel { .. } | Tag::Patch(_) if self.thing_asked().is_some() => self.click(tag),
-            Tag::Fold(_) => self.click(tag),
+            Tag::Fold(_) | Tag::Channel(_) => self.click(tag),
             Tag::Step(step) | Tag::Scope(step) => self.update(Command::Seek(step)),
             Tag::Line(line) => {
                 let listing = self.walk().line(self.step()).listing;

@@ -1,16 +1,17 @@
 //! The lines of the panel at one size of text: sentences, and each formula with symbols, with numbers, and its result.
 
-use super::super::names;
+use super::super::channels::DRAWN;
 use super::super::values::shown;
 use super::known::Known;
 use super::pieces::pieces;
 use super::set::{Atom, Line, Voice, flow, number_text, set_pieces};
 use super::{MARGIN, has_numbers, is_coloured, result};
 use crate::algorithms::enclosure::CHANNELS;
-use crate::language::Language;
-use crate::picture::{Ink, Picture, Style, wrap};
+use crate::language::{Language, Message};
+use crate::picture::{Ink, Picture, Style, Tag, wrap};
 use crate::vocabulary::Formula;
 use crate::vocabulary::expression::{Equation, Expression};
+use std::ops::Range;
 
 /// How much is shown: less where there is less room.
 pub struct Detail {
@@ -20,7 +21,7 @@ pub struct Detail {
     stacked: bool,
     sentences: bool,
     symbols: bool,
-    /// Of how many channels the numbers are shown, where they differ.
+    /// Of how many channels the numbers are shown, where they differ; of one, it is the one that is worked out.
     channels: usize,
 }
 
@@ -38,6 +39,9 @@ const fn detail(
         channels,
     }
 }
+
+/// What does not fit in a small panel.
+const MORE: Message = Message("formula-more");
 
 /// From here on the details leave out numbers.
 pub const SHORT: usize = 7;
@@ -64,8 +68,9 @@ pub struct Layout {
 impl Layout {
     pub fn new(
         says: &str,
-        formulas: &[&Formula],
+        [formulas, left_out]: [&[&Formula]; 2],
         known: &Known,
+        worked: usize,
         language: Language,
         width: f32,
         text: f32,
@@ -97,7 +102,24 @@ impl Layout {
                 sentence(&mut layout, note.text(language), above);
             }
             let equation = formula.equation();
-            formula_lines(&mut layout, equation, known, language, width, text, detail);
+            formula_lines(
+                &mut layout,
+                equation,
+                known,
+                worked,
+                language,
+                width,
+                text,
+                detail,
+            );
+        }
+        if !left_out.is_empty() {
+            let count = left_out.len().to_string();
+            sentence(
+                &mut layout,
+                &MORE.format(language, &[("count", &count)]),
+                0.5 * text,
+            );
         }
         layout
     }
@@ -135,6 +157,7 @@ fn formula_lines(
     layout: &mut Layout,
     equation: &Equation,
     known: &Known,
+    worked: usize,
     language: Language,
     width: f32,
     text: f32,
@@ -181,12 +204,17 @@ fn formula_lines(
     }
     layout.push(symbols, width, indent, 0.5 * text);
 
-    for (channel, name) in CHANNELS.iter().enumerate().take(channels) {
+    let first = if coloured && channels == 1 { worked } else { 0 };
+    for channel in first..first + channels {
         let mut row = Vec::new();
         if coloured {
-            let name = names::word(name, language);
-            let style = Style::Body.size(text.min(12.0)).ink(Ink::Muted);
-            row.push(Atom::text(name, style));
+            // Where one is worked out, a click on another's letter chooses that.
+            let shown = if channels == 1 {
+                0..CHANNELS.len()
+            } else {
+                channel..channel + 1
+            };
+            row.push(letters(shown, channel, text.min(12.0)));
         }
         // A comparison has no result: both sides are shown.
         if value.is_none() {
@@ -207,6 +235,22 @@ fn formula_lines(
     if let (false, Some(whole)) = (all_shown, whole) {
         layout.push(ending(whole), width, indent, 0.25 * text);
     }
+}
+
+/// The letters of channels, that of the row bold.
+fn letters(channels: Range<usize>, of_row: usize, size: f32) -> Atom {
+    let letter = |channel: usize| {
+        let style = match channel == of_row {
+            true => Style::LabelBold.size(size),
+            false => Style::Label.size(size).ink(Ink::Muted),
+        };
+        Atom::text(DRAWN[channel].letter.to_string(), style).tagged(Tag::Channel(channel))
+    };
+    let mut letters = Atom::default();
+    for channel in channels {
+        letters.append(letter(channel), 0.0);
+    }
+    letters
 }
 
 /// Atoms that may begin a new line, with a space before.

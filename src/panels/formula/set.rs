@@ -42,8 +42,16 @@ impl Atom {
         }
     }
 
+    /// The same, showing what the tag says.
+    pub fn tagged(mut self, tag: Tag) -> Self {
+        for text in &mut self.texts {
+            text.3 = Some(tag);
+        }
+        self
+    }
+
     /// Puts `other` to the right, its baseline `drop` lower.
-    fn append(&mut self, other: Atom, drop: f32) {
+    pub fn append(&mut self, other: Atom, drop: f32) {
         let at = Vec2::new(self.width, drop);
         let moved = |(place, text, style, tag)| (place + at, text, style, tag);
         self.texts.extend(other.texts.into_iter().map(moved));
@@ -79,7 +87,7 @@ impl Atom {
     }
 }
 
-/// The atoms of a formula's side; a line may break before an operator outside of parentheses.
+/// The atoms of a formula's side; a line may break before an operator, inside of parentheses only where fractions are not stacked.
 pub fn set_pieces(
     pieces: &[Piece],
     voice: Voice,
@@ -104,7 +112,8 @@ pub fn set_pieces(
                 for (at, c) in text.char_indices() {
                     depth += i32::from(c == '(') - i32::from(c == ')');
                     let next = text[at..].chars().nth(1);
-                    if c == ' ' && depth == 0 && next.is_some_and(|next| "+−·×<≥".contains(next))
+                    let is_open = depth == 0 || !stacked;
+                    if c == ' ' && is_open && next.is_some_and(|next| "+−·×<≥".contains(next))
                     {
                         append_text(&mut atoms, &text[start..at], style);
                         atoms.push(Atom {
@@ -158,27 +167,23 @@ pub fn set_pieces(
                 before = ' ';
             }
             Piece::Fraction(above, below) => {
-                let part = |pieces: &[Piece]| {
-                    joined(set_pieces(pieces, voice, known, language, size, stacked))
-                };
-                let (above_set, below_set) = (part(above), part(below));
+                let part =
+                    |pieces: &[Piece]| set_pieces(pieces, voice, known, language, size, stacked);
                 if stacked {
-                    atoms[last].append(Atom::fraction(above_set, below_set, size), 0.0);
+                    let [above, below] = [above, below].map(|pieces| joined(part(pieces)));
+                    atoms[last].append(Atom::fraction(above, below, size), 0.0);
                 } else {
-                    let bracketed = |atom: Atom, pieces: &[Piece]| {
-                        let single = pieces.len() == 1
-                            && !matches!(&pieces[0], Piece::Text(text) if text.contains(' '));
-                        if single {
-                            return atom;
-                        }
-                        let mut whole = Atom::text("(".to_string(), style);
-                        whole.append(atom, 0.0);
-                        whole.append(Atom::text(")".to_string(), style), 0.0);
-                        whole
-                    };
-                    atoms[last].append(bracketed(above_set, above), 0.0);
-                    atoms[last].append(Atom::text("/".to_string(), style), 0.0);
-                    atoms[last].append(bracketed(below_set, below), 0.0);
+                    let [above, below] = [above, below].map(|pieces| match stands_alone(pieces) {
+                        true => part(pieces),
+                        false => bracketed(part(pieces), style),
+                    });
+                    run_on(&mut atoms, above);
+                    atoms.push(Atom {
+                        breaks: true,
+                        ..Atom::default()
+                    });
+                    append_text(&mut atoms, "/", style);
+                    run_on(&mut atoms, below);
                 }
                 before = ' ';
             }
@@ -191,6 +196,35 @@ fn append_text(atoms: &mut [Atom], text: &str, style: Text) {
     if let (false, Some(last)) = (text.is_empty(), atoms.last_mut()) {
         last.append(Atom::text(text.to_string(), style), 0.0);
     }
+}
+
+/// Appends atoms to the last one, which those after the first may still begin a new line after.
+fn run_on(atoms: &mut Vec<Atom>, more: Vec<Atom>) {
+    let mut more = more.into_iter();
+    if let (Some(last), Some(first)) = (atoms.last_mut(), more.next()) {
+        last.append(first, 0.0);
+    }
+    atoms.extend(more);
+}
+
+/// Whether a part of a fraction needs no parentheses beside a slash: one value, or one length.
+fn stands_alone(pieces: &[Piece]) -> bool {
+    match pieces {
+        [Piece::Text(text)] => !text.contains(' '),
+        [_] => true,
+        [Piece::Text(first), between @ .., Piece::Text(last)] => {
+            let is_bar = |piece: &Piece| matches!(piece, Piece::Text(text) if text.contains('|'));
+            first == "|" && last == "|" && !between.iter().any(is_bar)
+        }
+        _ => false,
+    }
+}
+
+fn bracketed(atoms: Vec<Atom>, style: Text) -> Vec<Atom> {
+    let mut whole = vec![Atom::text("(".to_string(), style)];
+    run_on(&mut whole, atoms);
+    append_text(&mut whole, ")", style);
+    whole
 }
 
 fn joined(atoms: Vec<Atom>) -> Atom {

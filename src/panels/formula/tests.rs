@@ -5,9 +5,10 @@ use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::radiosity::{Solver, Stop};
 use crate::algorithms::texture::Mapping;
+use crate::picture::Tag;
+use crate::record::Fields;
 use crate::render::Method;
 use crate::vocabulary::FAMILIES;
-use crate::record::Fields;
 use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 
 /// Every step of the crowd, by every method, of rays among spheres, of every solver and method of form factors.
@@ -25,13 +26,10 @@ fn each_step(mut look: impl FnMut(&'static Kind, &mut Known, &PreparedScene)) {
         fixtures::textured(Method::Flat, Mapping::Perspective),
         fixtures::textured(Method::Phong, Mapping::Linear),
         fixtures::textured(Method::Exact, Mapping::Perspective),
+        fixtures::textured(Method::FastPhong, Mapping::Perspective),
     ];
-    let behind = [
-        Method::Wireframe,
-        Method::Gouraud,
-        Method::FastPhong,
-    ]
-    .map(fixtures::behind_the_eye);
+    let behind =
+        [Method::Wireframe, Method::Gouraud, Method::FastPhong].map(fixtures::behind_the_eye);
     let rays = rays
         .into_iter()
         .chain([fixtures::shapes()])
@@ -41,12 +39,7 @@ fn each_step(mut look: impl FnMut(&'static Kind, &mut Known, &PreparedScene)) {
         .into_iter()
         .chain(fixtures::form_factors())
         .chain([fixtures::hinge(), fixtures::crowded(), iterated()]);
-    for fixture in crowds
-        .into_iter()
-        .chain([of_file])
-        .chain(rays)
-        .chain(light)
-    {
+    for fixture in crowds.into_iter().chain([of_file]).chain(rays).chain(light) {
         for step in 0..fixture.walk().len() {
             let prepared = fixture.run.prepared();
             let mut known = Known::at(&fixture.run, step);
@@ -164,6 +157,52 @@ fn the_interpolated_edge_has_symbols_numbers_and_result() {
             printed.contains(&shown(value, 4, Language::English)),
             "{name} in {printed}"
         );
+    }
+}
+
+#[test]
+fn where_one_channel_is_worked_out_it_is_the_largest_until_another_is_chosen() {
+    let mut fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
+    fixture.go_to("BranchAdded", 0);
+    let walk = fixture.walk();
+    let Some(Value::Rgb(sum)) = walk.fields(walk.position()).get("I_sum") else {
+        panic!("the sum is a colour");
+    };
+    let printed = |channel: usize| set::number_text(Value::Rgb(sum), channel, Language::English);
+    let largest = (0..3).max_by(|&a, &b| sum.channels()[a].total_cmp(&sum.channels()[b]));
+    let largest = largest.expect("three channels");
+    let other = (largest + 1) % 3;
+    assert_ne!(printed(largest), printed(other));
+    for (chosen, worked) in [(None, largest), (Some(other), other)] {
+        let input = PanelInput {
+            channel: chosen,
+            ..fixture.input()
+        };
+        // At some height there is room for one channel's numbers.
+        let heights = (60..400_u16).step_by(10).map(f32::from);
+        let pictures: Vec<Picture> = heights
+            .map(|height| draw(&input, Vec2::new(320.0, height)))
+            .collect();
+        let is_alone = |picture: &Picture, channel: usize| {
+            let has = |channel| {
+                texts(picture)
+                    .iter()
+                    .any(|(text, _)| *text == printed(channel))
+            };
+            (0..3).all(|other| has(other) == (other == channel))
+        };
+        let of_worked: Vec<&Picture> = pictures
+            .iter()
+            .filter(|picture| is_alone(picture, worked))
+            .collect();
+        assert!(!of_worked.is_empty(), "{chosen:?}");
+        for channel in 0..3 {
+            let tag = Tag::Channel(channel);
+            let is_shown = |picture: &&Picture| picture.tagged_bounds(tag).is_some();
+            assert!(of_worked.iter().all(is_shown), "{chosen:?}: {channel}");
+            let alone = pictures.iter().any(|picture| is_alone(picture, channel));
+            assert_eq!(alone, channel == worked, "{chosen:?}: {channel}");
+        }
     }
 }
 
@@ -313,6 +352,7 @@ const TAKEN: &[(&str, &[&str])] = &[
     ("Element", &["w", "x"]),
     ("Hemicube", &["x"]),
     ("Pieces", &["area_i", "area_j"]),
+    ("Pair", &["w_x", "w_y"]),
     ("Points", &["x", "y"]),
     ("Ray", &["direction", "x"]),
     ("Reference", &["F_exact"]),
@@ -321,7 +361,10 @@ const TAKEN: &[(&str, &[&str])] = &[
     ("Visible", &["share"]),
     // A place on a texture, and the nearest point of a true surface.
     ("Textured", &["texture", "u_texture", "v_texture"]),
-    ("TexturedLinearly", &["texture_linear", "u_linear", "v_linear"]),
+    (
+        "TexturedLinearly",
+        &["texture_linear", "u_linear", "v_linear"],
+    ),
     ("TruePoint", &["N", "P"]),
 ];
 
@@ -345,7 +388,9 @@ fn without_formula(
         Value::Integer(_) | Value::Truth(_) | Value::Word(_) => false,
     };
     let missing = own.iter().filter(|field| is_computed(field.value));
-    let missing = missing.map(|field| field.name).filter(|name| !explained.contains(name));
+    let missing = missing
+        .map(|field| field.name)
+        .filter(|name| !explained.contains(name));
     missing.collect::<Vec<_>>().into_iter()
 }
 
@@ -355,11 +400,16 @@ fn no_value_falls_from_the_sky() {
     each_step(|kind, known, _| {
         let entry = entry(kind, known).expect("every step has one");
         let own = known.own().clone();
-        missing.entry(kind.name).or_default().extend(without_formula(entry, known, &own));
+        missing
+            .entry(kind.name)
+            .or_default()
+            .extend(without_formula(entry, known, &own));
     });
     for (kind, values) in TAKEN {
         for value in *values {
-            let missing = missing.get_mut(kind).is_some_and(|missing| missing.remove(value));
+            let missing = missing
+                .get_mut(kind)
+                .is_some_and(|missing| missing.remove(value));
             assert!(missing, "{kind} computes {value}, or has none");
         }
     }

@@ -132,6 +132,7 @@ impl Fixture {
             narrated: &[],
             breakpoints: &[],
             tree: TreeView::whole(),
+            channel: None,
             smooth: None,
             pending: None,
             answered: Answered::default(),

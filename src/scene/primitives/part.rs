@@ -67,6 +67,14 @@ impl Primitives {
         })
     }
 
+    /// Any part of an object whose parts lie in one plane, or that has one alone.
+    pub fn flat_part(&self, object: usize) -> Option<Part> {
+        match self.primitives.get(object)? {
+            Solid::Faces { vertices, .. } if vertices.is_empty() => self.single_part(object),
+            _ => self.part(object, 0),
+        }
+    }
+
     /// The only part that an object has to be tested, where it has one alone; of a cylinder its side.
     pub fn single_part(&self, object: usize) -> Option<Part> {
         match self.primitives.get(object)? {

@@ -101,9 +101,12 @@ fn part(given: Given, recorded: Recorded) -> Option<Part> {
     if t.is_infinite() {
         return primitives.single_part(object);
     }
+    // A surface that touches the one that the ray leaves is met before anything else.
+    if t == 0.0 {
+        return primitives.flat_part(object);
+    }
     let [origin, direction] = ray(given, recorded)?;
     let hit = primitives.meet(object, &Ray { origin, direction })?;
-    // A surface that touches the one that the ray leaves is met before anything else.
     (hit.t == t).then(|| primitives.part(object, hit.triangle))?
 }
 
