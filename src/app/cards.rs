@@ -5,7 +5,9 @@ use super::layout::{Layout, MARGIN, TITLE};
 use super::panel_view::{self, PanelView, Scale};
 use super::row_end::{before_end, row_end};
 use super::session::{Command, Drawer, Session};
-use super::{drag, parameter_drawer, results_drawer, strings, style, tree_controls};
+use super::{
+    drag, parameter_drawer, results_drawer, space_controls, strings, style, tree_controls,
+};
 use crate::language::Message;
 use crate::panels::{Panel, step_at};
 use crate::picture::{self, Ink, Tag};
@@ -226,6 +228,9 @@ fn way_to_selected(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) 
 
 /// What a panel lets be changed.
 fn controls(session: &Session, panel: Panel, commands: &mut Vec<Command>, ui: &mut Ui) {
+    if panel == Panel::Space {
+        space_controls::buttons(session, commands, ui);
+    }
     if panel == Panel::RayTree {
         tree_controls::buttons(session, commands, ui);
     }
@@ -317,8 +322,12 @@ pub fn panel_on(
     }
     if panel == Panel::Vectors && session.arrow_asked().is_some() {
         command = drag::turned(session, &response).or(command);
-    } else if matches!(panel, Panel::Rays | Panel::Vectors) {
-        command = drag::dragged(session, panel, &response, ui).or(command);
+    } else if matches!(panel, Panel::Space | Panel::Vectors)
+        && drag::dragged(session, panel, &response, &mut command, ui)
+    {
+        // What the pointer holds is moved, and the view stays as it is.
+    } else if panel == Panel::Space {
+        command = space_controls::pointed(session, &response, ui).or(command);
     }
     // A double click on a node goes there, and does not fit the tree.
     if panel == Panel::RayTree && !(went && command.is_some()) {
@@ -335,8 +344,9 @@ pub fn panel_on(
             command = panel_view::menu(session, tag, ui).or(command.take());
         });
     }
-    // A double click into the ray tree fits it.
-    let filled = response.double_clicked() && under.is_none() && panel != Panel::RayTree;
+    // A double click into the ray tree or the scene fits it.
+    let fits = matches!(panel, Panel::RayTree | Panel::Space);
+    let filled = response.double_clicked() && under.is_none() && !fits;
     Shown {
         command,
         under,

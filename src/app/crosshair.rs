@@ -33,7 +33,11 @@ pub fn show(picture: &Picture, place: Place, response: &Response, ui: &Ui) -> Op
         (Key::ArrowUp, Vec2::NEG_Y),
         (Key::ArrowDown, Vec2::Y),
     ] {
-        let presses = ui.input(|input| input.num_presses(key));
+        // With Alt the arrows turn a scene.
+        let presses = ui.input(|input| match input.modifiers.alt {
+            true => 0,
+            false => input.num_presses(key),
+        });
         for _ in 0..presses {
             at = moved(picture, at, direction).clamp(Vec2::ZERO, size);
         }

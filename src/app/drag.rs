@@ -10,7 +10,7 @@ use glam::Vec2;
 /// What the pointer holds, and in which panel.
 #[derive(Clone, Copy)]
 enum Hold {
-    Rays(Grip),
+    Space(Grip),
     Vectors(PlaneGrip),
 }
 
@@ -18,7 +18,7 @@ impl Hold {
     fn at(session: &Session, panel: Panel, size: Vec2, at: Vec2) -> Option<Self> {
         let show = session.panel_input();
         match panel {
-            Panel::Rays => grip(&show, size, at).map(Hold::Rays),
+            Panel::Space => grip(&show, size, at).map(Hold::Space),
             Panel::Vectors => vector_grip(&show, size, at).map(Hold::Vectors),
             _ => None,
         }
@@ -27,7 +27,7 @@ impl Hold {
     /// Once the pointer is at `at`.
     fn change(&self, at: Vec2) -> Change {
         let (held, position) = match self {
-            Hold::Rays(grip) => (Held::Light(grip.light), grip.position(at)),
+            Hold::Space(grip) => (Held::Light(grip.light), grip.position(at)),
             Hold::Vectors(grip) => (grip.held, grip.position(at)),
         };
         match held {
@@ -46,8 +46,15 @@ pub fn turned(session: &Session, response: &Response) -> Option<Command> {
     (session.arrow_asked() != Some(degrees)).then_some(Command::Turn(degrees))
 }
 
-/// Moves what the pointer holds in a panel, once a frame; over something that it could hold, says so.
-pub fn dragged(session: &Session, panel: Panel, response: &Response, ui: &Ui) -> Option<Command> {
+/// Moves what the pointer holds in a panel, once a frame; over something that it could hold, says so. Returns whether it holds
+/// something.
+pub fn dragged(
+    session: &Session,
+    panel: Panel,
+    response: &Response,
+    command: &mut Option<Command>,
+    ui: &Ui,
+) -> bool {
     let id = response.id.with("grip");
     let size = Vec2::new(response.rect.width(), response.rect.height());
     let place = |at: Pos2| {
@@ -70,8 +77,10 @@ pub fn dragged(session: &Session, panel: Panel, response: &Response, ui: &Ui) ->
     }
     if let (Some(hold), Some(at)) = (held, response.interact_pointer_pos()) {
         ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
-        let moved = response.drag_delta() != egui::Vec2::ZERO;
-        return moved.then(|| Command::Change(hold.change(place(at))));
+        if response.drag_delta() != egui::Vec2::ZERO {
+            *command = Some(Command::Change(hold.change(place(at))));
+        }
+        return true;
     }
     if let Some((at, hold)) = response.hover_pos().and_then(|at| Some((at, movable(at)?))) {
         ui.ctx().set_cursor_icon(CursorIcon::Grab);
@@ -81,5 +90,5 @@ pub fn dragged(session: &Session, panel: Panel, response: &Response, ui: &Ui) ->
         };
         response.show_tooltip_text(session.localize(strings));
     }
-    None
+    false
 }

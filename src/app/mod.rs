@@ -29,6 +29,7 @@ mod results_drawer;
 mod row_end;
 pub mod session;
 mod skipped;
+mod space_controls;
 mod strings;
 mod study_plot;
 mod study_view;

@@ -138,6 +138,7 @@ impl Window {
         for command in commands {
             self.carry_out(session, command);
         }
+        session.follow_pixels();
         if acted {
             ctx.request_repaint();
         }

@@ -7,7 +7,7 @@ use super::notes;
 use super::progress::Progress;
 use crate::algorithms::enclosure;
 use crate::panels::strings::Language;
-use crate::panels::{Answered, Panel, PanelInput, TreeView, draw};
+use crate::panels::{Answered, Panel, PanelInput, SpaceView, TreeView, draw};
 use crate::picture::{Theme, rasterize, to_png};
 use crate::render::compare::compare;
 use crate::render::{Finished, race, render, smooth_patches};
@@ -70,7 +70,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             range.collect()
         }
     };
-    let panels = match arguments.panel.as_deref().and_then(Panel::from_name) {
+    let panels = match arguments.panel.as_deref().and_then(Panel::called) {
         Some(panel) => vec![panel],
         None => open.lesson.panels.clone(),
     };
@@ -108,6 +108,8 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             breakpoints: &[],
             tree: TreeView::whole(),
             channel: None,
+            space: SpaceView::default(),
+            fan: &[],
             smooth: radiosity.smooth.then_some(smooth_patches),
             pending: None,
             answered: Answered::default(),

@@ -9,6 +9,8 @@ mod labels;
 mod plot;
 mod scale;
 mod series;
+mod solid;
+mod space;
 mod table;
 mod view;
 
@@ -19,5 +21,7 @@ pub use labels::{Labels, crosses, within};
 pub use plot::{Axis, Plot};
 pub use scale::{Scale, Unit};
 pub use series::{LEGEND_ROW, LEGEND_SAMPLE, Mark, Series, legend};
+pub use solid::{Depths, Solids};
+pub use space::{Seen, Space};
 pub use table::{Cell, Row, elided, joined, mono_or_narrow};
 pub use view::View;

@@ -171,7 +171,23 @@ app-profile = Along the scan line
 app-smooth = smooth
 app-smooth-room = interpolate the light between the corners of patches
 app-illumination = Illumination terms
-app-rays = Rays in the scene
+app-space = Scene in space
+app-from-overview = overview
+app-from-the-eye = from the eye
+app-from-the-side = from the side
+app-from-above = from above
+app-across-incidence = plane of incidence
+app-along-the-ray = along the ray
+app-which-rays = rays
+app-rays-of-the-pixel = of this pixel, so far
+app-rays-of-a-block = of the pixels around it too
+app-rays-of-a-row = of pixels along its row
+app-rays-of-a-grid = of pixels all over the picture
+app-levels = up to level
+app-all-levels = all
+app-larger-scene = larger scene
+app-smaller-scene = smaller scene
+app-space-as-it-is = The scene is already shown that way.
 app-tree-fit = fit
 app-whole-tree = show the whole tree
 app-larger-tree = larger tree
@@ -406,7 +422,6 @@ matrix-shoots = { $patch } shoots column { $column }
 
 panels-no-steps = Nothing is recorded here: no polygon lies in the focus. Double-click the image to look at another place.
 panels-no-polygons = This method follows rays and converts no polygons. Look at the ray tree.
-panels-no-rays = This method converts polygons and follows no rays. Open a lesson on ray casting or ray tracing.
 panels-no-patches = This run exchanges no light between patches. Open a lesson on radiosity.
 panels-after-your-answer = after your answer
 panels-not-compared = The pictures to be compared are being made, or this lesson compares none.
@@ -493,11 +508,8 @@ ray-tree-missed = tested: { $thing }, missed
 
 ## rays
 
-rays-side = from the side
-rays-above = from above
-rays-rays = Rays of the pixel so far: { $count }. Current ray: { $kind }, level { $level }{ $goal }.
-rays-no-pixel = No ray is followed yet. Go on to the first pixel.
-rays-plane = picture plane
+space-rays = Rays of the pixel so far: { $count }. Current ray: { $kind }, level { $level }{ $goal }.
+space-no-pixel = No ray is followed yet. Go on to the first pixel.
 
 ## scan-line
 

@@ -171,7 +171,23 @@ app-profile = Sepanjang garis scan
 app-smooth = halus
 app-smooth-room = interpolasikan cahaya antara sudut-sudut patch
 app-illumination = Suku iluminasi
-app-rays = Sinar di dalam adegan
+app-space = Adegan dalam ruang
+app-from-overview = tinjauan
+app-from-the-eye = dari mata
+app-from-the-side = dari samping
+app-from-above = dari atas
+app-across-incidence = bidang datang
+app-along-the-ray = searah sinar
+app-which-rays = sinar
+app-rays-of-the-pixel = piksel ini, sejauh ini
+app-rays-of-a-block = juga piksel di sekitarnya
+app-rays-of-a-row = piksel di sepanjang barisnya
+app-rays-of-a-grid = piksel di seluruh gambar
+app-levels = sampai tingkat
+app-all-levels = semua
+app-larger-scene = perbesar adegan
+app-smaller-scene = perkecil adegan
+app-space-as-it-is = Adegan sudah tampil demikian.
 app-tree-fit = pas
 app-whole-tree = tampilkan seluruh pohon
 app-larger-tree = perbesar pohon
@@ -406,7 +422,6 @@ matrix-shoots = { $patch } menembakkan kolom { $column }
 
 panels-no-steps = Tidak ada yang direkam di sini: tidak ada poligon dalam fokus. Klik dua kali gambar untuk melihat tempat lain.
 panels-no-polygons = Metode ini mengikuti sinar dan tidak mengolah poligon. Lihatlah pohon sinar.
-panels-no-rays = Metode ini mengolah poligon dan tidak mengikuti sinar. Buka pelajaran tentang ray casting atau ray tracing.
 panels-no-patches = Proses ini tidak mempertukarkan cahaya antar-patch. Buka pelajaran tentang radiositas.
 panels-after-your-answer = setelah jawaban Anda
 panels-not-compared = Gambar-gambar yang dibandingkan sedang dibuat, atau pelajaran ini tidak membandingkan apa pun.
@@ -490,11 +505,8 @@ ray-tree-missed = diuji: { $thing }, meleset
 
 ## rays
 
-rays-side = dari samping
-rays-above = dari atas
-rays-rays = Sinar piksel sejauh ini: { $count }. Sinar saat ini: { $kind }, tingkat { $level }{ $goal }.
-rays-no-pixel = Belum ada sinar yang diikuti. Lanjutkan ke piksel pertama.
-rays-plane = bidang gambar
+space-rays = Sinar piksel sejauh ini: { $count }. Sinar saat ini: { $kind }, tingkat { $level }{ $goal }.
+space-no-pixel = Belum ada sinar yang diikuti. Lanjutkan ke piksel pertama.
 
 ## scan-line
 

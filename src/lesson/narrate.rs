@@ -41,7 +41,7 @@ pub(super) fn narrate(
         narrated.push(Narrated {
             step: at,
             title: step.title.clone(),
-            key: step.key.as_deref().and_then(Panel::from_name),
+            key: step.key.as_deref().and_then(Panel::called),
             say,
             slide,
             question,

@@ -2,7 +2,7 @@
 
 use super::OpenLesson;
 use crate::language::Language;
-use crate::panels::{Answered, Panel, PanelInput, TreeView, draw};
+use crate::panels::{Answered, Panel, PanelInput, SpaceView, TreeView, draw};
 use crate::picture::Picture;
 use crate::render::compare::compare_on;
 use crate::render::{Finished, render};
@@ -63,6 +63,8 @@ pub(super) fn input<'a>(
         breakpoints: &[],
         tree: TreeView::whole(),
         channel: None,
+        space: SpaceView::default(),
+        fan: &[],
         smooth: None,
         pending: None,
         answered: Answered::default(),

@@ -95,7 +95,7 @@ impl Lesson {
         }
         let mut panels = Vec::new();
         for (index, name) in file.panels.iter().enumerate() {
-            match Panel::from_name(name) {
+            match Panel::called(name) {
                 Some(panel) => panels.push(panel),
                 None => {
                     let known = Panel::ALL.map(Panel::name).join(", ");

@@ -36,7 +36,7 @@ impl Lesson {
             focus: method.family().focus(size),
             parameters: Vec::new(),
             recap: None,
-            panels: panels.filter_map(Panel::from_name).collect(),
+            panels: panels.filter_map(Panel::called).collect(),
             steps: vec![StepFile {
                 at: Query::default(),
                 title: None,

@@ -59,7 +59,7 @@ impl Family {
     fn panels(self) -> [&'static str; 3] {
         match self {
             Family::Polygons => ["image", "scan-line", "inspector"],
-            Family::Rays => ["image", "ray-tree", "rays"],
+            Family::Rays => ["image", "ray-tree", "space"],
             Family::Exchange => ["radiosity", "matrix", "convergence"],
         }
     }

@@ -11,7 +11,7 @@ pub use list::formula::{
 pub use list::image::value as pixel_value;
 pub use list::ray_tree::TreeView;
 pub use list::ray_tree::{area as tree_area, middle as tree_middle};
-pub use list::rays::{Grip, grip};
+pub use list::space::{Grip, KINDS as RAY_KINDS, Orbit, Pixels, Preset, SpaceView, grip};
 pub use list::time_line::{heights as time_line_heights, step_at};
 pub use list::vectors::{Held, PlaneGrip, degrees_toward, grip as vector_grip};
 pub use shared::answered::{Answered, AskedArrow};
@@ -21,7 +21,7 @@ pub use shared::horizon::Hidden;
 pub use shared::names::word as word_name;
 pub use shared::names::{
     kind as kind_name, meaning, object as object_name, of_field as named_by, patch as patch_name,
-    quantity as quantity_name, scope as scope_names,
+    quantity as quantity_name, ray_kind as ray_kind_name, scope as scope_names,
 };
 pub use shared::strings;
 
@@ -29,7 +29,7 @@ use crate::algorithms::focus::Focus;
 use crate::language::Message;
 use crate::picture::Picture;
 use crate::render::{DrawPatches, Finished};
-use crate::replay::Run;
+use crate::replay::{FanRay, Run};
 use glam::Vec2;
 #[cfg(test)]
 use shared::fixture;
@@ -92,6 +92,11 @@ macro_rules! panels {
 include!(concat!(env!("OUT_DIR"), "/panels.rs"));
 
 impl Panel {
+    /// As lessons and commands call it. What shows the rays in space today was `rays` once.
+    pub fn called(name: &str) -> Option<Self> {
+        Panel::from_name(if name == "rays" { "space" } else { name })
+    }
+
     pub fn title(self) -> Message {
         self.properties().title
     }
@@ -120,6 +125,10 @@ pub struct PanelInput<'a> {
     pub tree: &'a TreeView,
     /// The channel that formulas are worked out in; none where it is the largest of their results.
     pub channel: Option<usize>,
+    /// What of the scene in space is shown.
+    pub space: SpaceView,
+    /// The rays of other pixels that are shown in it.
+    pub fan: &'a [FanRay],
     /// How patches are drawn whose light is interpolated between their corners; none where each has one colour.
     pub smooth: Option<DrawPatches>,
     /// While a question waits at the step, what it hides beside all that is ahead of the step; none where no question waits.

@@ -2,7 +2,7 @@
 //! shoot, and there is room for it, beside it the light that they have still to shoot.
 
 mod colors;
-mod exchange;
+pub(super) mod exchange;
 mod order;
 mod room_view;
 mod smooth;

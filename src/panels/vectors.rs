@@ -7,9 +7,9 @@
 mod angles;
 mod arrows;
 mod asked;
-mod met;
+pub(super) mod met;
 mod plane;
-mod point;
+pub(super) mod point;
 
 pub use plane::{Held, PlaneGrip};
 

@@ -7,6 +7,7 @@ mod canvas;
 mod cow_vec;
 mod current;
 mod cursor;
+mod fan;
 pub mod form_factor;
 #[cfg(test)]
 mod generators;
@@ -22,6 +23,7 @@ pub mod wireframe;
 
 pub use canvas::{Canvas, MAX_SIDE};
 pub use cursor::{Replay, Walk};
+pub use fan::{FanRay, fan};
 pub use query::{Comparison, Condition, Operand, Query, QueryError};
 pub use run::{Run, WalkOf};
 pub use timeline::{Fold, RecordedField, Timeline};

@@ -3,7 +3,7 @@
 use lightwalk::algorithms::enclosure;
 use lightwalk::lesson::{OpenLesson, builtin};
 use lightwalk::panels::strings::Language;
-use lightwalk::panels::{Answered, Panel, PanelInput, TreeView, draw};
+use lightwalk::panels::{Answered, Panel, PanelInput, SpaceView, TreeView, draw};
 use lightwalk::picture::Picture;
 use lightwalk::render::compare::compare_on;
 use lightwalk::render::{Finished, render, smooth_patches};
@@ -73,6 +73,8 @@ impl Walk {
             breakpoints: &[],
             tree: TreeView::whole(),
             channel: None,
+            space: SpaceView::default(),
+            fan: &[],
             smooth: radiosity.smooth.then_some(smooth_patches),
             pending: None,
             answered: Answered::default(),

@@ -2,6 +2,7 @@
 
 mod change;
 mod command;
+mod fan;
 mod focus;
 mod forced;
 mod kept;
@@ -38,10 +39,11 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
 use crate::lesson::{Guess, Lesson, LessonError, Narrated, OpenLesson};
 use crate::methods::Setup;
-use crate::panels::{Panel, PanelInput, TreeView};
+use crate::panels::{Panel, PanelInput, SpaceView, TreeView};
 use crate::picture::{Tag, Theme, plain};
 use crate::render::smooth_patches;
 use crate::replay::Walk;
+use fan::Fan;
 use playing::{Loop, Play};
 use preview::{Methods, Preview};
 use serde::{Deserialize, Serialize};
@@ -154,6 +156,9 @@ pub struct Session {
     /// An index into the speeds.
     speed: usize,
     around: Loop,
+    /// What of the scene in space is shown.
+    space: SpaceView,
+    fan: Fan,
     /// Which part of the ray tree is shown.
     tree: TreeView,
     /// The channel chosen for formulas.
@@ -195,6 +200,8 @@ impl Session {
             play: None,
             speed: playing::NORMAL_SPEED,
             around: Loop::default(),
+            space: SpaceView::default(),
+            fan: Fan::default(),
             tree: TreeView::WHOLE,
             channel: None,
             look: Look::new(),
@@ -240,6 +247,7 @@ impl Session {
         self.breakpoints.clear();
         self.play = None;
         self.around = Loop::default();
+        self.space = SpaceView::default();
         self.tree = TreeView::WHOLE;
         self.hovered = None;
         self.selected = None;
@@ -325,6 +333,8 @@ impl Session {
             breakpoints: self.breakpoints(),
             tree: &self.tree,
             channel: self.channel,
+            space: self.space,
+            fan: self.fan.rays(),
             smooth: self.look.smooth.then_some(smooth_patches),
             pending: self.pending(),
             answered: self.answered(),
@@ -344,6 +354,15 @@ impl Session {
     /// Ascending.
     pub fn breakpoints(&self) -> &[usize] {
         self.breakpoints.get(&self.focus).map_or(&[], |steps| steps)
+    }
+
+    pub fn space(&self) -> SpaceView {
+        self.space
+    }
+
+    /// The pixels whose rays are shown in space beside those of the run.
+    pub fn fan(&self) -> &Fan {
+        &self.fan
     }
 
     pub fn tree(&self) -> &TreeView {

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::panels::{Held, Panel, draw, vector_grip};
+use crate::picture::Shape;
 use crate::scene::Light;
 use egui::Role;
 use glam::DVec3;
@@ -14,7 +15,7 @@ fn ball() -> Screen {
             "camera": { "eye": [0, 1, 4], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 40 },
             "objects": [{ "name": "ball", "material": "chalk", "sphere": { "center": [0, 0, 0], "radius": 1 } }],
             "lights": [{ "point": { "position": [1, 2, 1] } }, { "point": { "position": [-2, 2, -2] } }] },
-        "method": "ray-tracing", "size": [24, 18], "focus": { "pixel": [12, 9] }, "panels": ["rays"], "parameters": [{ "light": 0 }],
+        "method": "ray-tracing", "size": [24, 18], "focus": { "pixel": [12, 9] }, "panels": ["space"], "parameters": [{ "light": 0 }],
         "steps": [{ "at": { "kind": "Diffuse" }, "say": { "en": "Lit", "id": "Terang" } }] }"#;
     let lesson = Lesson::read(
         json.as_bytes(),
@@ -37,12 +38,14 @@ fn lights(screen: &Screen) -> [DVec3; 2] {
 fn place(screen: &Screen, light: usize) -> egui::Pos2 {
     let panel = screen
         .harness
-        .get_by_role_and_label(Role::Image, Panel::Rays.title().text(Language::English));
+        .get_by_role_and_label(Role::Image, Panel::Space.title().text(Language::English));
     let rect = panel.rect();
     let size = glam::Vec2::new(rect.width(), rect.height());
-    let picture = draw(Panel::Rays, &screen.session().panel_input(), size);
-    let tag = Some(Tag::Light(light));
-    let item = picture.items.iter().find(|item| item.tag == tag);
+    let picture = draw(Panel::Space, &screen.session().panel_input(), size);
+    // Its L may be drawn too.
+    let item = picture.items.iter().find(|item| {
+        item.tag == Some(Tag::Light(light)) && matches!(item.shape, Shape::Circle { .. })
+    });
     let at = item.expect("the light is drawn").shape.bounds().center();
     rect.min + egui::vec2(at.x, at.y)
 }
@@ -67,11 +70,8 @@ fn a_light_is_dragged_where_the_lesson_allows_it() {
     let (free, fixed) = (place(&screen, 0), place(&screen, 1));
     drag(&mut screen, free, egui::vec2(24.0, -12.0));
     let moved = lights(&screen)[0];
-    // From the side: up on the screen is up, and the camera's right stays.
-    assert!(
-        moved.y > before[0].y && (moved.x - before[0].x).abs() < 1e-9,
-        "{moved}"
-    );
+    // Up on the screen is up in the scene.
+    assert!(moved.y > before[0].y, "{moved}");
     assert!(place(&screen, 0).distance(free + egui::vec2(24.0, -12.0)) < 1.0);
     screen.keep("dragged-light");
 

@@ -63,9 +63,7 @@ pub(super) fn secrets(open: &OpenLesson, index: usize, language: Language) -> Ve
             Thing::Patch => vec![Secret::Whole(right as i64)],
             Thing::Object => {
                 let name = |number: usize| names[number][language as usize].clone();
-                // That a ray meets nothing has no name in pictures.
-                let objects = 0..open.setup.prepared.scene.objects.len();
-                let others = objects.filter(|&number| number != right);
+                let others = (0..names.len()).filter(|&number| number != right);
                 vec![Secret::Name {
                     right: name(right),
                     wrong: others.map(name).collect(),

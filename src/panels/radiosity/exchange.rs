@@ -15,11 +15,11 @@ use crate::replay::radiosity::Focused;
 use glam::Vec2;
 
 /// The current patch, the other one, and the value between them.
-pub(super) struct Exchange {
+pub struct Exchange {
     pub i: usize,
     pub j: Option<usize>,
     /// Whether light goes from i to j, or comes from there.
-    outward: bool,
+    pub outward: bool,
     /// Symbol and value, once it is recorded.
     value: Option<(&'static str, f64)>,
 }
@@ -81,7 +81,7 @@ impl Exchange {
         }
     }
 
-    fn recorded(&self, language: Language) -> Option<String> {
+    pub fn recorded(&self, language: Language) -> Option<String> {
         let (symbol, value) = self.value?;
         Some(format!("{symbol} = {}", language.significant(value, 3)))
     }

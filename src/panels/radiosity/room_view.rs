@@ -11,13 +11,13 @@ use crate::scene::View;
 use glam::{DVec2, DVec3};
 
 /// A patch that shows its front, as far as it lies in the camera's picture.
-pub(super) struct Seen {
+pub struct Seen {
     pub patch: usize,
     /// On the screen.
     pub pieces: Vec<Vec<DVec2>>,
 }
 
-pub(super) struct RoomView<'a> {
+pub struct RoomView<'a> {
     room: &'a Enclosure,
     pub view: View,
     /// The part of the screen that is shown.

@@ -9,7 +9,7 @@ use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
 use crate::color::Rgb;
 use crate::methods::Setup;
-use crate::panels::{Answered, PanelInput, TreeView};
+use crate::panels::{Answered, PanelInput, SpaceView, TreeView};
 use crate::record::RecordingLimit;
 use crate::render::{Finished, Method, render};
 use crate::replay::Run;
@@ -133,6 +133,8 @@ impl Fixture {
             breakpoints: &[],
             tree: TreeView::whole(),
             channel: None,
+            space: SpaceView::default(),
+            fan: &[],
             smooth: None,
             pending: None,
             answered: Answered::default(),

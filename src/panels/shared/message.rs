@@ -10,9 +10,6 @@ pub const NO_STEPS: Message = Message("panels-no-steps");
 /// Where rays are followed, and no polygons converted.
 pub const NO_POLYGONS: Message = Message("panels-no-polygons");
 
-/// Where polygons are converted, and no rays followed.
-pub const NO_RAYS: Message = Message("panels-no-rays");
-
 /// Where no light is exchanged between patches.
 pub const NO_PATCHES: Message = Message("panels-no-patches");
 

@@ -15,7 +15,7 @@ pub enum Held {
 }
 
 /// A vector toward something that can be moved.
-pub(super) struct Tip {
+pub struct Tip {
     pub held: Held,
     pub distance: f64,
     /// Unit.
@@ -26,7 +26,7 @@ pub(super) struct Tip {
 
 /// A plane as it is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Plane {
+pub struct Plane {
     pub vectors: VectorPlane,
     /// Where its point is drawn.
     pub middle: Vec2,

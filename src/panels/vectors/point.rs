@@ -13,18 +13,18 @@ const POINT: f32 = 4.0;
 const LINE: f32 = 1.5;
 
 /// A vector as it is drawn and listed.
-struct Named {
-    name: String,
-    vector: DVec3,
-    recorded_by: &'static str,
-    ink: Ink,
-    tag: Tag,
+pub struct Named {
+    pub name: String,
+    pub vector: DVec3,
+    pub recorded_by: &'static str,
+    pub ink: Ink,
+    pub tag: Tag,
     /// What holds it up, if it can be dragged.
     held: Option<(Held, f64)>,
 }
 
 /// The vectors recorded so far: N and V, L of each light, R or H of the current light.
-fn vectors(point: &CurrentPoint, eye: DVec3) -> Vec<Named> {
+pub fn vectors(point: &CurrentPoint, eye: DVec3) -> Vec<Named> {
     let field = |name: &'static str, vector, recorded_by, ink| Named {
         name: name.to_owned(),
         vector,

@@ -2,6 +2,7 @@
 //! the face there.
 
 use super::super::{Mesh, Shape};
+use super::plane::Plane;
 use super::polygon::Polygon;
 use super::{chart, sphere, triangle};
 use glam::{DVec2, DVec3};
@@ -18,6 +19,7 @@ enum Chart<'a> {
     /// Around its centre.
     Sphere(DVec3),
     Polygon(&'a [DVec3]),
+    Plane(Plane),
     /// Places and texture coordinates of the corners of each triangle of the face.
     Triangles(Vec<([DVec3; 3], [DVec2; 3])>),
 }
@@ -43,10 +45,16 @@ impl<'a> FaceChart<'a> {
                     .map(|place| chart::polygon_uv(vertices, place))
                     .collect(),
             },
-            Shape::Plane { .. }
-            | Shape::Cylinder { .. }
-            | Shape::Bezier { .. }
-            | Shape::Mesh(_) => FaceChart::of_mesh(mesh, face),
+            Shape::Plane { point, normal } => FaceChart {
+                chart: Chart::Plane(Plane {
+                    point: *point,
+                    normal: *normal,
+                }),
+                corners: Vec::new(),
+            },
+            Shape::Cylinder { .. } | Shape::Bezier { .. } | Shape::Mesh(_) => {
+                FaceChart::of_mesh(mesh, face)
+            }
         }
     }
 
@@ -79,6 +87,7 @@ impl<'a> FaceChart<'a> {
         match &self.chart {
             Chart::Sphere(center) => sphere::uv(*center, position),
             Chart::Polygon(vertices) => chart::polygon_uv(vertices, position),
+            Chart::Plane(plane) => plane.uv(position),
             Chart::Triangles(triangles) => uv_on_triangles(triangles, position),
         }
     }
