@@ -21,7 +21,7 @@ use crate::vocabulary::{Entry, Formula, Kind, When, counted};
 pub use evaluated::{Evaluated, evaluated};
 use glam::Vec2;
 use known::Known;
-use layout::{DETAILS, Detail, Layout, SHORT};
+use layout::{DETAILS, Detail, Layout, SHORT, Values};
 
 const MARGIN: f32 = 10.0;
 
@@ -39,16 +39,18 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     };
     let formulas = formulas(entry, &mut known);
     let says = filled(entry.sentence, &known, prepared, input.language);
-    let worked = worked_channel(input, &formulas, &known);
+    let values = Values {
+        known: &known,
+        worked: worked_channel(input, &formulas, &known),
+        language: input.language,
+    };
 
     let mut picture = Picture::new(size.x, size.y);
     let layout = |detail: &Detail, count: usize, text: f32| {
         Layout::new(
             &says,
             [&formulas[..count], &formulas[count..]],
-            &known,
-            worked,
-            input.language,
+            values,
             size.x,
             text,
             detail,
@@ -106,19 +108,14 @@ fn height_of(input: &PanelInput, width: f32, count: usize) -> f32 {
     };
     let formulas = formulas(entry, &mut known);
     let shown = &formulas[..formulas.len().min(count)];
-    let worked = worked_channel(input, &formulas, &known);
+    let values = Values {
+        known: &known,
+        worked: worked_channel(input, &formulas, &known),
+        language: input.language,
+    };
     let heights = DETAILS[..SHORT].iter().map(|detail| {
-        let (text, language) = (detail.smallest, input.language);
-        Layout::new(
-            "",
-            [shown, &[]],
-            &known,
-            worked,
-            language,
-            width,
-            text,
-            detail,
-        )
+        let text = detail.smallest;
+        Layout::new("", [shown, &[]], values, width, text, detail)
     });
     let fitting = heights.filter(|layout| layout.fits);
     let least = fitting.map(|layout| layout.height).reduce(f32::min);

@@ -58,6 +58,15 @@ pub const DETAILS: [Detail; 9] = [
     detail((12.0, 11.0), [false, false, false], 0),
 ];
 
+/// The values that formulas are set with, and how.
+#[derive(Clone, Copy)]
+pub struct Values<'a> {
+    pub known: &'a Known<'a>,
+    /// The channel that is worked out where there is room for one.
+    pub worked: usize,
+    pub language: Language,
+}
+
 /// The lines of the panel at one size of text.
 pub struct Layout {
     lines: Vec<Line>,
@@ -69,13 +78,12 @@ impl Layout {
     pub fn new(
         says: &str,
         [formulas, left_out]: [&[&Formula]; 2],
-        known: &Known,
-        worked: usize,
-        language: Language,
+        values: Values,
         width: f32,
         text: f32,
         detail: &Detail,
     ) -> Self {
+        let language = values.language;
         let width = width - 2.0 * MARGIN;
         let mut layout = Layout {
             lines: Vec::new(),
@@ -102,16 +110,7 @@ impl Layout {
                 sentence(&mut layout, note.text(language), above);
             }
             let equation = formula.equation();
-            formula_lines(
-                &mut layout,
-                equation,
-                known,
-                worked,
-                language,
-                width,
-                text,
-                detail,
-            );
+            formula_lines(&mut layout, equation, values, width, text, detail);
         }
         if !left_out.is_empty() {
             let count = left_out.len().to_string();
@@ -156,13 +155,16 @@ impl Layout {
 fn formula_lines(
     layout: &mut Layout,
     equation: &Equation,
-    known: &Known,
-    worked: usize,
-    language: Language,
+    values: Values,
     width: f32,
     text: f32,
     detail: &Detail,
 ) {
+    let Values {
+        known,
+        worked,
+        language,
+    } = values;
     let stacked = detail.stacked;
     let set =
         |side: &Expression, voice| set_pieces(&pieces(side), voice, known, language, text, stacked);
