@@ -34,7 +34,8 @@ fn stops(screen: &mut Screen) -> Vec<(String, Rect)> {
 fn card(screen: &Screen, stop: Rect) -> usize {
     let window = screen.harness.ctx.content_rect();
     let side = screen.panel(screen.session().key_panel().expect("panels"));
-    let at = stop.center();
+    // What scrolls may reach far below its card.
+    let at = egui::pos2(stop.center().x, stop.top());
     match () {
         () if at.y < 40.0 => 0,
         () if at.y > side.bottom() + 8.0 => 4,
