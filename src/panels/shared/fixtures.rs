@@ -210,7 +210,7 @@ pub fn textured(method: Method, mapping: Mapping) -> Fixture {
     Fixture::rendered(Setup::new(prepared, mapping), method, Focus::Frame)
 }
 
-/// A floor that reaches behind the eye, and a triangle in front; 28×21, the whole frame.
+/// A floor that reaches behind the eye, and a triangle in front, for Gouraud in the dark; 28×21, the whole frame.
 pub fn behind_the_eye(method: Method) -> Fixture {
     let polygon = |vertices: &[[f64; 3]]| Shape::Polygon {
         vertices: vertices.iter().copied().map(DVec3::from).collect(),
@@ -222,13 +222,17 @@ pub fn behind_the_eye(method: Method) -> Fixture {
         [-2.0, -1.0, -6.0],
     ];
     let leaf = [[-1.0, 0.2, 0.0], [0.4, 0.1, 0.3], [0.1, 1.2, 0.0]];
+    let lights = match method {
+        Method::Gouraud => Vec::new(),
+        _ => vec![lamp(Rgb::WHITE)],
+    };
     let scene = scene(
         vec![material("red", Rgb::new(0.7, 0.2, 0.1), Highlight::Phong)],
         vec![
             object("floor", 0, polygon(&floor)),
             object("leaf", 0, polygon(&leaf)),
         ],
-        vec![lamp(Rgb::WHITE)],
+        lights,
     );
     Fixture::of(scene, method, Focus::Frame, (28, 21))
 }
