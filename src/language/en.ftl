@@ -859,7 +859,7 @@ if-a-light-is-met-return-its-colour = if a light is nearest: return its colour
 if-a-light-is-met-its-colour = if a light is nearest: pixel ← its colour
 normal-there = the normal there
 if = if
-if-level-is-the-depth-nothing-comes = if level = depth: nothing is added
+if-level-is-the-depth-nothing-comes = if this is the last level: nothing is added
 total-internal-reflection = (total internal reflection)
 shoot-a-ray-to-the-light-in-shadow-or-not = shoot a ray to the light: in shadow or not
 ambient-and-light-that-arrives-and-emission = ambient + light that arrives + emission

@@ -856,7 +856,7 @@ if-a-light-is-met-return-its-colour = jika cahaya yang terdekat: kembalikan warn
 if-a-light-is-met-its-colour = jika cahaya yang terdekat: piksel ← warnanya
 normal-there = normal di sana
 if = jika
-if-level-is-the-depth-nothing-comes = jika level = kedalaman: tidak ada yang ditambahkan
+if-level-is-the-depth-nothing-comes = jika ini tingkat terakhir: tidak ada yang ditambahkan
 total-internal-reflection = (pemantulan internal total)
 shoot-a-ray-to-the-light-in-shadow-or-not = tembakkan sinar ke cahaya: dalam bayangan atau tidak
 ambient-and-light-that-arrives-and-emission = ambien + cahaya yang sampai + emisi

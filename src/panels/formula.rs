@@ -193,10 +193,9 @@ fn formulas(entry: &'static Entry, known: &mut Known) -> Vec<&'static Formula> {
         }
         if let (Some(subject), Some((Relation::Defined, right))) =
             (equation.subject(), &equation.right)
+            && let Some(term) = evaluate(right, &|reference| known.terms(reference))
         {
-            if let Some(term) = evaluate(right, &|reference| known.terms(reference)) {
-                known.define(subject.name, term);
-            }
+            known.define(subject.name, term);
         }
         let left = equation.left.references();
         if left.into_iter().all(|left| known.values(left).is_some()) {

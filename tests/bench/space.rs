@@ -49,6 +49,7 @@ fn main() {
                 smooth: None,
                 pending: None,
                 answered: Answered::default(),
+                selected: None,
             };
             let start = Instant::now();
             let picture = draw(Panel::Space, &input, SIZE);
