@@ -15,6 +15,13 @@ pub enum RayKind {
 }
 
 impl RayKind {
+    pub const ALL: [RayKind; 4] = [
+        RayKind::Primary,
+        RayKind::Reflected,
+        RayKind::Transmitted,
+        RayKind::TotalInternalReflection,
+    ];
+
     /// As in the output of `render --stats`.
     pub fn name(self) -> &'static str {
         match self {

@@ -285,7 +285,7 @@ pub struct Shown {
 }
 
 /// Whether a click is that of the enter key.
-fn entered(response: &Response, ui: &Ui) -> bool {
+pub(super) fn entered(response: &Response, ui: &Ui) -> bool {
     response.has_focus() && ui.input(|input| input.key_pressed(Key::Enter))
 }
 
@@ -326,10 +326,10 @@ pub fn panel_on(
         && drag::dragged(session, panel, &response, &mut command, ui)
     {
         // What the pointer holds is moved, and the view stays as it is.
-    } else if panel == Panel::Space {
+    } else if panel == Panel::Space && !(went && command.is_some()) {
         command = space_controls::pointed(session, &response, ui).or(command);
     }
-    // A double click on a node goes there, and does not fit the tree.
+    // A double click on a node goes there, and does not fit the tree; so it is in the scene.
     if panel == Panel::RayTree && !(went && command.is_some()) {
         command = tree_controls::pointed(session, &response, ui).or(command);
     }

@@ -1,5 +1,6 @@
 //! Presentation: the key panel, one formula and one sentence, readable from eight times the screen's height.
 
+use super::cards::entered;
 use super::layout::{GAP, MARGIN};
 use super::panel_view::Scale;
 use super::prose::{prose, set};
@@ -71,8 +72,12 @@ pub fn show(
         let view = window.views.entry(panel).or_default();
         let scale = Scale::Times(places.zoom());
         let (response, tag) = view.show(session, panel, rect, scale, ui);
-        if response.clicked() {
-            commands.extend(tag.map(Command::Click));
+        let goes = response.double_clicked() || entered(&response, ui);
+        if goes || response.clicked() {
+            commands.extend(tag.map(|tag| match goes {
+                true => Command::Go(tag),
+                false => Command::Click(tag),
+            }));
         }
         under = tag.or(under);
     }

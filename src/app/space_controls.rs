@@ -3,8 +3,9 @@
 use super::button::button;
 use super::session::{Command, Session};
 use super::strings;
+use crate::algorithms::ray_tree::RayKind;
 use crate::language::Message;
-use crate::panels::{Orbit, Pixels, Preset, RAY_KINDS, SpaceView, ray_kind_name};
+use crate::panels::{Orbit, Pixels, Preset, SpaceView, ray_kind_name};
 use egui::{Button, Key, PointerButton, Response, RichText, Ui};
 use glam::Vec2;
 use std::f32::consts::PI;
@@ -34,7 +35,7 @@ const PIXELS: [(Pixels, Message); 4] = [
 /// Levels that can be chosen by number.
 const LEVELS: u16 = 5;
 
-/// Places to look from, larger and smaller, from the right.
+/// Buttons for smaller and larger, and the menus of places to look from and of rays.
 pub fn buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.x = 4.0;
     let view = session.space();
@@ -86,7 +87,7 @@ fn which_rays(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         ui.radio_value(&mut rays.pixels, pixels, session.localize(name));
     }
     ui.separator();
-    for kind in RAY_KINDS {
+    for kind in RayKind::ALL {
         let mut is_shown = rays.shows_kind(kind);
         let (name, letters) = ray_kind_name(kind.name(), session.look.language);
         if ui

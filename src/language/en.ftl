@@ -35,13 +35,13 @@ app-keys = keys
 app-keys-title = Keys
 app-close = Close
 app-menu = More
-app-more = more ways through the run
+app-more = more controls
 app-range = { $least } to { $most }
-app-lengths = in the scene’s units of length
-app-range-of-lengths = { $least } to { $most }, in the scene’s units of length
-app-already-tried = That was tried and is wrong.
+app-lengths = in scene units
+app-range-of-lengths = { $least } to { $most }, in scene units
+app-already-tried = Already tried: that is wrong.
 app-nothing-changed = No parameter has been changed.
-app-at-its-end = It is at the end of the list.
+app-at-its-end = It cannot be moved further.
 app-lessons = Lessons
 app-chapter-shading = Shading
 app-chapter-ray-tracing = Ray tracing
@@ -131,7 +131,7 @@ app-move-up = Move up: { $item }
 app-move-down = Move down: { $item }
 app-click-an-object = Click the object in the image, or choose it here:
 app-click-a-patch = Click the patch in the room, or choose it here:
-app-turn-the-arrow = Drag the arrow in the vectors panel, or turn it with the arrow keys; Enter answers.
+app-turn-the-arrow = Drag the arrow in the vectors panel, or turn it with the arrow keys, then press Enter.
 app-arrow-angle = Angle of { $name }
 app-undecided = With the values that you have set, this question has no single answer.
 app-lessons-values = Put the lesson's values back
@@ -171,7 +171,7 @@ app-profile = Along the scan line
 app-smooth = smooth
 app-smooth-room = interpolate the light between the corners of patches
 app-illumination = Illumination terms
-app-space = Scene in space
+app-space = 3D view
 app-from-overview = overview
 app-from-the-eye = from the eye
 app-from-the-side = from the side
@@ -185,8 +185,8 @@ app-rays-of-a-row = of pixels along its row
 app-rays-of-a-grid = of pixels all over the picture
 app-levels = up to level
 app-all-levels = all
-app-larger-scene = larger scene
-app-smaller-scene = smaller scene
+app-larger-scene = zoom in
+app-smaller-scene = zoom out
 app-space-as-it-is = The scene is already shown that way.
 app-tree-fit = fit
 app-whole-tree = show the whole tree
@@ -506,7 +506,7 @@ ray-tree-nearest = nearest: { $thing }, t { $t }
 ray-tree-tested = tested: { $thing }, t { $t }
 ray-tree-missed = tested: { $thing }, missed
 
-## rays
+## space
 
 space-rays = Rays of the pixel so far: { $count }. Current ray: { $kind }, level { $level }{ $goal }.
 space-no-pixel = No ray is followed yet. Go on to the first pixel.
@@ -569,7 +569,7 @@ event-light-added = What light { $light } adds to the intensity.
 event-illuminated = The intensity of the point: the ambient term and what each light adds.
 event-edge-table = The edge table of a polygon of { $corners } corners begins.
 event-corner-transformed = Corner { $corner } in the camera frame: how far to the right of the eye, above it, and in front of it.
-event-corner-cut = Corner { $corner } is where the near plane cuts an edge: between its hidden end h and its seen end s.
+event-corner-cut = Corner { $corner } is where the near plane cuts an edge: between its hidden end h and its visible end s.
 event-corner-of-piece = Corner { $corner } of a piece: the triangle reaches behind the eye and was cut.
 event-corner-placed = Corner { $corner } on the screen, in pixels: divided by its depth, then moved to the middle of the picture.
 event-edge-entered = Edge { $upper }–{ $lower } is entered: it cuts the scan lines from { $first } on, up to but not including { $end }.
@@ -615,7 +615,7 @@ event-triangle = Triangle { $a }–{ $b }–{ $c } of the polygon begins: a norm
 event-normal-at-middle = The series are expanded about the triangle's middle on the screen, with the normal N_0 there.
 event-normal-slopes = What a pixel to the right and a row down add to the normal.
 event-triangle-corner = A corner of the triangle: its place on the screen, its depth and its normal.
-event-normal-at-middle-of-pieces = The point of expansion of a triangle that was cut: the middle of its pieces, by their areas, and the normal there.
+event-normal-at-middle-of-pieces = The point of expansion of a triangle that was cut: the area-weighted centroid of its pieces, and the normal there.
 event-normal-squared = The length of N changes over the triangle: N·N/|N_0|² = 1 + q_x x + q_y y + q_xx x² + q_xy x y + q_yy y².
 event-dot-product = The dot product of N/|N_0| with the direction is linear on the screen: p_0 + p_x x + p_y y.
 event-series-n-dot-v = The Taylor series of N·V, which R·V = 2(N·L)(N·V) − L·V needs.
@@ -766,14 +766,14 @@ scope-patch = patch
 ## notes beside formulas
 
 note-as-on-the-slide = As on the slide, in place of f_{"{"}att{"}"} · (N·L); it grows with the distance:
-note-row-below = As on the slide, I′ is the value one scan line on: the value before plus Δ. The slide counts y upward.
+note-row-below = As on the slide: the value one scan line on is the value before plus Δ. The slide counts y upward.
 note-first-row = First row: increments start from the direct value.
 note-next-pixel = The value before plus Δ, one pixel on:
 note-first-pixel = First pixel drawn: increments start from the direct value.
-note-offset = The ray starts off the surface by ε, so that it does not meet it again where it stands.
-note-power-table = By table look-up, linear between 1024 entries: within 5·10⁻⁵ of
+note-offset = The ray starts a distance ε off the surface, so that it does not hit the same point again.
+note-power-table = From a table of 1024 entries, interpolated linearly: within 5·10⁻⁵ of
 note-row-of-the-system = The entry of the system in row i and column j:
-note-incremental = What rounding has made of the increments so far:
+note-incremental = Rounding error accumulated by the increments:
 note-approximate = how far the series is from the cosine of a unit normal
 
 ## pseudocode

@@ -35,10 +35,10 @@ app-keys = tombol
 app-keys-title = Tombol
 app-close = Tutup
 app-menu = Lainnya
-app-more = cara lain menelusuri
+app-more = kontrol lainnya
 app-range = { $least } sampai { $most }
-app-lengths = dalam satuan panjang adegan
-app-range-of-lengths = { $least } sampai { $most }, dalam satuan panjang adegan
+app-lengths = dalam satuan adegan
+app-range-of-lengths = { $least } sampai { $most }, dalam satuan adegan
 app-already-tried = Itu sudah dicoba dan salah.
 app-nothing-changed = Belum ada parameter yang diubah.
 app-at-its-end = Sudah di ujung daftar.
@@ -131,7 +131,7 @@ app-move-up = Naikkan: { $item }
 app-move-down = Turunkan: { $item }
 app-click-an-object = Klik objek itu pada gambar, atau pilih di sini:
 app-click-a-patch = Klik patch itu di ruangan, atau pilih di sini:
-app-turn-the-arrow = Seret panah pada panel vektor, atau putar dengan tombol panah; Enter menjawab.
+app-turn-the-arrow = Seret panah pada panel vektor, atau putar dengan tombol panah, lalu tekan Enter.
 app-arrow-angle = Sudut { $name }
 app-undecided = Dengan nilai yang Anda atur, pertanyaan ini tidak punya satu jawaban.
 app-lessons-values = Kembalikan nilai pelajaran
@@ -171,8 +171,8 @@ app-profile = Sepanjang garis scan
 app-smooth = halus
 app-smooth-room = interpolasikan cahaya antara sudut-sudut patch
 app-illumination = Suku iluminasi
-app-space = Adegan dalam ruang
-app-from-overview = tinjauan
+app-space = Tampilan 3D
+app-from-overview = keseluruhan
 app-from-the-eye = dari mata
 app-from-the-side = dari samping
 app-from-above = dari atas
@@ -458,8 +458,8 @@ racer-jacobi = Jacobi
 racer-gauss-seidel = Gauss–Seidel
 racer-over-relaxation = relaksasi lebih
 racer-chebyshev = Chebyshev
-racer-shooting = tembak
-racer-overshooting = tembak lebih
+racer-shooting = penembakan
+racer-overshooting = penembakan lebih
 racer-conjugate-gradients = gradien konj.
 
 ## radiosity
@@ -503,7 +503,7 @@ ray-tree-nearest = terdekat: { $thing }, t { $t }
 ray-tree-tested = diuji: { $thing }, t { $t }
 ray-tree-missed = diuji: { $thing }, meleset
 
-## rays
+## space
 
 space-rays = Sinar piksel sejauh ini: { $count }. Sinar saat ini: { $kind }, tingkat { $level }{ $goal }.
 space-no-pixel = Belum ada sinar yang diikuti. Lanjutkan ke piksel pertama.
@@ -612,7 +612,7 @@ event-triangle = Segitiga { $a }–{ $b }–{ $c } dari poligon dimulai: satu no
 event-normal-at-middle = Deret dikembangkan di tengah segitiga pada layar, dengan normal N_0 di sana.
 event-normal-slopes = Tambahan pada normal untuk satu piksel ke kanan dan satu baris ke bawah.
 event-triangle-corner = Satu sudut segitiga: tempatnya di layar, kedalamannya, dan normalnya.
-event-normal-at-middle-of-pieces = Titik ekspansi segitiga yang terpotong: titik tengah potongannya menurut luas, dan normal di sana.
+event-normal-at-middle-of-pieces = Titik ekspansi segitiga yang terpotong: titik berat potongan-potongannya, dibobot luas, dan normal di sana.
 event-normal-squared = Panjang N berubah di segitiga: N·N/|N_0|² = 1 + q_x x + q_y y + q_xx x² + q_xy x y + q_yy y².
 event-dot-product = Hasil kali titik N/|N_0| dengan arah itu linear di layar: p_0 + p_x x + p_y y.
 event-series-n-dot-v = Deret Taylor N·V, yang diperlukan R·V = 2(N·L)(N·V) − L·V.
@@ -763,14 +763,14 @@ scope-patch = patch
 ## notes beside formulas
 
 note-as-on-the-slide = Seperti pada slide, sebagai ganti f_{"{"}att{"}"} · (N·L); nilainya membesar dengan jarak:
-note-row-below = Seperti pada slide, I′ adalah nilai satu garis scan berikutnya: nilai sebelumnya ditambah Δ. Slide menghitung y ke atas.
+note-row-below = Seperti pada slide: nilai satu garis scan berikutnya adalah nilai sebelumnya ditambah Δ. Pada slide, y dihitung ke atas.
 note-first-row = Baris pertama: inkremen dimulai dari nilai langsung.
 note-next-pixel = Nilai sebelumnya ditambah Δ, satu piksel ke kanan:
 note-first-pixel = Piksel pertama yang digambar: inkremen dimulai dari nilai langsung.
 note-offset = Sinar berawal sejauh ε dari permukaan agar tidak mengenainya lagi di tempat yang sama.
-note-power-table = Dari tabel, linear di antara 1024 entri: selisihnya paling besar 5·10⁻⁵ dari
+note-power-table = Dari tabel 1024 entri dengan interpolasi linear: selisihnya paling besar 5·10⁻⁵ dari
 note-row-of-the-system = Entri sistem pada baris i dan kolom j:
-note-incremental = Akibat pembulatan dalam inkremen sejauh ini:
+note-incremental = Galat pembulatan yang terkumpul dalam inkremen:
 note-approximate = jarak deret dari kosinus normal satuan
 
 ## pseudocode

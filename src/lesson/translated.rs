@@ -41,11 +41,12 @@ fn outside<'a>(texts: impl Iterator<Item = &'a str>) -> String {
     outside
 }
 
-/// Words of three letters and more; what follows a `_` is a subscript, and Greek letters are symbols of their own.
+/// Words of three letters and more; what follows a `_` is a subscript, and Greek letters are symbols of their own, and powers none.
 fn words(text: &str) -> impl Iterator<Item = &str> {
     let is_greek = |c| ('Α'..='ω').contains(&c);
     text.split(move |c: char| is_greek(c) || !(c.is_alphanumeric() || matches!(c, '_' | '{')))
         .map(|symbol| symbol.split('_').next().unwrap_or_default())
+        .map(|symbol| symbol.trim_end_matches(['²', '³']))
         .filter(|word| word.chars().filter(|c| c.is_alphabetic()).count() > 2)
 }
 

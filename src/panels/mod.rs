@@ -11,7 +11,7 @@ pub use list::formula::{
 pub use list::image::value as pixel_value;
 pub use list::ray_tree::TreeView;
 pub use list::ray_tree::{area as tree_area, middle as tree_middle};
-pub use list::space::{Grip, KINDS as RAY_KINDS, Orbit, Pixels, Preset, SpaceView, grip};
+pub use list::space::{Grip, Orbit, Pixels, Preset, SpaceView, grip};
 pub use list::time_line::{heights as time_line_heights, step_at};
 pub use list::vectors::{Held, PlaneGrip, degrees_toward, grip as vector_grip};
 pub use shared::answered::{Answered, AskedArrow};

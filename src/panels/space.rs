@@ -15,7 +15,7 @@ mod sketch;
 mod surfaces;
 mod vectors;
 
-pub use choice::{KINDS, Pixels, SpaceView};
+pub use choice::{Pixels, SpaceView};
 pub use grip::{Grip, grip};
 pub use orbit::{Orbit, Preset};
 
@@ -108,17 +108,11 @@ fn shown(input: &PanelInput) -> Vec<DVec3> {
 
 /// The diagonal of the box around points.
 fn extent_of(points: &[DVec3]) -> f64 {
-    let low = points
-        .iter()
-        .copied()
-        .reduce(DVec3::min)
-        .unwrap_or_default();
-    let high = points
-        .iter()
-        .copied()
-        .reduce(DVec3::max)
-        .unwrap_or_default();
-    low.distance(high).max(f64::MIN_POSITIVE)
+    let [low, high] = extent::bounds(points.iter().copied());
+    (high - low)
+        .max(DVec3::ZERO)
+        .length()
+        .max(f64::MIN_POSITIVE)
 }
 
 /// The view that the orbit asks for, and how large what it shows is; where there is no ray to stand by, the overview.
@@ -198,7 +192,7 @@ impl Sketch<'_> {
         self.vectors();
         self.asked();
         self.lights();
-        // Where there is room for some names alone, they would tell what a question asks for.
+        // If only some names fit, they could give the answer away.
         let few = self.input.run.prepared().scene.objects.len() <= MOST_NAMES;
         if few && !self.input.is_pending() {
             self.names();

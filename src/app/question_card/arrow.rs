@@ -1,4 +1,4 @@
-//! A slider for the arrow, for who does not drag it in the picture.
+//! A slider for the arrow, for those who do not drag it in the picture.
 
 use super::primary;
 use crate::app::prose::prose;

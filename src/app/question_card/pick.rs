@@ -1,4 +1,4 @@
-//! A button for each thing, for who does not click it in the picture; those that were tried are out of use.
+//! A button for each thing, for those who do not click it in the picture; those already tried are disabled.
 
 use crate::app::button::off;
 use crate::app::prose::prose;

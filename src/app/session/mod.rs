@@ -248,6 +248,7 @@ impl Session {
         self.play = None;
         self.around = Loop::default();
         self.space = SpaceView::default();
+        self.channel = None;
         self.tree = TreeView::WHOLE;
         self.hovered = None;
         self.selected = None;

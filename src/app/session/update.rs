@@ -267,7 +267,7 @@ impl Session {
                 Ok(())
             }
             Tag::Channel(channel) => {
-                self.channel = Some(channel);
+                self.channel = Some(channel).filter(|_| self.channel != Some(channel));
                 Ok(())
             }
             Tag::Line(_) => self.go(tag),

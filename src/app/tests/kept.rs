@@ -27,8 +27,8 @@ fn every_change_is_in_the_file_at_once() {
             "{key:?}"
         );
     }
-    screen.harness.hover_at(egui::pos2(309.0, 300.0));
-    screen.harness.drag_at(egui::pos2(309.0, 300.0));
+    screen.harness.hover_at(BORDER);
+    screen.harness.drag_at(BORDER);
     screen.harness.run();
     screen.harness.drop_at(egui::pos2(449.0, 300.0));
     screen.harness.run();

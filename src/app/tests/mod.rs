@@ -155,12 +155,15 @@ fn every_input_has_a_name() {
     }
 }
 
+/// A place on the border between the column and the key panel.
+const BORDER: egui::Pos2 = egui::pos2(269.0, 300.0);
+
 #[test]
 fn the_column_is_as_wide_as_before_after_the_window_was_small() {
     let mut screen = triangle([]);
     let usual = screen.painted();
-    screen.harness.hover_at(egui::pos2(309.0, 300.0));
-    screen.harness.drag_at(egui::pos2(309.0, 300.0));
+    screen.harness.hover_at(BORDER);
+    screen.harness.drag_at(BORDER);
     screen.harness.run();
     screen.harness.hover_at(egui::pos2(409.0, 300.0));
     screen.harness.run();

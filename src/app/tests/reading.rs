@@ -1,4 +1,4 @@
-//! The window for who does not use a mouse, or does not see it.
+//! The window for those who use no mouse, or cannot see it.
 
 use super::*;
 use egui::Rect;

@@ -27,13 +27,16 @@ fn each_step(mut look: impl FnMut(&'static Kind, &mut Known, &PreparedScene)) {
         fixtures::textured(Method::Phong, Mapping::Linear),
         fixtures::textured(Method::Exact, Mapping::Perspective),
         fixtures::textured(Method::FastPhong, Mapping::Perspective),
+        fixtures::textured_under(Vec::new(), Method::FastPhong, Mapping::Perspective),
     ];
+    let cancelling = [Fixture::cancelling_normals(Method::FastPhong)];
     let behind =
         [Method::Wireframe, Method::Gouraud, Method::FastPhong].map(fixtures::behind_the_eye);
     let rays = rays
         .into_iter()
         .chain([fixtures::shapes()])
         .chain(textured)
+        .chain(cancelling)
         .chain(behind);
     let light = fixtures::solvers()
         .into_iter()

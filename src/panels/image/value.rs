@@ -1,4 +1,4 @@
-//! What a pixel of the picture is, in numbers: for who points at it.
+//! The pixel under the pointer, in numbers.
 
 use super::super::horizon::UNKNOWN;
 use super::super::strings::focus;
@@ -23,7 +23,7 @@ pub fn value(input: &PanelInput, x: u32, y: u32) -> String {
     if input.hidden_pixels(frame).is_some_and(|hidden| hidden[at]) {
         return format!("{pixel}: {UNKNOWN}");
     }
-    let Some(color) = color(input, at) else {
+    let Some(color) = color(input, x, y) else {
         return NOT_DRAWN.format(language, &[("pixel", &pixel)]);
     };
     let linear = color.channels().map(|channel| language.short(channel, 4));
@@ -38,13 +38,15 @@ pub fn value(input: &PanelInput, x: u32, y: u32) -> String {
     VALUE.format(language, &arguments)
 }
 
-/// Of the pixel at that place, row by row, as far as it is drawn.
-fn color(input: &PanelInput, at: usize) -> Option<Rgb> {
-    let finished = input.finished.picture.color[at];
+/// Of a pixel of the finished picture, as far as it is drawn.
+fn color(input: &PanelInput, x: u32, y: u32) -> Option<Rgb> {
+    let picture = &input.finished.picture;
+    let finished = picture.color[picture.index(x, y)];
     let Some(canvas) = input.run.canvas() else {
         return Some(finished);
     };
-    let drawn = canvas.iter().nth(at).filter(|dot| dot.step.is_some());
+    let drawn = canvas.get(x as usize, y as usize);
+    let drawn = drawn.filter(|dot| dot.step.is_some());
     drawn
         .map(|dot| dot.color)
         .or(shows_finished(input).then_some(finished))

@@ -24,7 +24,7 @@ pub fn draw(picture: &mut Picture, layout: &Layout) {
     let (width, height) = (picture.width, picture.height);
     let written = layout.written().filter(|_| {
         let columns = (layout.n + 1) as f32;
-        height >= 260.0 && (width - 2.0 * MARGIN - 40.0) / columns >= 42.0
+        height >= 260.0 && (width - 2.0 * MARGIN - 40.0) / columns >= 48.0
     });
     let names = names(layout);
     let longest = names.iter().map(|(name, _)| small().width(name));

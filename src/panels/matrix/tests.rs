@@ -49,7 +49,7 @@ fn gathering_marks_a_row_and_shooting_a_column() {
         let Run::Radiosity(_, replay) = &fixture.run else {
             panic!("it is a run of radiosity");
         };
-        let hand = Hand::of(replay.state()).expect("a patch is in hand");
+        let hand = Hand::of(replay.state()).expect("a patch is current");
         let line = picture.items.iter().find(|item| {
             let bounds = item.shape.bounds();
             item.tag == Some(Tag::Patch(hand.i)) && bounds.width.max(bounds.height) > 150.0

@@ -52,6 +52,17 @@ impl Fixture {
         Fixture::of(scene, method, Focus::Polygon(0), (640, 480))
     }
 
+    /// Two triangles, of which one turns its back to the eye; the normals of either's corners cancel out. 32×24, the whole frame.
+    pub fn cancelling_normals(method: Method) -> Self {
+        let third = |turn: f64| DVec3::new(turn.cos(), turn.sin(), 0.0);
+        let normals: Vec<DVec3> = (0..6)
+            .map(|corner| third(f64::from(corner) * std::f64::consts::TAU / 3.0))
+            .collect();
+        let mut scene = mesh(&[[0, 1, 2], [0, 4, 3]], &normals);
+        scene.objects[0].vertex_normals = VertexNormals::File;
+        Fixture::of(scene, method, Focus::Frame, (32, 24))
+    }
+
     /// A glass ball, a glass cube and a red ball on a mirroring checkered floor, under a light ball and a dim light; 640×480
     /// pixels, one of them recorded and none finished, which would take seconds.
     pub fn rays(method: Method, pixel: (u32, u32), depth: u32) -> Self {
@@ -210,6 +221,11 @@ fn scene(shape: Shape, diffuse: Rgb, highlight: Highlight) -> Scene {
 
 /// A pyramid, with unit normals at the corners of its faces, or none.
 fn pyramid(normals: &[DVec3]) -> Scene {
+    mesh(&[[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]], normals)
+}
+
+/// Faces between the vertices of the pyramid.
+fn mesh(faces: &[[u32; 3]], normals: &[DVec3]) -> Scene {
     let positions = [
         [0.1, 0.1, 1.0],
         [-1.0, -0.8, 0.0],
@@ -218,9 +234,13 @@ fn pyramid(normals: &[DVec3]) -> Scene {
         [-0.8, 0.9, 0.0],
     ]
     .map(DVec3::from);
-    let faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
     let no_uvs: [DVec2; 0] = [];
-    let shape = Shape::Mesh(Mesh::with_normals(&positions, faces, &no_uvs, normals));
+    let shape = Shape::Mesh(Mesh::with_normals(
+        &positions,
+        faces.iter().copied(),
+        &no_uvs,
+        normals,
+    ));
     scene(shape, Rgb::new(0.7, 0.2, 0.1), Highlight::Phong)
 }
 

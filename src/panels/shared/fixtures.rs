@@ -170,6 +170,11 @@ pub fn fixtures(method: Method) -> Fixture {
 
 /// A checkered floor that runs away from the eye, and a red ball on it. 16×12, the whole frame.
 pub fn textured(method: Method, mapping: Mapping) -> Fixture {
+    textured_under(vec![lamp(Rgb::WHITE)], method, mapping)
+}
+
+/// The same under other lights.
+pub fn textured_under(lights: Vec<Light>, method: Method, mapping: Mapping) -> Fixture {
     let mut tiles = material("tiles", Rgb::new(0.6, 0.5, 0.4), Highlight::Blinn);
     tiles.texture = Some(Texture::Checker {
         colors: [Rgb::WHITE, Rgb::splat(0.3)],
@@ -203,7 +208,7 @@ pub fn textured(method: Method, mapping: Mapping) -> Fixture {
                 },
             ),
         ],
-        vec![lamp(Rgb::WHITE)],
+        lights,
     );
     let camera = scene.camera.expect("it has one");
     let prepared = PreparedScene::new(scene, View::new(&camera, 16, 12));

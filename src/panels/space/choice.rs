@@ -62,18 +62,11 @@ impl Pixels {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RayChoice {
     pub pixels: Pixels,
-    /// Kinds that are hidden, in the order of [`KINDS`].
-    hidden: [bool; KINDS.len()],
+    /// Kinds that are hidden, in their order.
+    hidden: [bool; RayKind::ALL.len()],
     /// The last level that is shown; none where all are.
     pub last_level: Option<u16>,
 }
-
-pub const KINDS: [RayKind; 4] = [
-    RayKind::Primary,
-    RayKind::Reflected,
-    RayKind::Transmitted,
-    RayKind::TotalInternalReflection,
-];
 
 impl RayChoice {
     pub fn shows(&self, kind: RayKind, level: u16) -> bool {
@@ -81,19 +74,14 @@ impl RayChoice {
     }
 
     pub fn shows_kind(&self, kind: RayKind) -> bool {
-        !self.hidden[index(kind)]
+        !self.hidden[kind as usize]
     }
 
     /// The same with a kind shown that was hidden, or hidden that was shown.
     pub fn toggled(mut self, kind: RayKind) -> Self {
-        self.hidden[index(kind)] ^= true;
+        self.hidden[kind as usize] ^= true;
         self
     }
-}
-
-fn index(kind: RayKind) -> usize {
-    let same = |&known: &RayKind| known == kind;
-    KINDS.iter().position(same).unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The edges of objects: where a surface ends, bends sharply, or turns away from the viewer.
 
-use super::surfaces::{faces_viewer, plane};
+use super::surfaces::{SMOOTH, faces_viewer, plane};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::figure::Space;
 use crate::scene::{Mesh, Shape};
@@ -8,8 +8,6 @@ use glam::DVec3;
 
 /// Meshes with more faces are drawn without edges.
 const MOST_FACES: usize = 20_000;
-/// Cosine of the angle from which on two faces meet in an edge.
-const SHARP: f64 = 0.76;
 
 /// The ends of each edge of an object.
 pub(super) fn edges(
@@ -49,7 +47,7 @@ fn of_mesh(space: &Space, mesh: &Mesh) -> Vec<[DVec3; 2]> {
                 None => true,
                 Some(&other) => {
                     let other = other as usize;
-                    let bends = mesh.normal(face).dot(mesh.normal(other)) < SHARP;
+                    let bends = mesh.normal(face).dot(mesh.normal(other)) < SMOOTH;
                     face < other && (front[face] != front[other] || bends)
                 }
             };

@@ -2,7 +2,7 @@
 
 use super::orbit::target;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::scene::{Light, Mesh, Shape};
+use crate::scene::{Light, Shape};
 use glam::{DVec2, DVec3};
 
 /// By how much a side of the view moves out for lights beyond it, in sizes of the view. There are few such places, so that the
@@ -51,7 +51,7 @@ pub(super) fn objects(prepared: &PreparedScene, reach: f64) -> Vec<DVec3> {
         let [low, high] = match &object.shape {
             Shape::Sphere { center, radius } => [*center - *radius, *center + *radius],
             Shape::Plane { .. } => continue,
-            _ => bounds(mesh),
+            _ => bounds((0..mesh.vertex_count() as u32).map(|vertex| mesh.position(vertex))),
         };
         let (low, high) = (low.max(target - reach), high.min(target + reach));
         if low.cmple(high).all() {
@@ -70,12 +70,13 @@ pub(super) fn objects(prepared: &PreparedScene, reach: f64) -> Vec<DVec3> {
     places
 }
 
-fn bounds(mesh: &Mesh) -> [DVec3; 2] {
-    let positions = (0..mesh.vertex_count() as u32).map(|vertex| mesh.position(vertex));
-    positions.fold(
-        [DVec3::INFINITY, DVec3::NEG_INFINITY],
-        |[low, high], place| [low.min(place), high.max(place)],
-    )
+/// The corners of the box around points; without any, the low one lies above the high one.
+pub(super) fn bounds(points: impl IntoIterator<Item = DVec3>) -> [DVec3; 2] {
+    let nothing = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+    let points = points.into_iter();
+    points.fold(nothing, |[low, high], point| {
+        [low.min(point), high.max(point)]
+    })
 }
 
 /// Where the point lights are.

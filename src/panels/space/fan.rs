@@ -1,7 +1,6 @@
 //! The rays of many pixels at once, thin, with a legend of their kinds.
 
 use super::super::names;
-use super::choice::KINDS;
 use super::rays::color;
 use super::sketch::Sketch;
 use crate::algorithms::ray_tree::RayKind;
@@ -34,7 +33,7 @@ impl Sketch<'_> {
 
     fn legend(&mut self) {
         let shown = |kind: &RayKind| self.input.space.rays.shows_kind(*kind);
-        let kinds = KINDS.into_iter().filter(shown);
+        let kinds = RayKind::ALL.into_iter().filter(shown);
         let entries: Vec<(Stroke, String)> = kinds
             .map(|kind| {
                 let (word, letters) = names::ray_kind(kind.name(), self.input.language);

@@ -1,6 +1,6 @@
 //! From where the scene in space is looked at: a choice of the viewer.
 
-use super::extent::around;
+use super::extent::{around, bounds};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::figure::{Fit, Space};
 use crate::picture::Rect;
@@ -189,12 +189,12 @@ impl Frame {
     }
 }
 
+/// Of the box around points.
 fn middle(points: &[DVec3]) -> DVec3 {
-    let low = points.iter().copied().reduce(DVec3::min);
-    let high = points.iter().copied().reduce(DVec3::max);
-    match (low, high) {
-        (Some(low), Some(high)) => 0.5 * (low + high),
-        _ => DVec3::ZERO,
+    let [low, high] = bounds(points.iter().copied());
+    match low.cmple(high).all() {
+        true => low.midpoint(high),
+        false => DVec3::ZERO,
     }
 }
 

@@ -8,8 +8,8 @@ use crate::scene::primitives::FaceChart;
 use crate::scene::{Material, Mesh, Object, Shape};
 use glam::{DVec3, Vec3};
 
-/// Faces that meet at less than this angle are one smooth surface: its cosine.
-const SMOOTH: f64 = 0.76;
+/// Faces that meet at less than this angle are one smooth surface, others meet in an edge: its cosine.
+pub(super) const SMOOTH: f64 = 0.76;
 /// How much of transparent objects covers what lies behind, a layer.
 const VEIL: f32 = 0.22;
 /// Of a surface that light only grazes.

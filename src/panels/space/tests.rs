@@ -3,7 +3,8 @@ use super::super::fixtures::{self, SIZES, assert_legible};
 use super::*;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::radiosity::Solver;
-use crate::picture::{Shape, Tag};
+use crate::color::Rgb;
+use crate::picture::{Dash, Shape as Drawn, Tag};
 use crate::render::Method;
 use crate::scene::Light;
 
@@ -129,8 +130,19 @@ fn turned_and_moved_as_far_as_one_likes_something_stays_in_sight() {
                 }
             }
         }
-        let far = orbit.moved(Vec2::splat(100.0)).zoomed(1e6, Vec2::ZERO);
-        assert_eq!(far.zoomed(1e9, Vec2::ZERO), far);
+        for (by, zoom) in [(-100.0, 0.01), (-3.0, 4.0), (0.4, 1e6), (100.0, 30.0)] {
+            let far = orbit.moved(Vec2::splat(by)).zoomed(zoom, Vec2::splat(0.3));
+            let input = PanelInput {
+                space: looked_at(far.moved(Vec2::splat(by))),
+                ..fixture.input()
+            };
+            let (space, _) = space(&input, LARGE);
+            let places = shown(&input).into_iter();
+            let places = places.filter_map(|point| space.place(point));
+            let around = Rect::around(places).expect("something lies before the viewer");
+            let in_sight = around.intersection(&space.area);
+            assert!(!in_sight.is_empty(), "{preset:?}, {by}, {zoom}: {around:?}");
+        }
     }
 }
 
@@ -165,14 +177,44 @@ fn a_light_follows_the_pointer_across_the_line_of_sight() {
 }
 
 #[test]
-fn what_stands_behind_a_surface_is_dotted() {
-    let mut fixture = Fixture::room(Solver::GaussSeidel, Focus::Frame);
-    fixture.seek(0);
-    let picture = draw(&fixture.input(), LARGE);
-    let dotted = picture.items.iter().filter(|item| {
-        matches!(&item.shape, Shape::Polyline { stroke, .. } if stroke.dash == crate::picture::Dash::Dotted)
+fn what_stands_behind_a_surface_is_dotted_and_what_stands_before_it_is_not() {
+    let fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
+    let input = fixture.input();
+    let (space, extent) = space(&input, LARGE);
+    let prepared = input.run.prepared();
+    let mut solids = Solids::new(space.area);
+    surfaces::objects(&mut solids, &space, prepared, PLANE * extent);
+    let (_, depths) = solids.finish();
+    let ball = prepared.scene.objects.iter().find_map(|object| {
+        let material = &prepared.scene.materials[object.material];
+        match object.shape {
+            Shape::Sphere { center, radius } if material.transmission == Rgb::BLACK => {
+                Some((center, radius))
+            }
+            _ => None,
+        }
     });
-    assert!(dotted.count() > 0);
+    let (center, radius) = ball.expect("an opaque ball");
+    let mut picture = Picture::new(LARGE.x, LARGE.y);
+    let mut sketch = Sketch {
+        picture: &mut picture,
+        input: &input,
+        space,
+        depths,
+        labels: Labels::new(space.area),
+        text: 12.0,
+        extent,
+    };
+    for toward in [1.0, -1.0] {
+        let middle = center + toward * 1.5 * radius * space.toward;
+        let half = 0.3 * radius * space.right;
+        sketch.line(middle - half, middle + half, Ink::Text.stroke(1.0));
+    }
+    let dashes = picture.items.iter().map(|item| match &item.shape {
+        Drawn::Polyline { stroke, .. } => stroke.dash,
+        other => panic!("{other:?} is no line"),
+    });
+    assert!(dashes.eq([Dash::Solid, Dash::Dotted]));
 }
 
 #[test]
