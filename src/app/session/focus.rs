@@ -48,7 +48,10 @@ impl Session {
         let place = Place::of(self.walk(), here);
         let run = self.record(self.focus);
         let step = place.nearest(run.walk(), here).unwrap_or(here);
+        // Whoever moves a light goes on looking at the panel in which it is moved.
+        let chosen = self.chosen;
         self.switch_to(run, self.focus, step);
+        self.chosen = chosen;
         // No change of a parameter leads past a question.
         if let Some(asked) = self.question_between(0, self.step()).filter(|_| !skipped) {
             self.seek(asked);

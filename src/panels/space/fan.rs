@@ -5,7 +5,7 @@ use super::rays::color;
 use super::sketch::Sketch;
 use crate::algorithms::ray_tree::RayKind;
 use crate::figure::{LEGEND_ROW, legend};
-use crate::picture::{Rect, Stroke, Tag};
+use crate::picture::{Ink, Picture, Rect, Stroke, Tag};
 
 const WIDTH: f32 = 1.0;
 
@@ -43,11 +43,16 @@ impl Sketch<'_> {
         let area = self.space.area;
         let row = Rect::new(area.x + 6.0, area.y + 4.0, area.width - 12.0, LEGEND_ROW);
         let entries = entries.iter().map(|(stroke, name)| (*stroke, &**name));
-        let end = legend(self.picture, entries, row, row.x);
-        self.labels.reserve(Rect {
+        let mut rows = Picture::new(self.picture.width, self.picture.height);
+        let end = legend(&mut rows, entries, row, row.x);
+        let ground = Rect {
             height: end - row.y,
             ..row
-        });
+        };
+        self.picture
+            .rounded_rect(ground, 2.0, Ink::Surface.fill().opacity(0.85));
+        self.picture.items.extend(rows.items);
+        self.labels.reserve(ground);
     }
 }
 

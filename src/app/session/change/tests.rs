@@ -376,3 +376,20 @@ fn a_question_that_no_option_answers_says_so_and_stops_nobody() {
     session.update(Command::Change(opened)).unwrap();
     assert!(session.question_at(step) && !is_undecided(&session));
 }
+
+#[test]
+fn the_panel_that_was_chosen_stays_large_while_a_light_is_moved() {
+    let mut lesson = builtin("reflection").unwrap().read().unwrap();
+    lesson.parameters = vec![Parameter::Light(0)];
+    let mut session = Session::new(lesson).unwrap();
+    session.update(Command::Questions).unwrap();
+    for _ in 0..4 {
+        session.update(Command::NextNarrated).unwrap();
+        session.update(Command::Key(Panel::RayTree)).ok();
+        assert_eq!(session.key_panel(), Some(Panel::RayTree));
+        // Through the floor: other rays, and other explanations.
+        put(&mut session, DVec3::new(0.0, -5.0, 0.0));
+        put(&mut session, THERE);
+        assert_eq!(session.key_panel(), Some(Panel::RayTree));
+    }
+}
