@@ -242,12 +242,11 @@ vocabulary! {
                 &[
                     is("B_i = {B_{i,old}=B_i<<i} + shot").when(FIRST),
                     is("B_i = {B_{i,old}=B_j<<j:i,k-1|B_i<<i,k-1} + shot").when(When::Not(&FIRST)),
-                    is("unshot_i = {unshot_j<<j:i,i,k}").when(SHOWN),
                     is("unshot_i = −ambient + 'ρ_i F_{ii} shot'")
-                        .when(When::All(&[When::Not(&SHOWN), When::Recorded("ambient")]))
+                        .when(When::Recorded("ambient"))
                         .unevaluated(UNFOLLOWED),
                     is("unshot_i = 'ρ_i F_{ii} shot'")
-                        .when(When::All(&[When::Not(&SHOWN), When::Unrecorded("ambient")]))
+                        .when(When::Unrecorded("ambient"))
                         .unevaluated(UNFOLLOWED),
                 ],
             ),
@@ -314,8 +313,6 @@ const UNKNOWNS: &str = "the unknowns of a whole system";
 const ALL_PATCHES: &str = "a sum over all patches, whose parts are not recorded";
 const UNFOLLOWED: &str = "the exchanges of this patch are not recorded";
 const ROW: Message = Message("note-row-of-the-system");
-/// What the patch that shoots received of its own light.
-const SHOWN: When = When::Known("{unshot_j<<j:i,i,k}");
 const FIRST: When = When::Equals("k", 0);
 const SECOND: When = When::Equals("k", 1);
 const SAME: When = When::Same("i", "j");

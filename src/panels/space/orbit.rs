@@ -160,23 +160,27 @@ impl Frame {
             let point = point - pivot;
             DVec2::new(point.dot(right), -point.dot(up))
         };
-        let whole = match self.distance {
+        let flat = |points: &[DVec3]| -> Vec<DVec2> { points.iter().copied().map(flat).collect() };
+        let (whole, [low, high]) = match self.distance {
             Some(distance) => {
                 let view = &prepared.view;
                 let size = DVec2::new(view.width.into(), view.height.into());
                 let half = 0.5 * distance / view.focal * size;
-                Fit::new(-half, half, area)
+                (Fit::new(-half, half, area), [-half, half])
             }
             None => {
-                let flat =
-                    |points: &[DVec3]| -> Vec<DVec2> { points.iter().copied().map(flat).collect() };
                 let [low, high] = around(&flat(shown), &flat(lights));
-                Fit::new(low, high, area)
+                (Fit::new(low, high, area), around(&flat(shown), &[]))
             }
         };
         let scale = whole.scale * orbit.enlarged.exp();
         let size = DVec2::new(area.width.into(), area.height.into());
         let center = whole.point(area.center()) - orbit.shift * size / scale;
+        // What is moved far away stays at the border of what there is.
+        let center = match orbit.shift == DVec2::ZERO {
+            true => center,
+            false => center.max(low).min(high),
+        };
         Space {
             right,
             up,

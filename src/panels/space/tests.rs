@@ -130,7 +130,9 @@ fn turned_and_moved_as_far_as_one_likes_something_stays_in_sight() {
                 }
             }
         }
-        for (by, zoom) in [(-100.0, 0.01), (-3.0, 4.0), (0.4, 1e6), (100.0, 30.0)] {
+        // From the eye, the border is that of the picture.
+        let moves = [(-100.0, 0.01), (-3.0, 4.0), (0.4, 1e6), (100.0, 30.0)];
+        for (by, zoom) in moves.into_iter().filter(|_| preset != Preset::Eye) {
             let far = orbit.moved(Vec2::splat(by)).zoomed(zoom, Vec2::splat(0.3));
             let input = PanelInput {
                 space: looked_at(far.moved(Vec2::splat(by))),
