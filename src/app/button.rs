@@ -2,6 +2,7 @@
 
 use super::keys;
 use super::session::{Command, Session};
+use crate::language::Message;
 use egui::{Response, Ui};
 
 /// Has what is off say why: under the pointer, and to a screen reader.
@@ -36,4 +37,19 @@ pub(super) fn button(
         commands.push(command);
     }
     response
+}
+
+/// A small button with a sign, for the head of a card.
+pub(super) fn sign(
+    session: &Session,
+    sign: &str,
+    name: Message,
+    command: Command,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) -> Response {
+    let text = egui::RichText::new(sign).size(13.0);
+    let small = egui::Button::new(text).min_size(egui::vec2(24.0, 22.0));
+    let name = session.localize(name);
+    button(session, small, name, command, commands, ui)
 }

@@ -1,12 +1,12 @@
 //! How the scene in space is turned, moved and enlarged: by the pointer, by keys, and by a choice of places to look from.
 
-use super::button::button;
+use super::button;
 use super::session::{Command, Session};
 use super::strings;
 use crate::algorithms::ray_tree::RayKind;
 use crate::language::Message;
 use crate::panels::{Orbit, Pixels, Preset, SpaceView, ray_kind_name};
-use egui::{Button, Key, PointerButton, Response, RichText, Ui};
+use egui::{Key, PointerButton, Response, RichText, Ui};
 use glam::Vec2;
 use std::f32::consts::PI;
 
@@ -44,17 +44,8 @@ pub fn buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         ("−", 1.0 / PRESS, strings::SMALLER_SCENE),
         ("+", PRESS, strings::LARGER_SCENE),
     ] {
-        let sign = RichText::new(sign).size(13.0);
-        let small = Button::new(sign).min_size(egui::vec2(24.0, 22.0));
         let command = looked_at(session, orbit.zoomed(factor, Vec2::ZERO));
-        button(
-            session,
-            small,
-            session.localize(name),
-            command,
-            commands,
-            ui,
-        );
+        button::sign(session, sign, name, command, commands, ui);
     }
     let has_rays = session.panel_input().run.rays().is_some();
     let current = PLACES.iter().find(|(place, _)| *place == orbit.from);

@@ -1,12 +1,12 @@
 //! How a figure is zoomed and dragged: by the pointer, and the ray tree by buttons too.
 
-use super::button::button;
+use super::button;
 use super::session::{Command, Session};
 use super::strings;
 use crate::figure::View;
 use crate::panels::{tree_area, tree_middle};
 use crate::picture::Rect;
-use egui::{Button, Response, RichText, Ui};
+use egui::{Response, Ui};
 use glam::Vec2;
 
 /// How much a press of a button zooms.
@@ -27,17 +27,8 @@ pub fn buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         ("+", shown.zoomed(PRESS), strings::LARGER_TREE),
         ("−", shown.zoomed(1.0 / PRESS), strings::SMALLER_TREE),
     ] {
-        let sign = RichText::new(sign).size(13.0);
-        let small = Button::new(sign).min_size(egui::vec2(24.0, 22.0));
         let command = Command::ViewTree(session.tree().showing(view));
-        button(
-            session,
-            small,
-            session.localize(name),
-            command,
-            commands,
-            ui,
-        );
+        button::sign(session, sign, name, command, commands, ui);
     }
 }
 

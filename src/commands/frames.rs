@@ -7,7 +7,7 @@ use super::notes;
 use super::progress::Progress;
 use crate::algorithms::enclosure;
 use crate::panels::strings::Language;
-use crate::panels::{Answered, Panel, PanelInput, SpaceView, TreeView, draw};
+use crate::panels::{Panel, PanelInput, draw};
 use crate::picture::{Theme, rasterize, to_png};
 use crate::render::compare::compare;
 use crate::render::{Finished, race, render, smooth_patches};
@@ -100,20 +100,9 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     for (done, &step) in steps.iter().enumerate() {
         open.run.walk_mut().seek(step);
         let input = PanelInput {
-            run: &open.run,
-            finished: &finished,
-            focus: open.lesson.focus,
-            language: Language::English,
             narrated: &narrated,
-            breakpoints: &[],
-            tree: TreeView::whole(),
-            channel: None,
-            space: SpaceView::default(),
-            fan: &[],
             smooth: radiosity.smooth.then_some(smooth_patches),
-            pending: None,
-            answered: Answered::default(),
-            selected: None,
+            ..PanelInput::of(&open.run, &finished, open.lesson.focus, Language::English)
         };
         let [width, height] = arguments.size.map(|side| side as f32);
         for &panel in &panels {

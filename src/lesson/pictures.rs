@@ -2,7 +2,7 @@
 
 use super::OpenLesson;
 use crate::language::Language;
-use crate::panels::{Answered, Panel, PanelInput, SpaceView, TreeView, draw};
+use crate::panels::{Panel, PanelInput, draw};
 use crate::picture::Picture;
 use crate::render::compare::compare_on;
 use crate::render::{Finished, render};
@@ -55,20 +55,8 @@ pub(super) fn input<'a>(
     language: Language,
 ) -> PanelInput<'a> {
     PanelInput {
-        run: &open.run,
-        finished,
-        focus: open.lesson.focus,
-        language,
         narrated,
-        breakpoints: &[],
-        tree: TreeView::whole(),
-        channel: None,
-        space: SpaceView::default(),
-        fan: &[],
-        smooth: None,
-        pending: None,
-        answered: Answered::default(),
-        selected: None,
+        ..PanelInput::of(&open.run, finished, open.lesson.focus, language)
     }
 }
 

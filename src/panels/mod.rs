@@ -139,6 +139,28 @@ pub struct PanelInput<'a> {
     pub selected: Option<usize>,
 }
 
+impl<'a> PanelInput<'a> {
+    /// What is seen where nobody has chosen, marked or answered anything.
+    pub fn of(run: &'a Run, finished: &'a Finished, focus: Focus, language: Language) -> Self {
+        PanelInput {
+            run,
+            finished,
+            focus,
+            language,
+            narrated: &[],
+            breakpoints: &[],
+            tree: TreeView::whole(),
+            channel: None,
+            space: SpaceView::default(),
+            fan: &[],
+            smooth: None,
+            pending: None,
+            answered: Answered::default(),
+            selected: None,
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@
 use glam::Vec2;
 use lightwalk::lesson::builtins;
 use lightwalk::panels::strings::Language;
-use lightwalk::panels::{Answered, Panel, PanelInput, SpaceView, TreeView, draw};
+use lightwalk::panels::{Panel, PanelInput, SpaceView, draw};
 use lightwalk::picture::{Theme, rasterize};
 use lightwalk::render::{Finished, render};
 use lightwalk::study::timing::Timing;
@@ -26,7 +26,6 @@ fn main() {
             &|_, _| {},
         );
         let finished = Finished::new(picture, &open.setup.prepared.scene.lights);
-        let tree = TreeView::whole();
         let steps = open.run.walk().len();
         let (mut whole, mut lists) = (Vec::new(), Vec::new());
         let mut space = SpaceView::default();
@@ -36,20 +35,8 @@ fn main() {
                 .seek(frame * steps.saturating_sub(1) / FRAMES);
             space.orbit = space.orbit.turned(Vec2::new(0.15, 0.02));
             let input = PanelInput {
-                run: &open.run,
-                finished: &finished,
-                focus: open.lesson.focus,
-                language: Language::English,
-                narrated: &[],
-                breakpoints: &[],
-                tree,
                 space,
-                fan: &[],
-                channel: None,
-                smooth: None,
-                pending: None,
-                answered: Answered::default(),
-                selected: None,
+                ..PanelInput::of(&open.run, &finished, open.lesson.focus, Language::English)
             };
             let start = Instant::now();
             let picture = draw(Panel::Space, &input, SIZE);

@@ -3,7 +3,7 @@
 use lightwalk::algorithms::enclosure;
 use lightwalk::lesson::{OpenLesson, builtin};
 use lightwalk::panels::strings::Language;
-use lightwalk::panels::{Answered, Panel, PanelInput, SpaceView, TreeView, draw};
+use lightwalk::panels::{Panel, PanelInput, draw};
 use lightwalk::picture::Picture;
 use lightwalk::render::compare::compare_on;
 use lightwalk::render::{Finished, render, smooth_patches};
@@ -65,20 +65,14 @@ impl Walk {
         self.open.run.walk_mut().seek(self.narrated[index]);
         let radiosity: enclosure::Settings = self.open.setup.settings.get();
         let input = PanelInput {
-            run: &self.open.run,
-            finished: &self.finished,
-            focus: self.open.lesson.focus,
-            language,
             narrated: &self.narrated,
-            breakpoints: &[],
-            tree: TreeView::whole(),
-            channel: None,
-            space: SpaceView::default(),
-            fan: &[],
             smooth: radiosity.smooth.then_some(smooth_patches),
-            pending: None,
-            answered: Answered::default(),
-            selected: None,
+            ..PanelInput::of(
+                &self.open.run,
+                &self.finished,
+                self.open.lesson.focus,
+                language,
+            )
         };
         let size = if panel == Panel::TimeLine {
             (800.0 / shrink, 130.0 / shrink)

@@ -19,6 +19,7 @@ mod search;
 mod select;
 mod study;
 mod study_commands;
+mod titles;
 mod turn;
 mod update;
 
@@ -40,7 +41,7 @@ use crate::language::{Language, Message};
 use crate::lesson::{Guess, Lesson, LessonError, Narrated, OpenLesson};
 use crate::methods::Setup;
 use crate::panels::{Panel, PanelInput, SpaceView, TreeView};
-use crate::picture::{Tag, Theme, plain};
+use crate::picture::{Tag, Theme};
 use crate::render::smooth_patches;
 use crate::replay::Walk;
 use fan::Fan;
@@ -376,49 +377,5 @@ impl Session {
 
     pub fn localize(&self, strings: Message) -> &'static str {
         strings.text(self.look.language)
-    }
-
-    /// The lesson's number, where it has one, and title.
-    pub fn title(&self) -> String {
-        let lesson = self.lesson();
-        let title = plain(lesson.title.in_language(self.look.language));
-        match lesson.number {
-            Lesson::UNNUMBERED => title,
-            number => format!("{number} · {title}"),
-        }
-    }
-
-    /// As it stands on the frame of the window, for people and for scripts. Steps are counted from 0.
-    pub fn window_title(&self) -> String {
-        if self.look.home {
-            return format!("Lightwalk – {}", self.localize(super::strings::LESSONS));
-        }
-        let title = plain(self.lesson().title.in_language(self.look.language));
-        format!("Lightwalk – {title} – {}", self.place())
-    }
-
-    /// The step of how many, in words.
-    pub fn place(&self) -> String {
-        let [step, last] = [self.step(), self.last_step()].map(|step| step.to_string());
-        super::strings::STEP_OF.format(self.look.language, &[("step", &step), ("last", &last)])
-    }
-
-    /// The command that opens this lesson at this step. Errors: why there is none.
-    pub fn command_line(&self) -> Result<String, Message> {
-        if self.lesson().number == Lesson::UNNUMBERED {
-            Err(super::strings::SHARE_NO_STUDY)
-        } else if !self.follows_lesson() {
-            Err(super::strings::SHARE_LESSON_ONLY)
-        } else if !self.setup().forced().is_empty() {
-            Err(super::strings::SHARE_AS_LEFT_OUT_ONLY)
-        } else if self.is_changed() {
-            Err(super::strings::SHARE_UNCHANGED_ONLY)
-        } else {
-            Ok(format!(
-                "lightwalk open {} --step {}",
-                self.lesson().id,
-                self.step()
-            ))
-        }
     }
 }

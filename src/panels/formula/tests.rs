@@ -1,3 +1,5 @@
+mod taken;
+
 use super::super::fixture::{self, Fixture};
 use super::super::fixtures::{self, SIZES, assert_legible, texts};
 use super::*;
@@ -311,122 +313,6 @@ fn both_sides_of_every_formula_agree() {
         }
     }
     assert!(unused.is_empty(), "{unused:#?}");
-}
-
-/// Values that a step takes rather than computes, by kind.
-const TAKEN: &[(&str, &[&str])] = &[
-    // The scene states them.
-    ("Ambient", &["k_a"]),
-    ("Attenuated", &["a_0", "a_1", "a_2"]),
-    ("Background", &["color"]),
-    ("Diffuse", &["k_d"]),
-    ("FileNormal", &["N_v"]),
-    ("Frame", &["A"]),
-    ("Gathering", &["E_i", "rho_i"]),
-    ("Halfway", &["n_s"]),
-    ("Light", &["I_light"]),
-    ("LightMet", &["color"]),
-    ("Local", &["emission"]),
-    ("Mirrored", &["n_s"]),
-    ("Received", &["rho_j"]),
-    ("Reflection", &["k_r"]),
-    ("Refraction", &["eta_i", "eta_r"]),
-    ("Specular", &["k_s"]),
-    ("TotalInternalReflection", &["k_t"]),
-    ("Transmission", &["k_t"]),
-    ("Vertex", &["P_v"]),
-    // A step before computed them.
-    ("Attenuated", &["d"]),
-    ("BetweenTested", &["d"]),
-    ("CornerPlaced", &["I", "N"]),
-    ("DepthTested", &["nearest"]),
-    ("Exchanged", &["B_j"]),
-    ("Found", &["NearestT"]),
-    ("Gathering", &["B_old"]),
-    ("LightTested", &["NearestT"]),
-    ("ObjectTested", &["NearestT"]),
-    ("Received", &["B_j"]),
-    ("Refraction", &["cos_theta_i"]),
-    ("Shooting", &["unshot_i"]),
-    ("Span", &["x_4", "x_5", "z_4", "z_5"]),
-    ("SpanEnds", &["I_4", "I_5", "N_4", "N_5"]),
-    ("Started", &["B_i", "unshot_i"]),
-    ("TextureApplied", &["I_d"]),
-    ("TriangleCorner", &["N_1", "N_2", "N_3"]),
-    ("Updated", &["B_old"]),
-    // The step that follows uses them, with the formula.
-    ("Light", &["slide_factor"]),
-    ("Local", &["I_sum"]),
-    // Samples, and what is measured of a piece of a patch.
-    ("Chosen", &["distance", "radius_i", "radius_j"]),
-    ("Edge", &["Gamma_k", "R_k"]),
-    ("EdgePair", &["e_dot_f"]),
-    ("Element", &["w", "x"]),
-    ("Hemicube", &["x"]),
-    ("Pieces", &["area_i", "area_j"]),
-    ("Pair", &["w_x", "w_y"]),
-    ("Points", &["x", "y"]),
-    ("Ray", &["direction", "x"]),
-    ("Reference", &["F_exact"]),
-    ("Seen", &["F_visible", "F_x", "x"]),
-    ("Sight", &["x", "y"]),
-    ("Visible", &["share"]),
-    // A place on a texture, and the nearest point of a true surface.
-    ("Textured", &["texture", "u_texture", "v_texture"]),
-    (
-        "TexturedLinearly",
-        &["texture_linear", "u_linear", "v_linear"],
-    ),
-    ("TruePoint", &["N", "P"]),
-];
-
-/// The values of a step, finite ones, that none of its formulas is about with two sides.
-fn without_formula(
-    entry: &'static Entry,
-    known: &mut Known,
-    own: &Fields,
-) -> impl Iterator<Item = &'static str> + use<> {
-    let formulas = formulas(entry, known);
-    let explained: HashSet<&str> = formulas
-        .iter()
-        .map(|formula| formula.equation())
-        .filter(|equation| matches!(equation.right, Some((Relation::Equal, _))))
-        .flat_map(|equation| equation.left.references())
-        .map(|reference| reference.name)
-        .collect();
-    let is_computed = |value: Value| match value {
-        Value::Number(number) => number.is_finite(),
-        Value::Rgb(_) | Value::Vector(_) => true,
-        Value::Integer(_) | Value::Truth(_) | Value::Word(_) => false,
-    };
-    let missing = own.iter().filter(|field| is_computed(field.value));
-    let missing = missing
-        .map(|field| field.name)
-        .filter(|name| !explained.contains(name));
-    missing.collect::<Vec<_>>().into_iter()
-}
-
-#[test]
-fn no_value_falls_from_the_sky() {
-    let mut missing: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
-    each_step(|kind, known, _| {
-        let entry = entry(kind, known).expect("every step has one");
-        let own = known.own().clone();
-        missing
-            .entry(kind.name)
-            .or_default()
-            .extend(without_formula(entry, known, &own));
-    });
-    for (kind, values) in TAKEN {
-        for value in *values {
-            let missing = missing
-                .get_mut(kind)
-                .is_some_and(|missing| missing.remove(value));
-            assert!(missing, "{kind} computes {value}, or has none");
-        }
-    }
-    missing.retain(|_, values| !values.is_empty());
-    assert_eq!(missing, BTreeMap::new());
 }
 
 #[test]

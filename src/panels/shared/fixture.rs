@@ -9,7 +9,7 @@ use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
 use crate::color::Rgb;
 use crate::methods::Setup;
-use crate::panels::{Answered, PanelInput, SpaceView, TreeView};
+use crate::panels::PanelInput;
 use crate::record::RecordingLimit;
 use crate::render::{Finished, Method, render};
 use crate::replay::Run;
@@ -135,22 +135,7 @@ impl Fixture {
     }
 
     pub fn input(&self) -> PanelInput<'_> {
-        PanelInput {
-            run: &self.run,
-            finished: &self.finished,
-            focus: self.focus,
-            language: Language::English,
-            narrated: &[],
-            breakpoints: &[],
-            tree: TreeView::whole(),
-            channel: None,
-            space: SpaceView::default(),
-            fan: &[],
-            smooth: None,
-            pending: None,
-            answered: Answered::default(),
-            selected: None,
-        }
+        PanelInput::of(&self.run, &self.finished, self.focus, Language::English)
     }
 
     /// Goes to the `n`-th event of a kind, counted from 0.

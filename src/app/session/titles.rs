@@ -1,0 +1,53 @@
+//! What the session calls itself: the lesson, its place, and the command that leads there.
+
+use super::Session;
+use crate::app::strings;
+use crate::language::Message;
+use crate::lesson::Lesson;
+use crate::picture::plain;
+
+impl Session {
+    /// The lesson's number, where it has one, and title.
+    pub fn title(&self) -> String {
+        let lesson = self.lesson();
+        let title = plain(lesson.title.in_language(self.look.language));
+        match lesson.number {
+            Lesson::UNNUMBERED => title,
+            number => format!("{number} · {title}"),
+        }
+    }
+
+    /// As it stands on the frame of the window, for people and for scripts. Steps are counted from 0.
+    pub fn window_title(&self) -> String {
+        if self.look.home {
+            return format!("Lightwalk – {}", self.localize(strings::LESSONS));
+        }
+        let title = plain(self.lesson().title.in_language(self.look.language));
+        format!("Lightwalk – {title} – {}", self.place())
+    }
+
+    /// The step of how many, in words.
+    pub fn place(&self) -> String {
+        let [step, last] = [self.step(), self.last_step()].map(|step| step.to_string());
+        strings::STEP_OF.format(self.look.language, &[("step", &step), ("last", &last)])
+    }
+
+    /// The command that opens this lesson at this step. Errors: why there is none.
+    pub fn command_line(&self) -> Result<String, Message> {
+        if self.lesson().number == Lesson::UNNUMBERED {
+            Err(strings::SHARE_NO_STUDY)
+        } else if !self.follows_lesson() {
+            Err(strings::SHARE_LESSON_ONLY)
+        } else if !self.setup().forced().is_empty() {
+            Err(strings::SHARE_AS_LEFT_OUT_ONLY)
+        } else if self.is_changed() {
+            Err(strings::SHARE_UNCHANGED_ONLY)
+        } else {
+            Ok(format!(
+                "lightwalk open {} --step {}",
+                self.lesson().id,
+                self.step()
+            ))
+        }
+    }
+}
