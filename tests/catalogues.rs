@@ -230,6 +230,11 @@ fn is_prose(text: &str) -> bool {
     words.windows(2).any(|pair| pair == [true, true])
 }
 
+/// A command line is the same in every language.
+fn is_command(text: &str) -> bool {
+    text.starts_with("lightwalk ")
+}
+
 /// The files of panels and window whose text people read in their language, by name.
 fn shown_sources() -> Vec<(String, String)> {
     let mut files = Vec::new();
@@ -254,7 +259,7 @@ fn panels_and_window_have_no_text_outside_of_the_catalogues() {
     for (name, source) in shown_sources() {
         for text in literals(&source) {
             assert!(
-                !is_prose(text) || UNSEEN.contains(&text),
+                !is_prose(text) || UNSEEN.contains(&text) || is_command(text),
                 "{name}: `{text}` is in no catalogue"
             );
         }
