@@ -6,7 +6,8 @@ use super::panel_view::{self, PanelView, Scale};
 use super::row_end::{before_end, row_end};
 use super::session::{Command, Drawer, Session};
 use super::{
-    drag, parameter_drawer, results_drawer, space_controls, strings, style, tree_controls,
+    drag, image_controls, parameter_drawer, results_drawer, space_controls, strings, style,
+    tree_controls,
 };
 use crate::language::Message;
 use crate::panels::{Panel, step_at};
@@ -228,6 +229,9 @@ fn way_to_selected(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) 
 
 /// What a panel lets be changed.
 fn controls(session: &Session, panel: Panel, commands: &mut Vec<Command>, ui: &mut Ui) {
+    if panel == Panel::Image {
+        image_controls::buttons(session, commands, ui);
+    }
     if panel == Panel::Space {
         space_controls::buttons(session, commands, ui);
     }
@@ -334,6 +338,7 @@ pub fn panel_on(
         command = tree_controls::pointed(session, &response, ui).or(command);
     }
     if panel == Panel::Image {
+        command = image_controls::pointed(session, &response, ui).or(command);
         // The menu is about the place where it was opened, not where the pointer went since.
         let id = response.id.with("menu");
         if response.secondary_clicked() {

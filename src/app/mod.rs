@@ -9,6 +9,7 @@ mod drag;
 mod finished;
 mod forget;
 mod home;
+mod image_controls;
 mod keeper;
 mod key_sheet;
 mod keys;

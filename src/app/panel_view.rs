@@ -8,7 +8,7 @@ use super::strings;
 use super::style;
 use crate::algorithms::focus::Focus;
 use crate::language::Language;
-use crate::panels::{self, Answered, Panel, SpaceView, TreeView, draw};
+use crate::panels::{self, Answered, ImageView, Panel, SpaceView, TreeView, draw};
 use crate::picture::{Ink, Tag};
 use crate::record::Value;
 use crate::vocabulary::counted;
@@ -27,6 +27,8 @@ pub struct Key {
     tree: Option<TreeView>,
     /// Of formulas alone.
     channel: Option<usize>,
+    /// Of the image alone.
+    image: Option<ImageView>,
     /// Of the scene in space alone.
     space: Option<(SpaceView, u64)>,
     /// Of the room alone.
@@ -77,7 +79,7 @@ impl PanelView {
         let sense = if scale == Scale::Full
             && matches!(
                 panel,
-                Panel::TimeLine | Panel::RayTree | Panel::Space | Panel::Vectors
+                Panel::TimeLine | Panel::RayTree | Panel::Space | Panel::Vectors | Panel::Image
             ) {
             Sense::click_and_drag()
         } else {
@@ -112,6 +114,7 @@ impl Key {
                 .panel_input()
                 .channel
                 .filter(|_| panel == Panel::Formula),
+            image: (panel == Panel::Image).then(|| session.image()),
             space: (panel == Panel::Space).then(|| (session.space(), session.fan().version())),
             smooth: panel == Panel::Radiosity && session.look.smooth,
             pending: session.panel_input().is_pending(),

@@ -73,9 +73,12 @@ impl StudyPlot {
         let name = session.localize(strings::STUDY_PLOT);
         let under = self.picture.paint(place, name, &response, ui);
         let size = glam::Vec2::new(place.rect.width(), place.rect.height());
-        let changed = field(part, language, size, view).and_then(|field| {
-            tree_controls::looked_at(view, || Some(view.middle()), field, &response, ui)
-        });
+        let changed = match response.double_clicked() {
+            true => Some(View::WHOLE),
+            false => field(part, language, size, view).and_then(|field| {
+                tree_controls::looked_at(view, || Some(view.middle()), field, &response, ui)
+            }),
+        };
         if let Some(view) = changed {
             self.looked_at = Some((study, studying.part, view));
             ui.ctx().request_repaint();

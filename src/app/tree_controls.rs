@@ -37,11 +37,14 @@ pub fn pointed(session: &Session, response: &Response, ui: &Ui) -> Option<Comman
     let tree = session.tree();
     let size = Vec2::new(response.rect.width(), response.rect.height());
     let middle = || tree_middle(&session.panel_input(), size);
-    let view = looked_at(tree.shown, middle, tree_area(size), response, ui)?;
+    let view = match response.double_clicked() {
+        true => View::WHOLE,
+        false => looked_at(tree.shown, middle, tree_area(size), response, ui)?,
+    };
     Some(Command::ViewTree(tree.showing(view)))
 }
 
-/// The wheel and a pinch zoom about the pointer, dragging drags, a double click fits. The figure stands in `area` of what is pointed at,
+/// The wheel and a pinch zoom about the pointer, dragging drags. The figure stands in `area` of what is pointed at,
 /// with `middle` in its middle. None where nothing changes.
 pub fn looked_at(
     view: View,
@@ -54,9 +57,7 @@ pub fn looked_at(
     let factor = pinch * (wheel / WHEEL).exp();
     let drag = response.drag_delta();
     let extent = Vec2::new(area.width, area.height);
-    let changed = if response.double_clicked() {
-        View::WHOLE
-    } else if let Some(at) = response.hover_pos().filter(|_| factor != 1.0) {
+    let changed = if let Some(at) = response.hover_pos().filter(|_| factor != 1.0) {
         let at = at - response.rect.min;
         let from_middle = Vec2::new(at.x, at.y) - area.center();
         view.zoomed_about(factor, middle()?, from_middle, extent)

@@ -188,6 +188,10 @@ app-all-levels = all
 app-larger-scene = zoom in
 app-smaller-scene = zoom out
 app-space-as-it-is = The scene is already shown that way.
+app-whole-picture = show the whole picture
+app-larger-picture = enlarge the picture
+app-smaller-picture = show more of the picture
+app-image-as-it-is = The picture is already shown that way.
 app-tree-fit = fit
 app-whole-tree = show the whole tree
 app-larger-tree = larger tree
@@ -364,6 +368,13 @@ hint-way-down = down
 
 image-value = { $pixel }: linear { $linear }; 8 bits { $bytes }; { $hex }
 image-not-drawn = { $pixel }: not drawn yet
+image-layer-color = colour
+image-layer-depth = depth
+image-layer-object = object
+image-layer-normal = normal
+image-layer-rays = number of rays
+image-normal-colors = red, green, blue: N along x, y, z from −1 to 1
+image-no-object = none
 image-only = focus: { $focus }
 image-drawn = pixels drawn so far: { $count }.
 

@@ -188,6 +188,10 @@ app-all-levels = semua
 app-larger-scene = perbesar adegan
 app-smaller-scene = perkecil adegan
 app-space-as-it-is = Adegan sudah tampil demikian.
+app-whole-picture = tampilkan seluruh gambar
+app-larger-picture = perbesar gambar
+app-smaller-picture = tampilkan lebih banyak dari gambar
+app-image-as-it-is = Gambar sudah tampil demikian.
 app-tree-fit = pas
 app-whole-tree = tampilkan seluruh pohon
 app-larger-tree = perbesar pohon
@@ -364,6 +368,13 @@ hint-way-down = ke bawah
 
 image-value = { $pixel }: linear { $linear }; 8 bit { $bytes }; { $hex }
 image-not-drawn = { $pixel }: belum digambar
+image-layer-color = warna
+image-layer-depth = kedalaman
+image-layer-object = objek
+image-layer-normal = normal
+image-layer-rays = jumlah sinar
+image-normal-colors = merah, hijau, biru: N sepanjang x, y, z dari −1 sampai 1
+image-no-object = tidak ada
 image-only = fokus: { $focus }
 image-drawn = piksel yang sudah digambar: { $count }.
 

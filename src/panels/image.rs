@@ -3,32 +3,33 @@
 //! Where the rays of one pixel are followed, the picture so far is that pixel: the finished picture is shown in full colour
 //! around it, so that it can be seen what the pixel is part of. So it is where a run begins and ends.
 
+mod layers;
 mod marks;
+mod placing;
 mod value;
+mod view;
 
 pub use value::value;
+pub use view::{ImageView, PixelLayer};
 
 use super::horizon::{after_your_answer, hatch, hatched};
 use super::strings::focus;
 use super::values::{sentence, step_in_words};
 use super::{PanelInput, Properties};
 use crate::algorithms::focus::Focus;
-use crate::color::Rgb;
-use crate::figure::{Fit, joined};
+use crate::figure::joined;
 use crate::language::{Language, Message};
 use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, ascent, elide};
 use crate::replay::shading::Dot;
 use crate::replay::{Canvas, Run};
-use glam::Vec2;
+use glam::{UVec2, Vec2};
+use layers::Shown;
 use marks::Marks;
+use placing::Placing;
 use std::iter;
 
 /// How far what is not drawn yet stands out from the background, of 255.
 const GHOST: i32 = 60;
-/// Points a pixel from which on the pixels are told apart by a grid.
-const GRID: f64 = 6.0;
-/// Least part of its room that a picture with pixels of one size fills.
-const FILLED: f64 = 0.9;
 const CAPTION: f32 = 11.5;
 const CAPTION_HEIGHT: f32 = 20.0;
 
@@ -39,78 +40,135 @@ pub const PANEL: Properties = Properties::titled(Message("app-image"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
-    let marks = match input.run {
-        Run::Wireframe(replay) => Marks::of_wireframe(replay.state()),
-        Run::Shading(_, replay) => Marks::of_shading(replay.state()),
-        Run::Rays(_, replay) => Marks::of_rays(replay.state()),
-        Run::Radiosity(..) | Run::FormFactor(..) => return finished(input, size),
-    };
-    let (canvas, background) = (marks.canvas, marks.prepared.scene.background);
-    let (width, height) = (canvas.width(), canvas.height());
-    let area = Rect::new(0.0, 0.0, size.x, size.y - CAPTION_HEIGHT);
-    if width == 0 || height == 0 || area.is_empty() {
+    let marks = marks(input);
+    let pixels = pixels(input);
+    let middle = middle(input);
+    let placing = Placing::new(
+        pixels.as_vec2(),
+        area(input, size),
+        &input.image.shown,
+        middle,
+    );
+    let Some(placing) = placing else {
         return picture;
-    }
-    let zoom = zoom(Vec2::new(width as f32, height as f32), area);
-    let extent = Vec2::new(width as f32, height as f32) * zoom as f32;
-    // On whole points, so that pixels are equally large on every screen.
-    let origin = origin(Vec2::new(area.width, area.height), extent);
-    let frame = Rect::between(origin, origin + extent);
-    let fit = Fit::at_origin(origin, zoom);
-
+    };
+    let shown = Shown::of(input);
     let hidden = input.hidden_pixels(&input.finished.picture);
-    let (image, drawn) = image(input, canvas, background, hidden.as_deref());
-    picture.pixels(frame, image, (0, 0));
-    picture.clipped(frame, |picture| {
-        if zoom >= GRID {
-            grid(picture, width as u32, height as u32, &fit);
+    let (image, drawn) = image(input, shown.as_ref(), hidden.as_deref());
+    picture.clipped(placing.frame, |picture| {
+        picture.pixels(placing.whole, image, (0, 0));
+        placing.grid(picture);
+        if let Some(marks) = &marks {
+            marks.draw(picture, input.focus, &placing.fit);
         }
-        marks.draw(picture, input.focus, &fit);
         input.answered.draw(picture, |tag| match tag {
-            Tag::Pixel { x, y } => Some(fit.pixels(x, x + 1, y)),
+            Tag::Pixel { x, y } => Some(placing.fit.pixels(x, x + 1, y)),
             _ => None,
         });
     });
-    picture.rect(frame, Ink::Rule.stroke(1.0));
-    caption(&mut picture, input, &marks, (width, height), zoom);
-
-    let at = current(&marks, input.language).unwrap_or_else(|| focus(input.focus, input.language));
-    let drawn = DRAWN.format(input.language, &[("count", &drawn.to_string())]);
-    picture.alt = sentence(&step_in_words(input), &[at], input.language) + " " + &drawn;
+    if marks.is_none() && hidden.is_some() {
+        after_your_answer(&mut picture, placing.frame, input.language);
+    }
+    picture.rect(placing.frame, Ink::Rule.stroke(1.0));
+    placing.numbers(&mut picture, marks.as_ref().and_then(|marks| marks.pixel));
+    let row = Rect::new(4.0, size.y - CAPTION_HEIGHT, size.x - 8.0, CAPTION_HEIGHT);
+    match (&shown, &marks) {
+        (Some(shown), _) => shown.legend(&mut picture, row, input),
+        (None, Some(marks)) => caption(&mut picture, input, marks, pixels, placing.fit.scale),
+        (None, None) => {}
+    }
+    picture.alt = alt(input, marks.as_ref(), drawn);
     picture
 }
 
+/// What the step works on; none where the run draws no pixels, but exchanges light between patches.
+fn marks<'a>(input: &PanelInput<'a>) -> Option<Marks<'a>> {
+    match input.run {
+        Run::Wireframe(replay) => Some(Marks::of_wireframe(replay.state())),
+        Run::Shading(_, replay) => Some(Marks::of_shading(replay.state())),
+        Run::Rays(_, replay) => Some(Marks::of_rays(replay.state())),
+        Run::Radiosity(..) | Run::FormFactor(..) => None,
+    }
+}
+
+/// Columns and rows of the picture.
+fn pixels(input: &PanelInput) -> UVec2 {
+    match input.run.canvas() {
+        Some(canvas) => UVec2::new(canvas.width() as u32, canvas.height() as u32),
+        None => {
+            let finished = &input.finished.picture;
+            UVec2::new(finished.width, finished.rows.len() as u32)
+        }
+    }
+}
+
+/// Where the picture stands, in a panel of that size.
+fn area(input: &PanelInput, size: Vec2) -> Rect {
+    let has_row = input.run.canvas().is_some() || Shown::of(input).is_some();
+    let row = if has_row { CAPTION_HEIGHT } else { 0.0 };
+    Rect::new(0.0, 0.0, size.x, size.y - row)
+}
+
+/// Where the whole picture stands in a panel of that size: what zooming and dragging are reckoned by.
+pub fn place(input: &PanelInput, size: Vec2) -> Rect {
+    let is_part = input.image.shown.zoom > 1.0;
+    Placing::of_whole(pixels(input).as_vec2(), area(input, size), is_part)
+}
+
+/// What is in the middle, in shares of the picture: what was chosen, or the current pixel.
+pub fn middle(input: &PanelInput) -> Vec2 {
+    let view = &input.image.shown;
+    let followed = || {
+        let (x, y) = marks(input)?.pixel.or(match input.focus {
+            Focus::Pixel { x, y } => Some((x, y)),
+            _ => None,
+        })?;
+        let middle = (Vec2::new(x as f32, y as f32) + 0.5) / pixels(input).as_vec2();
+        let half = Vec2::splat(0.5 / view.zoom);
+        Some(middle.clamp(half, 1.0 - half))
+    };
+    let chosen = view.center.or_else(followed);
+    chosen.unwrap_or(view.middle())
+}
+
+/// The step in words, and where it is; where pixels are drawn, how many so far.
+fn alt(input: &PanelInput, marks: Option<&Marks>, drawn: usize) -> String {
+    let step = step_in_words(input);
+    let at = marks.and_then(|marks| current(marks, input.language));
+    let at = at.unwrap_or_else(|| focus(input.focus, input.language));
+    let alt = sentence(&step, &[at], input.language);
+    match marks {
+        Some(_) => alt + " " + &DRAWN.format(input.language, &[("count", &drawn.to_string())]),
+        None => alt,
+    }
+}
+
+/// The picture so far, or a layer of its pixels; and how many pixels are drawn.
+fn image(input: &PanelInput, shown: Option<&Shown>, hidden: Option<&[bool]>) -> (Image, usize) {
+    let size = pixels(input);
+    let (image, drawn) = match input.run.canvas() {
+        Some(canvas) => so_far(input, canvas, hidden),
+        None => (finished(input, hidden), 0),
+    };
+    let Some(shown) = shown else {
+        return (image, drawn);
+    };
+    let places = (0..size.y).flat_map(|y| (0..size.x).map(move |x| (x, y)));
+    let bytes = places.flat_map(|(x, y)| shown.color(input, x, y));
+    (
+        Image::new(size.x, size.y, bytes.collect::<Vec<u8>>()),
+        drawn,
+    )
+}
+
 /// The finished picture alone: the exchange of light between patches draws no pixels.
-fn finished(input: &PanelInput, size: Vec2) -> Picture {
-    let mut picture = Picture::new(size.x, size.y);
-    let (width, height) = (
-        input.finished.picture.width,
-        input.finished.picture.rows.len() as u32,
-    );
-    let area = Rect::new(0.0, 0.0, size.x, size.y);
-    if width == 0 || height == 0 || area.is_empty() {
-        return picture;
-    }
-    let zoom = zoom(Vec2::new(width as f32, height as f32), area);
-    let extent = Vec2::new(width as f32, height as f32) * zoom as f32;
-    let origin = origin(size, extent);
-    let frame = Rect::between(origin, origin + extent);
+fn finished(input: &PanelInput, hidden: Option<&[bool]>) -> Image {
     let finished = &input.finished.picture;
-    let hidden = input.hidden_pixels(finished);
     let exposure = exposure(input.run);
-    let colors = finished
-        .color
-        .iter()
-        .map(|&color| (color * exposure).to_srgb8());
-    let bytes = hatched(colors, width, hidden.as_deref());
-    picture.pixels(frame, Image::new(width, height, bytes), (0, 0));
-    if hidden.is_some() {
-        after_your_answer(&mut picture, frame, input.language);
-    }
-    picture.rect(frame, Ink::Rule.stroke(1.0));
-    let focus = focus(input.focus, input.language);
-    picture.alt = sentence(&step_in_words(input), &[focus], input.language);
-    picture
+    let colors = finished.color.iter();
+    let colors = colors.map(|&color| (color * exposure).to_srgb8());
+    let bytes = hatched(colors, finished.width, hidden);
+    Image::new(finished.width, finished.rows.len() as u32, bytes)
 }
 
 /// As bright as the panel of the room shows the same light.
@@ -122,31 +180,10 @@ fn exposure(run: &Run) -> f64 {
     solved.map_or(1.0, |solved| solved.exposure)
 }
 
-/// Where a picture of that extent begins that stands in the middle of `room`.
-fn origin(room: Vec2, extent: Vec2) -> Vec2 {
-    // Rounding may have made it a little larger than its room.
-    (0.5 * (room - extent)).floor().max(Vec2::ZERO)
-}
-
-/// Points a pixel: the largest whole number that fits; where that leaves much of the room empty, as many as fit, since pixels that differ
-/// by one point then matter less than a picture that is too small.
-fn zoom(picture: Vec2, area: Rect) -> f64 {
-    let fitting = f64::from((Vec2::new(area.width, area.height) / picture).min_element());
-    if fitting.floor() >= FILLED * fitting {
-        fitting.floor()
-    } else {
-        fitting
-    }
-}
-
 /// The canvas, and where nothing is drawn on it yet the finished picture as a ghost, hatched where it is hidden; and how many
 /// pixels are drawn.
-fn image(
-    input: &PanelInput,
-    canvas: &Canvas<Dot>,
-    background: Rgb,
-    hidden: Option<&[bool]>,
-) -> (Image, usize) {
+fn so_far(input: &PanelInput, canvas: &Canvas<Dot>, hidden: Option<&[bool]>) -> (Image, usize) {
+    let background = input.run.prepared().scene.background;
     let ground = background.to_srgb8();
     let mut bytes = vec![0; 3 * canvas.width() * canvas.height()];
     let (pixels, _) = bytes.as_chunks_mut();
@@ -196,33 +233,8 @@ fn ghost(finished: [u8; 3], background: [u8; 3]) -> [u8; 3] {
     })
 }
 
-fn grid(picture: &mut Picture, width: u32, height: u32, fit: &Fit) {
-    let all = (
-        fit.x(0.0),
-        fit.x(width.into()),
-        fit.y(0.0),
-        fit.y(height.into()),
-    );
-    let (left, right, top, bottom) = all;
-    let stroke = Ink::Rule.stroke(1.0).opacity(0.25);
-    for x in 1..width {
-        let x = fit.x(x.into());
-        picture.line((x, top), (x, bottom), stroke);
-    }
-    for y in 1..height {
-        let y = fit.y(y.into());
-        picture.line((left, y), (right, y), stroke);
-    }
-}
-
 /// Size, zoom, focus and what the step works on, as far as there is room.
-fn caption(
-    picture: &mut Picture,
-    input: &PanelInput,
-    marks: &Marks,
-    (width, height): (usize, usize),
-    zoom: f64,
-) {
+fn caption(picture: &mut Picture, input: &PanelInput, marks: &Marks, pixels: UVec2, zoom: f64) {
     let zoom = if zoom >= 1.0 {
         format!(
             "×{}",
@@ -231,7 +243,7 @@ fn caption(
     } else {
         format!("{:.0} %", 100.0 * zoom)
     };
-    let size = format!("{width} × {height}, {zoom}");
+    let size = format!("{} × {}, {zoom}", pixels.x, pixels.y);
     let focus = focus(input.focus, input.language);
     let focus = ONLY.format(input.language, &[("focus", &focus)]);
     let room = picture.width - 8.0;
@@ -260,8 +272,12 @@ fn current(marks: &Marks, language: Language) -> Option<String> {
 mod tests {
     use super::super::fixture::Fixture;
     use super::*;
+    use crate::algorithms::primary::Settings;
+    use crate::figure::View;
+    use crate::methods::Setup;
     use crate::picture::{Shape, Tag, Theme, rasterize};
-    use crate::render::Method;
+    use crate::render::{Method, layers};
+    use std::convert::Infallible;
 
     /// The frame that the picture's pixels fill.
     fn frame(picture: &Picture) -> Rect {
@@ -297,14 +313,6 @@ mod tests {
     }
 
     #[test]
-    fn large_pixels_are_enlarged_by_a_whole_number_and_small_ones_as_far_as_they_fit() {
-        let area = Rect::new(0.0, 0.0, 460.0, 380.0);
-        assert_eq!(zoom(Vec2::new(48.0, 36.0), area), 9.0);
-        assert_eq!(zoom(Vec2::new(184.0, 10.0), area), 2.5);
-        assert!((zoom(Vec2::new(640.0, 480.0), area) - 460.0 / 640.0).abs() < 1e-6);
-    }
-
-    #[test]
     fn what_is_to_come_is_fainter_than_what_is_drawn() {
         let mut fixture = Fixture::triangle(Method::Gouraud);
         let size = Vec2::new(480.0, 380.0);
@@ -333,6 +341,76 @@ mod tests {
         assert!(faint.abs_diff(background[0]) > 10);
         assert_eq!(color(&ghost, 2, 33), background);
         assert_eq!(color(&drawn, 2, 33), background);
+    }
+
+    #[test]
+    fn an_enlarged_picture_follows_the_pixel_and_numbers_its_columns_and_rows() {
+        let mut fixture = Fixture::triangle(Method::Gouraud);
+        fixture.go_to("PixelColored", 40);
+        let size = Vec2::new(480.0, 380.0);
+        let marks = |fixture: &Fixture| marks(&fixture.input()).unwrap().pixel.unwrap();
+        let (x, y) = marks(&fixture);
+        let enlarged = ImageView {
+            shown: View::WHOLE.zoomed(6.0),
+            ..ImageView::WHOLE
+        };
+        let input = PanelInput {
+            image: enlarged,
+            ..fixture.input()
+        };
+        let picture = draw(&input, size);
+        let pixel = picture.tagged_bounds(Tag::Pixel { x, y }).unwrap();
+        assert!(pixel.width > 40.0, "{pixel:?}");
+        let texts: Vec<&str> = picture
+            .items
+            .iter()
+            .filter_map(|item| match &item.shape {
+                Shape::Text { text, .. } => Some(text.as_str()),
+                _ => None,
+            })
+            .collect();
+        for number in [x, y] {
+            assert!(texts.contains(&&*number.to_string()), "{texts:?}");
+        }
+        // Every pixel that is seen lies inside of the frame, and a far one is not seen.
+        assert_eq!(picture.hit(pixel.center()), Some(Tag::Pixel { x, y }));
+        assert!(
+            picture
+                .tagged_bounds(Tag::Pixel { x: 0, y: 0 })
+                .is_none_or(|far| far.is_empty())
+        );
+    }
+
+    #[test]
+    fn the_depth_buffer_is_filled_step_by_step_and_says_what_the_run_recorded() {
+        let mut fixture = Fixture::triangle(Method::Gouraud);
+        let setup = Setup::new(fixture.run.prepared().clone(), Settings::default());
+        let Ok(layers) = layers(&setup, Method::Gouraud, |_, _| Ok::<(), Infallible>(()));
+        fixture.finished.layers = Some(layers);
+        fixture.go_to("PixelColored", 40);
+        let (x, y) = marks(&fixture.input()).unwrap().pixel.unwrap();
+        let input = PanelInput {
+            image: ImageView {
+                layer: PixelLayer::Depth,
+                ..ImageView::WHOLE
+            },
+            ..fixture.input()
+        };
+        let Run::Shading(_, replay) = input.run else {
+            panic!("a scan-line method");
+        };
+        let (z, ..) = replay.state().pixel.as_ref().unwrap().depth.unwrap();
+        let said = value(&input, x, y);
+        assert!(said.ends_with(&Language::English.short(z, 4)), "{said}");
+        assert!(value(&input, x + 1, y).ends_with("none"));
+        let shown = Shown::of(&input).unwrap();
+        assert_ne!(shown.color(&input, x, y), shown.color(&input, x + 1, y));
+
+        let asked = PanelInput {
+            pending: Some(&[]),
+            ..input
+        };
+        assert!(Shown::of(&asked).is_none(), "a question waits");
     }
 
     #[test]

@@ -8,7 +8,9 @@ pub use list::formula::{
     Evaluated, evaluated, least_height as formula_height, said,
     whole_height as whole_formula_height,
 };
-pub use list::image::value as pixel_value;
+pub use list::image::{
+    ImageView, PixelLayer, middle as image_middle, place as image_place, value as pixel_value,
+};
 pub use list::ray_tree::TreeView;
 pub use list::ray_tree::{area as tree_area, middle as tree_middle};
 pub use list::space::{Grip, Orbit, Pixels, Preset, SpaceView, grip};
@@ -125,6 +127,8 @@ pub struct PanelInput<'a> {
     pub tree: &'a TreeView,
     /// The channel that formulas are worked out in; none where it is the largest of their results.
     pub channel: Option<usize>,
+    /// Which part of the picture is shown, and what of its pixels.
+    pub image: ImageView,
     /// What of the scene in space is shown.
     pub space: SpaceView,
     /// The rays of other pixels that are shown in it.
@@ -151,6 +155,7 @@ impl<'a> PanelInput<'a> {
             breakpoints: &[],
             tree: TreeView::whole(),
             channel: None,
+            image: ImageView::WHOLE,
             space: SpaceView::default(),
             fan: &[],
             smooth: None,

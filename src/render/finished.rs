@@ -2,6 +2,7 @@
 
 use super::compare::SideBySide;
 use super::falloff::Falloff;
+use super::layers::Layers;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::Race;
@@ -15,6 +16,8 @@ pub struct Finished {
     pub compared: SideBySide,
     /// All solvers on the same enclosure, once they have run.
     pub race: Option<Result<Race, Unsolved>>,
+    /// What is known of its pixels beside their colours, once it was asked for and found.
+    pub layers: Option<Layers>,
     /// By light.
     pub falloff: Vec<Falloff>,
 }
@@ -26,6 +29,7 @@ impl Finished {
             picture,
             compared: SideBySide::default(),
             race: None,
+            layers: None,
             falloff: lights.iter().map(Falloff::of).collect(),
         }
     }

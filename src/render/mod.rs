@@ -4,6 +4,7 @@ mod bands;
 pub mod compare;
 pub mod falloff;
 mod finished;
+mod layers;
 mod light;
 mod painter;
 mod pixels;
@@ -26,6 +27,7 @@ use tally::Totals;
 
 pub use crate::methods::Method;
 pub use finished::Finished;
+pub use layers::{Layer, Layers, MetSurface, layers};
 pub use light::{matrix, race, reference_errors};
 pub use painter::Painter;
 pub use smooth::{DrawPatches, smooth_patches};

@@ -16,6 +16,12 @@ pub struct RayCounts {
 }
 
 impl RayCounts {
+    /// Of all kinds.
+    pub fn total(&self) -> u64 {
+        let secondary = self.reflected + self.transmitted + self.total_internal_reflection;
+        self.primary + self.shadow + secondary
+    }
+
     fn count(&mut self, kind: RayKind) {
         match kind {
             RayKind::Primary => self.primary += 1,

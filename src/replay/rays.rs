@@ -120,6 +120,14 @@ impl State {
         self.point = None;
     }
 
+    /// Of what the pixel's primary ray met, along the view; infinite where it met no surface.
+    fn first_depth(&self) -> f64 {
+        let surface = self.rays.iter().next().and_then(|ray| ray.surface);
+        surface.map_or(f64::INFINITY, |surface| {
+            self.prepared.view.to_camera(surface.position).z
+        })
+    }
+
     fn color_pixel(&mut self, step: usize, event: &primary::Event) {
         match *event {
             primary::Event::Pixel { x, y, .. } => {
@@ -130,8 +138,12 @@ impl State {
             primary::Event::Through { place, .. } => self.through = Some(place),
             primary::Event::PixelColored { color } => {
                 if let Some((x, y)) = self.pixel {
-                    let step = Some(step as u32);
-                    self.canvas.set(x as usize, y as usize, Dot { color, step });
+                    let dot = Dot {
+                        color,
+                        step: Some(step as u32),
+                        depth: self.first_depth(),
+                    };
+                    self.canvas.set(x as usize, y as usize, dot);
                 }
             }
         }

@@ -22,6 +22,8 @@ pub struct Dot {
     pub color: Rgb,
     /// The step that coloured it, if any.
     pub step: Option<u32>,
+    /// Of what was drawn there, along the view; infinite where none was told.
+    pub depth: f64,
 }
 
 impl Canvas<Dot> {
@@ -30,6 +32,7 @@ impl Canvas<Dot> {
         let background = Dot {
             color: prepared.scene.background,
             step: None,
+            depth: f64::INFINITY,
         };
         let view = &prepared.view;
         Canvas::new(view.width as usize, view.height as usize, background)
@@ -277,6 +280,7 @@ impl State {
                         Dot {
                             color,
                             step: Some(step as u32),
+                            depth: pixel.depth.map_or(f64::INFINITY, |(z, ..)| z),
                         },
                     );
                 }

@@ -50,6 +50,7 @@ impl Fold<Event> for State {
                     Dot {
                         color: self.ink,
                         step: Some(step as u32),
+                        depth: f64::INFINITY,
                     },
                 );
             }

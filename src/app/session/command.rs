@@ -4,7 +4,7 @@ use super::outline::Sheet;
 use crate::algorithms::focus::Focus;
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Guess};
-use crate::panels::{Panel, SpaceView, TreeView};
+use crate::panels::{ImageView, Panel, SpaceView, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::scene::Part;
 
@@ -62,6 +62,8 @@ pub enum Command {
     /// Goes to what a tag shows, or focuses on it.
     Go(Tag),
     Hover(Option<Tag>),
+    /// Another part of the picture, or something else of its pixels.
+    ViewImage(ImageView),
     /// The scene in space from elsewhere, or with other rays.
     ViewSpace(SpaceView),
     /// Another part of the ray tree, or at another size.

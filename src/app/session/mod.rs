@@ -40,7 +40,7 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
 use crate::lesson::{Guess, Lesson, LessonError, Narrated, OpenLesson};
 use crate::methods::Setup;
-use crate::panels::{Panel, PanelInput, SpaceView, TreeView};
+use crate::panels::{ImageView, Panel, PanelInput, PixelLayer, SpaceView, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::render::smooth_patches;
 use crate::replay::Walk;
@@ -157,6 +157,8 @@ pub struct Session {
     /// An index into the speeds.
     speed: usize,
     around: Loop,
+    /// What of the picture is shown.
+    image: ImageView,
     /// What of the scene in space is shown.
     space: SpaceView,
     fan: Fan,
@@ -201,6 +203,7 @@ impl Session {
             play: None,
             speed: playing::NORMAL_SPEED,
             around: Loop::default(),
+            image: ImageView::WHOLE,
             space: SpaceView::default(),
             fan: Fan::default(),
             tree: TreeView::WHOLE,
@@ -248,6 +251,7 @@ impl Session {
         self.breakpoints.clear();
         self.play = None;
         self.around = Loop::default();
+        self.image = ImageView::WHOLE;
         self.space = SpaceView::default();
         self.channel = None;
         self.tree = TreeView::WHOLE;
@@ -300,6 +304,10 @@ impl Session {
 
     /// Takes what has arrived of the whole picture, which is rendered in the background.
     pub fn take_picture(&mut self) {
+        if self.image.layer != PixelLayer::Color {
+            self.preview
+                .survey(&self.open.setup, self.open.run.method());
+        }
         self.pictures += u64::from(self.preview.take());
     }
 
@@ -335,6 +343,7 @@ impl Session {
             breakpoints: self.breakpoints(),
             tree: &self.tree,
             channel: self.channel,
+            image: self.image,
             space: self.space,
             fan: self.fan.rays(),
             smooth: self.look.smooth.then_some(smooth_patches),
@@ -356,6 +365,10 @@ impl Session {
     /// Ascending.
     pub fn breakpoints(&self) -> &[usize] {
         self.breakpoints.get(&self.focus).map_or(&[], |steps| steps)
+    }
+
+    pub fn image(&self) -> ImageView {
+        self.image
     }
 
     pub fn space(&self) -> SpaceView {

@@ -6,7 +6,7 @@ use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::Race;
 use crate::methods::Setup;
 use crate::render::compare::{Compared, compare};
-use crate::render::{Cancelled, Finished, Method, preview, race};
+use crate::render::{Cancelled, Finished, Layers, Method, layers, preview, race};
 use crate::study::ablation;
 use crate::study::timing::{Patience, Timing};
 use std::num::NonZeroUsize;
@@ -36,6 +36,8 @@ pub struct Preview {
     times: Option<Times>,
     /// Where the passes arrive; none once all of them have.
     passes: Option<Receiver<Pass>>,
+    /// Where the layers of the picture arrive, once they are asked for.
+    survey: Option<Receiver<Layers>>,
     state: Arc<State>,
     start: Instant,
 }
@@ -67,6 +69,10 @@ impl State {
     fn progress(&self, done: usize, all: usize) -> Result<(), Cancelled> {
         let percent = 100 * done / all.max(1);
         self.percent.store(percent, Ordering::Relaxed);
+        self.go_on()
+    }
+
+    fn go_on(&self) -> Result<(), Cancelled> {
         match self.cancelled.load(Ordering::Relaxed) {
             true => Err(Cancelled),
             false => Ok(()),
@@ -117,29 +123,40 @@ impl Preview {
         })
     }
 
-    /// Shows `finished` until `make` sends more. Without threads, as on a web page, all is made at once.
+    /// Shows `finished` until `make` sends more.
     fn of(
         finished: Finished,
         make: impl Fn(&State, &Sender<Pass>) + Send + Sync + 'static,
     ) -> Self {
         let state = Arc::new(State::default());
         let (sender, passes) = channel();
-        let make = Arc::new(make);
-        let in_background = {
-            let (make, state, sender) = (make.clone(), state.clone(), sender.clone());
-            move || make(&state, &sender)
-        };
-        let thread = thread::Builder::new().name("preview".into());
-        if thread.spawn(in_background).is_err() {
-            make(&state, &sender);
-        }
+        let its_state = state.clone();
+        in_background(move || make(&its_state, &sender));
         Preview {
             finished,
             times: None,
             passes: Some(passes),
+            survey: None,
             state,
             start: Instant::now(),
         }
+    }
+
+    /// Begins to find the layers of the picture of that scene, unless they are found or on their way.
+    pub fn survey(&mut self, setup: &Arc<Setup>, method: Method) {
+        if self.finished.layers.is_some() || self.survey.is_some() {
+            return;
+        }
+        let (sender, found) = channel();
+        let (setup, state) = (setup.clone(), self.state.clone());
+        in_background(move || {
+            let progress = |_, _| state.go_on();
+            if let Ok(layers) = layers(&setup, method, progress) {
+                // The receiver may be gone; then they are not needed.
+                drop(sender.send(layers));
+            }
+        });
+        self.survey = Some(found);
     }
 
     /// As far as it has come.
@@ -153,7 +170,7 @@ impl Preview {
     }
 
     pub fn is_done(&self) -> bool {
-        self.passes.is_none()
+        self.passes.is_none() && self.survey.is_none()
     }
 
     /// How much of a picture that takes long is done, in percent.
@@ -175,6 +192,14 @@ impl Preview {
                 Err(TryRecvError::Disconnected) => self.passes = None,
             }
         }
+        match self.survey.as_ref().map(Receiver::try_recv) {
+            None | Some(Err(TryRecvError::Empty)) => {}
+            Some(found) => {
+                self.finished.layers = found.ok();
+                self.survey = None;
+                taken = true;
+            }
+        }
         taken
     }
 
@@ -193,6 +218,16 @@ impl Preview {
             Pass::Raced(race) => self.finished.race = Some(race),
             Pass::Timed(times) => self.times = Some(times),
         }
+    }
+}
+
+/// Does the work on a thread; where there are none, as on a web page, at once.
+fn in_background(work: impl Fn() + Send + Sync + 'static) {
+    let work = Arc::new(work);
+    let on_thread = work.clone();
+    let thread = thread::Builder::new().name("preview".into());
+    if thread.spawn(move || on_thread()).is_err() {
+        work();
     }
 }
 

@@ -53,6 +53,7 @@ impl Session {
             Command::Click(tag) => return self.click(tag),
             Command::Go(tag) => return self.go(tag),
             Command::Hover(tag) => self.hovered = tag,
+            Command::ViewImage(view) => self.image = view,
             Command::ViewSpace(view) => self.space = view,
             Command::ViewTree(view) => self.tree = view,
             Command::Answer(guess) => return self.answer(&guess),
@@ -120,6 +121,7 @@ impl Session {
                 self.cannot_play(Direction::Backward)
             }
             Command::LoopOff if self.loop_ends() == (None, None) => Some(strings::NO_LOOP),
+            Command::ViewImage(view) if view == self.image => Some(strings::IMAGE_AS_IT_IS),
             Command::ViewSpace(view) if view == self.space => Some(strings::SPACE_AS_IT_IS),
             Command::ViewTree(ref view) if *view == self.tree => Some(strings::TREE_AS_IT_IS),
             Command::Share => self.command_line().err(),

@@ -5,8 +5,8 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::figure::Fit;
 use crate::picture::{Ink, Picture, Rect};
 use crate::replay::rays::{self, RayState};
-use crate::replay::shading::{self, Dot};
-use crate::replay::{Canvas, wireframe};
+use crate::replay::shading;
+use crate::replay::wireframe;
 use glam::{DVec2, Vec2};
 use std::ops::Range;
 
@@ -18,7 +18,6 @@ const MOST_HITS: usize = 24;
 
 pub(super) struct Marks<'a> {
     pub prepared: &'a PreparedScene,
-    pub canvas: &'a Canvas<Dot>,
     outline: Vec<DVec2>,
     /// Where the current vertex is.
     vertex: Option<DVec2>,
@@ -41,7 +40,6 @@ impl<'a> Marks<'a> {
         let current = current.or(point.map(|point| point.position));
         Marks {
             prepared,
-            canvas: &state.canvas,
             outline: outline(state),
             vertex: current
                 .map(|position| prepared.view.to_camera(position))
@@ -59,7 +57,6 @@ impl<'a> Marks<'a> {
     pub fn of_wireframe(state: &'a wireframe::State) -> Self {
         Marks {
             prepared: &state.prepared,
-            canvas: &state.canvas,
             outline: Vec::new(),
             vertex: None,
             edge: state.line,
@@ -85,7 +82,6 @@ impl<'a> Marks<'a> {
         let current = state.ray().filter(|ray| ray.parent.is_some());
         Marks {
             prepared: &state.prepared,
-            canvas: &state.canvas,
             outline: Vec::new(),
             vertex: current.and_then(seen),
             edge: None,

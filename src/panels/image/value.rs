@@ -1,8 +1,9 @@
 //! The pixel under the pointer, in numbers.
 
 use super::super::horizon::UNKNOWN;
+use super::super::message::labelled;
 use super::super::strings::focus;
-use super::{exposure, shows_finished};
+use super::{exposure, layers, shows_finished};
 use crate::algorithms::focus::Focus;
 use crate::color::Rgb;
 use crate::language::Message;
@@ -22,6 +23,9 @@ pub fn value(input: &PanelInput, x: u32, y: u32) -> String {
     let at = frame.index(x, y);
     if input.hidden_pixels(frame).is_some_and(|hidden| hidden[at]) {
         return format!("{pixel}: {UNKNOWN}");
+    }
+    if let Some(said) = layers::said(input, x, y) {
+        return labelled(&pixel, &said, language);
     }
     let Some(color) = color(input, x, y) else {
         return NOT_DRAWN.format(language, &[("pixel", &pixel)]);
