@@ -6,8 +6,8 @@ use super::panel_view::{self, PanelView, Scale};
 use super::row_end::{before_end, row_end};
 use super::session::{Command, Drawer, Session};
 use super::{
-    drag, image_controls, parameter_drawer, results_drawer, space_controls, strings, style,
-    tree_controls,
+    drag, image_controls, inspector_drawer, parameter_drawer, results_drawer, space_controls,
+    strings, style, tree_controls,
 };
 use crate::language::Message;
 use crate::panels::{Panel, step_at};
@@ -273,7 +273,7 @@ fn show_drawer(
         }
         Drawer::Inspector => {
             let view = views.entry(Panel::Inspector).or_default();
-            let shown = panel_on(session, Panel::Inspector, view, inside(rect), ui);
+            let shown = inspector_drawer::show(session, view, commands, inside(rect), ui);
             commands.extend(shown.command);
             shown.under
         }
@@ -294,7 +294,7 @@ pub(super) fn entered(response: &Response, ui: &Ui) -> bool {
 }
 
 /// Shows a panel in `rect` and reads clicks: plain ones select, double ones and the enter key go there; with shift they go to the scan
-/// line, with Ctrl to the polygon. The time line is there to go.
+/// line, with Ctrl to the polygon. The time line is there to go, and a value leads to the step that recorded it.
 pub fn panel_on(
     session: &Session,
     panel: Panel,
@@ -307,7 +307,7 @@ pub fn panel_on(
     let went = response.double_clicked() || entered(&response, ui);
     if response.clicked() {
         let held = ui.input(|input| input.modifiers);
-        let goes = went || panel == Panel::TimeLine;
+        let goes = went || matches!(panel, Panel::TimeLine | Panel::Inspector);
         command = under.map(|tag| match tag {
             Tag::Pixel { x, y } if held.command => Command::FocusOnPolygonAt { x, y },
             Tag::Pixel { y, .. } if held.shift => Command::Go(Tag::ScanLine(y as i32)),
@@ -336,6 +336,9 @@ pub fn panel_on(
     // A double click on a node goes there, and does not fit the tree; so it is in the scene.
     if panel == Panel::RayTree && !(went && command.is_some()) {
         command = tree_controls::pointed(session, &response, ui).or(command);
+    }
+    if panel == Panel::Inspector {
+        command = inspector_drawer::pointed(session, &response, ui).or(command);
     }
     if panel == Panel::Image {
         command = image_controls::pointed(session, &response, ui).or(command);

@@ -10,6 +10,7 @@ mod finished;
 mod forget;
 mod home;
 mod image_controls;
+mod inspector_drawer;
 mod keeper;
 mod key_sheet;
 mod keys;

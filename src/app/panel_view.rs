@@ -8,7 +8,7 @@ use super::strings;
 use super::style;
 use crate::algorithms::focus::Focus;
 use crate::language::Language;
-use crate::panels::{self, Answered, ImageView, Panel, SpaceView, TreeView, draw};
+use crate::panels::{self, Answered, ImageView, InspectorView, Panel, SpaceView, TreeView, draw};
 use crate::picture::{Ink, Tag};
 use crate::record::Value;
 use crate::vocabulary::counted;
@@ -25,6 +25,8 @@ pub struct Key {
     breakpoints: Vec<usize>,
     /// Of the ray tree alone.
     tree: Option<TreeView>,
+    /// Of the inspector alone.
+    inspector: Option<InspectorView>,
     /// Of formulas alone.
     channel: Option<usize>,
     /// Of the image alone.
@@ -110,6 +112,7 @@ impl Key {
             language: session.look.language,
             breakpoints: session.breakpoints().to_vec(),
             tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
+            inspector: (panel == Panel::Inspector).then(|| session.inspector().clone()),
             channel: session
                 .panel_input()
                 .channel
@@ -129,6 +132,11 @@ impl Key {
 /// What the value under the pointer means; of a pixel, what it is.
 fn meaning(session: &Session, panel: Panel, tag: Tag) -> Option<String> {
     match tag {
+        Tag::Field(name) if panel == Panel::Inspector => {
+            let input = session.panel_input();
+            let step = session.inspected();
+            panels::meaning_and_origin(input.run, step, name, input.language)
+        }
         Tag::Field(name) => {
             panels::meaning(session.walk(), session.step(), name, session.look.language)
         }

@@ -176,6 +176,7 @@ pub const WHOLE_PICTURE: Message = Message("app-whole-picture");
 pub const LARGER_PICTURE: Message = Message("app-larger-picture");
 pub const SMALLER_PICTURE: Message = Message("app-smaller-picture");
 pub const IMAGE_AS_IT_IS: Message = Message("app-image-as-it-is");
+pub const SEARCH_VALUES: Message = Message("app-search-values");
 pub const TREE_FIT: Message = Message("app-tree-fit");
 pub const WHOLE_TREE: Message = Message("app-whole-tree");
 pub const LARGER_TREE: Message = Message("app-larger-tree");

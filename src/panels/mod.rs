@@ -11,6 +11,7 @@ pub use list::formula::{
 pub use list::image::{
     ImageView, PixelLayer, middle as image_middle, place as image_place, value as pixel_value,
 };
+pub use list::inspector::{InspectorView, scrolled as inspector_scrolled};
 pub use list::ray_tree::TreeView;
 pub use list::ray_tree::{area as tree_area, middle as tree_middle};
 pub use list::space::{Grip, Orbit, Pixels, Preset, SpaceView, grip};
@@ -22,8 +23,9 @@ pub use shared::horizon::Hidden;
 #[cfg(test)]
 pub use shared::names::word as word_name;
 pub use shared::names::{
-    kind as kind_name, meaning, object as object_name, of_field as named_by, patch as patch_name,
-    quantity as quantity_name, ray_kind as ray_kind_name, scope as scope_names,
+    kind as kind_name, meaning, meaning_and_origin, object as object_name, of_field as named_by,
+    patch as patch_name, quantity as quantity_name, ray_kind as ray_kind_name,
+    scope as scope_names,
 };
 pub use shared::strings;
 
@@ -125,6 +127,8 @@ pub struct PanelInput<'a> {
     pub breakpoints: &'a [usize],
     /// Which part of the ray tree is shown.
     pub tree: &'a TreeView,
+    /// Which values the inspector shows.
+    pub inspector: &'a InspectorView,
     /// The channel that formulas are worked out in; none where it is the largest of their results.
     pub channel: Option<usize>,
     /// Which part of the picture is shown, and what of its pixels.
@@ -154,6 +158,7 @@ impl<'a> PanelInput<'a> {
             narrated: &[],
             breakpoints: &[],
             tree: TreeView::whole(),
+            inspector: InspectorView::whole(),
             channel: None,
             image: ImageView::WHOLE,
             space: SpaceView::default(),

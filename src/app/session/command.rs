@@ -4,7 +4,7 @@ use super::outline::Sheet;
 use crate::algorithms::focus::Focus;
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Guess};
-use crate::panels::{ImageView, Panel, SpaceView, TreeView};
+use crate::panels::{ImageView, InspectorView, Panel, SpaceView, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::scene::Part;
 
@@ -68,6 +68,8 @@ pub enum Command {
     ViewSpace(SpaceView),
     /// Another part of the ray tree, or at another size.
     ViewTree(TreeView),
+    /// Other values in the inspector.
+    ViewInspector(InspectorView),
     Answer(Guess),
     /// Turns the arrow that is asked for: degrees clockwise from the normal.
     Turn(f64),

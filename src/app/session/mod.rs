@@ -40,7 +40,7 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
 use crate::lesson::{Guess, Lesson, LessonError, Narrated, OpenLesson};
 use crate::methods::Setup;
-use crate::panels::{ImageView, Panel, PanelInput, PixelLayer, SpaceView, TreeView};
+use crate::panels::{ImageView, InspectorView, Panel, PanelInput, PixelLayer, SpaceView, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::render::smooth_patches;
 use crate::replay::Walk;
@@ -164,6 +164,8 @@ pub struct Session {
     fan: Fan,
     /// Which part of the ray tree is shown.
     tree: TreeView,
+    /// Which values the inspector shows.
+    inspector: InspectorView,
     /// The channel chosen for formulas.
     channel: Option<usize>,
     pub look: Look,
@@ -207,6 +209,7 @@ impl Session {
             space: SpaceView::default(),
             fan: Fan::default(),
             tree: TreeView::WHOLE,
+            inspector: InspectorView::WHOLE,
             channel: None,
             look: Look::new(),
             hovered: None,
@@ -255,6 +258,7 @@ impl Session {
         self.space = SpaceView::default();
         self.channel = None;
         self.tree = TreeView::WHOLE;
+        self.inspector = InspectorView::WHOLE;
         self.hovered = None;
         self.selected = None;
         let first = self.narrated.first().copied().unwrap_or(0);
@@ -342,6 +346,7 @@ impl Session {
             narrated: &self.narrated,
             breakpoints: self.breakpoints(),
             tree: &self.tree,
+            inspector: &self.inspector,
             channel: self.channel,
             image: self.image,
             space: self.space,
@@ -378,6 +383,10 @@ impl Session {
     /// The pixels whose rays are shown in space beside those of the run.
     pub fn fan(&self) -> &Fan {
         &self.fan
+    }
+
+    pub fn inspector(&self) -> &InspectorView {
+        &self.inspector
     }
 
     pub fn tree(&self) -> &TreeView {

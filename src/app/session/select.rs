@@ -28,6 +28,11 @@ impl Session {
         self.selected?.step
     }
 
+    /// The step whose values the inspector shows.
+    pub fn inspected(&self) -> usize {
+        self.selected_step().unwrap_or(self.step())
+    }
+
     /// All that lights up: what is selected, and what belongs to it.
     pub fn lit(&self) -> Vec<Tag> {
         let Some(Selected { tag, step }) = self.selected else {
@@ -58,7 +63,8 @@ impl Session {
 
     /// After a move, the step that is about the same thing.
     pub(super) fn select_again(&mut self) {
-        self.selected = self.selected().map(|tag| Selected {
+        let selected = self.selected.take();
+        self.selected = selected.map(|Selected { tag, .. }| Selected {
             tag,
             step: self.step_of(tag),
         });
@@ -72,6 +78,11 @@ impl Session {
             Tag::Pixel { x, y } => {
                 let dot = self.open.run.canvas()?.get(x as usize, y as usize)?;
                 dot.step.map(|step| step as usize)
+            }
+            Tag::Field(name) => {
+                let recorded = walk.recorded(self.inspected());
+                let value = recorded.iter().rfind(|value| value.field.name == name)?;
+                Some(value.step)
             }
             _ => {
                 let here = self.step();

@@ -56,6 +56,7 @@ impl Session {
             Command::ViewImage(view) => self.image = view,
             Command::ViewSpace(view) => self.space = view,
             Command::ViewTree(view) => self.tree = view,
+            Command::ViewInspector(view) => self.inspector = view,
             Command::Answer(guess) => return self.answer(&guess),
             Command::Turn(degrees) => return self.turn(degrees),
             Command::Skip => return self.skip(),

@@ -5,6 +5,7 @@ mod home;
 mod kept;
 mod keys;
 mod layout;
+mod looking_closer;
 mod meanings;
 mod outline;
 mod painter;

@@ -64,6 +64,96 @@ fn the_inner_word_holds_and_own_values_come_first() {
 }
 
 #[test]
+fn values_stand_under_the_step_that_recorded_them() {
+    let mut fixture = fixtures::fixtures(Method::Gouraud);
+    let step = fixture.first("SpanInterpolated");
+    fixture.seek(step);
+    let input = fixture.input();
+    let known = known(fixture.walk(), step);
+    let mut under = step;
+    let mut values = 0;
+    for line in values::lines(&known, step, &input, 4) {
+        match line {
+            Line::Heading { step, .. } => under = step,
+            Line::Value(value) => {
+                assert_eq!(value.recorded.step, under);
+                values += 1;
+            }
+        }
+    }
+    assert_eq!(values, known.len());
+    let picture = draw(&input, SIZES[5]);
+    let link = picture.tagged_bounds(Tag::Step(under)).unwrap();
+    assert_eq!(picture.hit(link.center()), Some(Tag::Step(under)));
+}
+
+#[test]
+fn a_search_leaves_the_values_that_have_the_text() {
+    let mut fixture = fixtures::fixtures(Method::Gouraud);
+    fixture.go_to("SpanInterpolated", 0);
+    let search = |text: &str| {
+        let view = InspectorView {
+            search: text.to_string(),
+            first: 0,
+        };
+        let input = PanelInput {
+            inspector: &view,
+            ..fixture.input()
+        };
+        let step = shown_step(&input);
+        let lines = values::lines(&known(fixture.walk(), step), step, &input, 4);
+        let values = lines.iter().filter(|line| matches!(line, Line::Value(_)));
+        values.count()
+    };
+    let all = search("");
+    let some = search("scan LINE");
+    assert!(0 < some && some < all, "{some} of {all}");
+    assert_eq!(search("I_4"), 1);
+    assert_eq!(search("no value is called so"), 0);
+}
+
+#[test]
+fn a_list_that_is_scrolled_shows_every_value_in_turn_and_ends_with_the_last() {
+    let mut fixture = fixtures::rays(Method::RayTracing, 3);
+    fixture.go_to("BetweenTested", 0);
+    for size in SIZES {
+        let mut seen = Vec::new();
+        let mut last = None;
+        for first in 0..100 {
+            let view = InspectorView {
+                search: String::new(),
+                first,
+            };
+            let input = PanelInput {
+                inspector: &view,
+                ..fixture.input()
+            };
+            let picture = draw(&input, size);
+            assert_legible(&picture, &format!("{first} at {size}"));
+            seen.extend(picture.items.iter().filter_map(|item| match item.tag {
+                Some(Tag::Field(name)) => Some(name),
+                _ => None,
+            }));
+            let start = scrolled(&input, size, first);
+            assert!(start <= first);
+            if start < first {
+                last = Some(picture);
+                break;
+            }
+        }
+        seen.sort_unstable();
+        seen.dedup();
+        let all = known(fixture.walk(), fixture.walk().position());
+        assert_eq!(seen.len(), all.len(), "{size}");
+        let last = last.expect("the end is reached");
+        let more = texts(&last)
+            .into_iter()
+            .any(|(text, _)| text.ends_with("more"));
+        assert!(!more, "{size}");
+    }
+}
+
+#[test]
 fn objects_and_lights_are_called_by_their_names() {
     let mut fixture = fixtures::rays(Method::RayTracing, 1);
     fixture.go_to("BetweenTested", 0);

@@ -5,6 +5,7 @@ use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message, called};
 use crate::methods::Method;
+use crate::panels::said;
 use crate::record::Value;
 use crate::replay::{Run, Walk};
 use crate::scene::Light;
@@ -39,6 +40,31 @@ pub fn meaning(walk: &dyn Walk, step: usize, name: &str, language: Language) -> 
     let symbol = quantity(kind.quantity(name)?, language);
     let meaning = kind.meaning(name, language)?;
     Some(labelled(&symbol, &meaning, language))
+}
+
+/// The same, with what the step says that recorded the value, where it is another one.
+pub fn meaning_and_origin(
+    run: &Run,
+    step: usize,
+    name: &str,
+    language: Language,
+) -> Option<String> {
+    let walk = run.walk();
+    let meaning = meaning(walk, step, name, language)?;
+    let recorded = walk.recorded(step);
+    let origin = recorded
+        .iter()
+        .rfind(|value| value.field.name == name)?
+        .step;
+    if origin == step {
+        return Some(meaning);
+    }
+    let arguments = [
+        ("meaning", &*meaning),
+        ("step", &origin.to_string()),
+        ("sentence", &said(run, origin, language)),
+    ];
+    Some(Message("names-meaning-and-origin").format(language, &arguments))
 }
 
 /// What a formula writes for a value: the quantity's own symbol, in words where it is one, or the symbol chosen there.
