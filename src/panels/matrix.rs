@@ -2,6 +2,8 @@
 
 mod draw;
 mod grid;
+mod sides;
+mod system;
 
 use super::horizon::UNKNOWN;
 use super::message::{NO_PATCHES, NO_STEPS, message};

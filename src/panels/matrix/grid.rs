@@ -3,6 +3,7 @@
 use crate::figure::viridis;
 use crate::panels::horizon::hatch;
 use crate::picture::{Image, Rect};
+use glam::Vec2;
 use std::ops::Range;
 
 /// Decades that the colours span at most: what is smaller has the colour of the smallest.
@@ -21,16 +22,16 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// In the upper left corner of `area`.
+    /// As large as it fits into `area`, from its upper left corner.
     pub fn new(matrix: &[f64], n: usize, area: Rect) -> Self {
-        let most = area.width.min(area.height).max(1.0);
-        let cells = n.min(most as usize);
+        let room = Vec2::new(area.width, area.height).max(Vec2::ONE);
+        let cells = n.min(room.min_element() as usize);
         // Cells of whole points are equally large on every screen.
-        let side = cells as f32 * (most / cells as f32).floor();
+        let extent = cells as f32 * (room / cells as f32).floor();
         let mut grid = Grid {
             n,
             cells,
-            area: Rect::new(area.x.floor(), area.y.floor(), side, side),
+            area: Rect::new(area.x.floor(), area.y.floor(), extent.x, extent.y),
             values: Vec::new(),
         };
         let parts: Vec<Range<usize>> = (0..cells).map(|cell| grid.entries(cell)).collect();
@@ -55,22 +56,27 @@ impl Grid {
     }
 
     /// Points a cell.
-    pub fn cell(&self) -> f32 {
-        self.area.width / self.cells as f32
+    pub fn cell(&self) -> Vec2 {
+        Vec2::new(self.area.width, self.area.height) / self.cells as f32
     }
 
-    /// Where entries begin and end along one side, from the matrix' edge.
-    pub fn span(&self, entries: Range<usize>) -> [f32; 2] {
-        [entries.start, entries.end].map(|at| at as f32 / self.n as f32 * self.area.width)
+    /// Where rows begin and end.
+    pub fn rows(&self, rows: Range<usize>) -> [f32; 2] {
+        self.span(rows, self.area.y, self.area.height)
+    }
+
+    /// Where columns begin and end.
+    pub fn columns(&self, columns: Range<usize>) -> [f32; 2] {
+        self.span(columns, self.area.x, self.area.width)
+    }
+
+    fn span(&self, entries: Range<usize>, start: f32, length: f32) -> [f32; 2] {
+        [entries.start, entries.end].map(|at| start + at as f32 / self.n as f32 * length)
     }
 
     pub fn rect(&self, rows: Range<usize>, columns: Range<usize>) -> Rect {
-        let ([top, bottom], [left, right]) = (self.span(rows), self.span(columns));
-        let corner = self.area.min();
-        Rect::between(
-            [corner.x + left, corner.y + top],
-            [corner.x + right, corner.y + bottom],
-        )
+        let ([top, bottom], [left, right]) = (self.rows(rows), self.columns(columns));
+        Rect::between([left, top], [right, bottom])
     }
 
     /// Powers of ten around all values but 0.
