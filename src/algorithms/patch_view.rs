@@ -88,6 +88,18 @@ impl<'a> PatchView<'a> {
     }
 }
 
+/// The patch whose front is seen through the middle of each pixel, row by row.
+pub fn seen_patches(enclosure: &Enclosure, view: &View) -> Vec<Option<u32>> {
+    let pixels = (0..view.height).flat_map(|y| (0..view.width).map(move |x| (x, y)));
+    let seen = pixels.map(|(x, y)| {
+        let ray = primary::middle_ray(view, (x, y));
+        let (patch, _) = enclosure.primitives.nearest(&ray)?;
+        let faces = ray.direction.dot(enclosure.patches[patch].normal) < 0.0;
+        faces.then_some(patch as u32)
+    });
+    seen.collect()
+}
+
 /// By patch, the radiosity at the corners of its pieces in their order: the mean of the patches of one object that meet there.
 pub fn corner_values(enclosure: &Enclosure, radiosity: &[Rgb]) -> Vec<Vec<Rgb>> {
     let place = |object: u32, corner: DVec3| (object, corner.to_array().map(f64::to_bits));

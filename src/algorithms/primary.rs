@@ -80,6 +80,11 @@ pub fn pixel<E: From<Event>, R: Recorder<E>>(
     color
 }
 
+/// The primary ray through the middle of a pixel.
+pub fn middle_ray(view: &View, (x, y): (u32, u32)) -> Ray {
+    ray_through(view, DVec2::new(x.into(), y.into()) + 0.5)
+}
+
 /// From the eye through a point of the screen, in pixels.
 fn ray_through(view: &View, place: DVec2) -> Ray {
     let x = place.x - 0.5 * f64::from(view.width);

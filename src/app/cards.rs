@@ -6,8 +6,8 @@ use super::panel_view::{self, PanelView, Scale};
 use super::row_end::{before_end, row_end};
 use super::session::{Command, Drawer, Session};
 use super::{
-    drag, image_controls, inspector_drawer, parameter_drawer, results_drawer, space_controls,
-    strings, style, tree_controls,
+    drag, image_controls, inspector_drawer, parameter_drawer, results_drawer, room_controls,
+    space_controls, strings, style, tree_controls,
 };
 use crate::language::Message;
 use crate::panels::{Panel, step_at};
@@ -239,10 +239,10 @@ fn controls(session: &Session, panel: Panel, commands: &mut Vec<Command>, ui: &m
         tree_controls::buttons(session, commands, ui);
     }
     if panel == Panel::Radiosity {
-        let text = RichText::new(session.localize(strings::SMOOTH)).size(13.0);
-        let smooth = Button::new(text).selected(session.look.smooth);
-        let name = session.localize(strings::SMOOTH_ROOM);
-        button(session, smooth, name, Command::Smooth, commands, ui);
+        room_controls::switches(session, commands, ui);
+    }
+    if matches!(panel, Panel::Radiosity | Panel::Space | Panel::Matrix) {
+        room_controls::step_by_step(session, commands, ui);
     }
 }
 

@@ -271,6 +271,7 @@ pub const BINDINGS: &[Binding] = &[
         || Command::OtherLanguage,
         "keys-english-or-indonesian",
     ),
+    bind(Key::U, Nothing, "u", || Command::Unshot, "keys-unshot"),
     bind(
         Key::T,
         Nothing,

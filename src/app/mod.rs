@@ -28,6 +28,7 @@ mod pressed;
 mod prose;
 mod question_card;
 mod results_drawer;
+mod room_controls;
 mod row_end;
 pub mod session;
 mod skipped;

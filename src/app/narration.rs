@@ -175,7 +175,7 @@ pub(super) fn announced(response: egui::Response) {
 fn in_words<'a>(session: &Session, window: &'a Window) -> &'a str {
     let panels = [Panel::Formula, Panel::Code]
         .into_iter()
-        .chain(session.panels().iter().copied());
+        .chain(session.panels());
     let mut alts = panels
         .filter_map(|panel| window.views.get(&panel))
         .map(|view| view.alt());

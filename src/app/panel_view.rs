@@ -35,6 +35,9 @@ pub struct Key {
     space: Option<(SpaceView, u64)>,
     /// Of the room alone.
     smooth: bool,
+    unshot: bool,
+    /// Of the room and the scene in space.
+    pair: Option<[usize; 2]>,
     /// Whether a question waits.
     pending: bool,
     answered: Answered,
@@ -73,9 +76,7 @@ impl PanelView {
             Scale::Times(zoom) => place.enlarged(zoom),
         };
         let key = Key::new(session, panel);
-        let lit = session.hovered().into_iter().chain(session.lit());
-        let lit = lit.flat_map(alike).collect();
-        self.draw(place, key, lit, ui, |size| {
+        self.draw(place, key, session.lit(), ui, |size| {
             draw(panel, &session.panel_input(), size)
         });
         let sense = if scale == Scale::Full
@@ -120,6 +121,10 @@ impl Key {
             image: (panel == Panel::Image).then(|| session.image()),
             space: (panel == Panel::Space).then(|| (session.space(), session.fan().version())),
             smooth: panel == Panel::Radiosity && session.look.smooth,
+            unshot: panel == Panel::Radiosity && session.look.unshot,
+            pair: session
+                .pair()
+                .filter(|_| matches!(panel, Panel::Radiosity | Panel::Space)),
             pending: session.panel_input().is_pending(),
             answered: session.panel_input().answered,
             selected: session
@@ -129,14 +134,17 @@ impl Key {
     }
 }
 
-/// What the value under the pointer means; of a pixel, what it is.
+/// What the value under the pointer means; of a pixel, what it is; of a patch and a form factor, what is known of them.
 fn meaning(session: &Session, panel: Panel, tag: Tag) -> Option<String> {
+    let shows_patches = matches!(panel, Panel::Radiosity | Panel::Space | Panel::Matrix);
     match tag {
         Tag::Field(name) if panel == Panel::Inspector => {
             let input = session.panel_input();
             let step = session.inspected();
             panels::meaning_and_origin(input.run, step, name, input.language)
         }
+        Tag::Patch(patch) if shows_patches => panels::patch_values(&session.panel_input(), patch),
+        Tag::FormFactor { i, j } => panels::form_factor_values(&session.panel_input(), [i, j]),
         Tag::Field(name) => {
             panels::meaning(session.walk(), session.step(), name, session.look.language)
         }
@@ -145,16 +153,6 @@ fn meaning(session: &Session, panel: Panel, tag: Tag) -> Option<String> {
         }
         _ => None,
     }
-}
-
-/// Tags that name the same thing: a step, and the scope that it opens.
-fn alike(tag: Tag) -> impl Iterator<Item = Tag> {
-    let other = match tag {
-        Tag::Step(step) => Some(Tag::Scope(step)),
-        Tag::Scope(step) => Some(Tag::Step(step)),
-        _ => None,
-    };
-    std::iter::once(tag).chain(other)
 }
 
 /// What else can be done at a place of a picture, as a menu.

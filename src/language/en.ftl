@@ -168,6 +168,12 @@ app-race = Solver race
 app-comparison = Comparison
 app-difference = Differences
 app-profile = Along the scan line
+app-unshot = unshot
+app-unshot-room = show what patches have still to shoot, in place of their light
+app-no-unshot = Only solvers that shoot keep unshot light.
+app-step-by-step = step by step
+app-form-factor-by-steps = find the form factor from patch { $i } to patch { $j } step by step
+app-followed-already = These are the steps of that form factor.
 app-smooth = smooth
 app-smooth-room = interpolate the light between the corners of patches
 app-illumination = Illumination terms
@@ -381,6 +387,7 @@ image-drawn = pixels drawn so far: { $count }.
 
 ## keys
 
+keys-unshot = unshot radiosity, or B
 keys-next-event = next event
 keys-event-before = event before
 keys-ten-events-on = ten events on
@@ -429,6 +436,10 @@ matrix-entries = form factors: { $entries }
 matrix-smaller = { $count } smaller ones
 matrix-gathers = { $patch } gathers row { $row }, sum of the row { $sum }
 matrix-shoots = { $patch } shoots column { $column }
+
+## patches
+
+patches-patch = { $name }: patch { $number }
 
 ## panels
 

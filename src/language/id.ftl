@@ -168,6 +168,12 @@ app-race = Adu penyelesai
 app-comparison = Perbandingan
 app-difference = Perbedaan
 app-profile = Sepanjang garis scan
+app-unshot = belum ditembakkan
+app-unshot-room = tampilkan yang masih harus ditembakkan patch, bukan cahayanya
+app-no-unshot = Hanya penyelesai yang menembak menyimpan cahaya yang belum ditembakkan.
+app-step-by-step = langkah demi langkah
+app-form-factor-by-steps = cari faktor bentuk dari patch { $i } ke patch { $j } langkah demi langkah
+app-followed-already = Inilah langkah-langkah faktor bentuk itu.
 app-smooth = halus
 app-smooth-room = interpolasikan cahaya antara sudut-sudut patch
 app-illumination = Suku iluminasi
@@ -381,6 +387,7 @@ image-drawn = piksel yang sudah digambar: { $count }.
 
 ## keys
 
+keys-unshot = radiositas belum ditembakkan, atau B
 keys-next-event = kejadian berikutnya
 keys-event-before = kejadian sebelumnya
 keys-ten-events-on = sepuluh kejadian maju
@@ -429,6 +436,10 @@ matrix-entries = faktor bentuk: { $entries }
 matrix-smaller = { $count } lagi yang lebih kecil
 matrix-gathers = { $patch } mengumpulkan baris { $row }, jumlah baris { $sum }
 matrix-shoots = { $patch } menembakkan kolom { $column }
+
+## patches
+
+patches-patch = { $name }: patch { $number }
 
 ## panels
 

@@ -7,8 +7,8 @@ use super::narrated::Question;
 use super::pictures::{finished, input, panels};
 use super::{Builtin, OpenLesson, builtins};
 use crate::language::Language;
-use crate::panels::{Answered, PanelInput, draw, named_by, word_name};
-use crate::picture::{Picture, Shape, Tag};
+use crate::panels::{Answered, PanelInput, draw, form_factor, named_by, patch_values, word_name};
+use crate::picture::{Picture, Shape, Style, Tag};
 use crate::record::{Field, Value};
 use glam::Vec2;
 use numbers::{Written, numbers, parts};
@@ -180,6 +180,22 @@ fn leads_ahead(picture: &Picture, step: usize, narrated: &[usize]) -> Option<usi
     })
 }
 
+/// What the pointer finds out of patches and form factors; but not of the numbers of patches, which say nothing of them.
+fn cards(input: &PanelInput) -> Picture {
+    let count = input.run.enclosure().map_or(0, |room| room.patches.len());
+    let pairs = (0..count).flat_map(|i| (0..count).map(move |j| [i, j]));
+    let patches = (0..count).filter_map(|patch| patch_values(input, patch));
+    let values =
+        patches.flat_map(|said| said.lines().skip(1).map(str::to_owned).collect::<Vec<_>>());
+    let form_factors = pairs.filter_map(|pair| form_factor(input, pair));
+    let form_factors = form_factors.filter_map(|said| Some(said.split_once(" = ")?.1.to_owned()));
+    let mut picture = Picture::default();
+    for text in values.chain(form_factors) {
+        picture.text(Vec2::ZERO, text, Style::Body.size(11.0));
+    }
+    picture
+}
+
 /// What only happens to be near the right number: the share of an end of a span in the normal between them.
 const BY_CHANCE: [(&str, &str); 1] = [("phong-highlight", "→ N_5")];
 
@@ -198,6 +214,18 @@ fn leaks(lesson: Builtin) -> BTreeSet<String> {
             let known = Known::at(&open, step, language);
             let secrets = secrets(&open, index, language);
             let Question { hide, .. } = open.narrated[index].question.as_ref().unwrap();
+            let cards = cards(&PanelInput {
+                pending: Some(hide),
+                ..input(&open, &finished, &steps, language)
+            });
+            for secret in &secrets {
+                if let Some(text) = leak(&cards, secret, &known, language) {
+                    leaks.insert(format!(
+                        "{} steps[{index}] cards: {secret:?} in “{text}”",
+                        lesson.id
+                    ));
+                }
+            }
             for panel in panels(&open) {
                 for size in [Vec2::new(900.0, 700.0), Vec2::new(420.0, 300.0)] {
                     let input = PanelInput {

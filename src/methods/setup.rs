@@ -3,6 +3,7 @@
 use super::{Family, Method, Settings};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
+use crate::algorithms::patch_view::seen_patches;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::shading::ShadedScene;
 use crate::algorithms::texture::Texturing;
@@ -19,6 +20,8 @@ pub struct Setup {
     forced: Parts,
     needs: OnceLock<Needs>,
     enclosure: OnceLock<Result<Enclosure, PatchError>>,
+    /// The patch in the middle of each pixel, row by row.
+    seen: OnceLock<Vec<Option<u32>>>,
 }
 
 /// Something that is looked at, but is not there.
@@ -38,6 +41,7 @@ impl Setup {
             forced: Parts::NONE,
             needs: OnceLock::new(),
             enclosure: OnceLock::new(),
+            seen: OnceLock::new(),
         }
     }
 
@@ -88,6 +92,25 @@ impl Setup {
             .enclosure
             .get_or_init(|| Enclosure::of(&self.prepared.scene, self.settings.get(), self.forced));
         enclosure.as_ref()
+    }
+
+    /// The patches in the middle of the pixels, row by row: none where the picture shows none, or the back of one. Found on first
+    /// use; empty where the scene cannot be divided into patches.
+    pub fn seen_patches(&self) -> &[Option<u32>] {
+        self.seen.get_or_init(|| {
+            self.enclosure().map_or_else(
+                |_| Vec::new(),
+                |room| seen_patches(room, &self.prepared.view),
+            )
+        })
+    }
+
+    /// The patch in the middle of pixel (x, y).
+    pub fn patch_at(&self, x: u32, y: u32) -> Option<usize> {
+        let View { width, .. } = self.prepared.view;
+        let index = y as usize * width as usize + x as usize;
+        let seen = self.seen_patches().get(index).filter(|_| x < width)?;
+        seen.map(|patch| patch as usize)
     }
 
     /// What the scene does not need of what `method` would do, forced or not. A scene that cannot be divided into patches needs

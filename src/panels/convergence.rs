@@ -5,15 +5,16 @@ use super::message::{NO_PATCHES, message};
 use super::values::step_as_sentence;
 use super::{PanelInput, Properties, names};
 use crate::algorithms::focus::Focus;
-use crate::figure::{Axis, LEGEND_ROW, Labels, Plot, Scale, elided, legend};
+use crate::figure::{Axis, LEGEND_ROW, Labels, Plot, Scale, legend};
 use crate::language::{Language, Message};
-use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, wrap};
 use crate::replay::Run;
 use crate::replay::radiosity::{ChannelNow, IterationNow, State};
 use glam::Vec2;
 
 const MARGIN: f32 = 8.0;
 const TEXT: f32 = 11.0;
+const LINE: f32 = 16.0;
 /// With more iterations some are passed over.
 const MOST_POINTS: usize = 70;
 /// Points so far apart have a mark each.
@@ -170,10 +171,17 @@ impl Iterations {
         let field = self.plot.place;
         let strings = NONE_YET.text(language);
         let high = name.is_some_and(|name| name.center().y < field.center().y);
-        let height = 0.5 * field.height;
-        let upper = Rect { height, ..field };
-        let down = if high { height } else { 0.0 };
-        elided(picture, upper.shifted(Vec2::new(0.0, down)), strings, style);
+        let half = 0.5 * field.height;
+        let lines = wrap(strings, style.style, style.size, field.width - 8.0);
+        let middle = field.y + if high { 1.5 * half } else { 0.5 * half };
+        let top = middle - 0.5 * LINE * lines.len() as f32;
+        for (at, line) in lines.into_iter().enumerate() {
+            let row = Rect::new(field.x, top + LINE * at as f32, field.width, LINE);
+            let width = style.width(&line) + 8.0;
+            let ground = Rect::new(field.center().x - 0.5 * width, row.y, width, LINE);
+            picture.rect(ground, Ink::Surface);
+            picture.text_in(row, line, style);
+        }
     }
 
     /// The point of the current iteration, once it is recorded.

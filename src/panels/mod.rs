@@ -27,6 +27,7 @@ pub use shared::names::{
     patch as patch_name, quantity as quantity_name, ray_kind as ray_kind_name,
     scope as scope_names,
 };
+pub use shared::patches::{form_factor, form_factor_values, patch_values};
 pub use shared::strings;
 
 use crate::algorithms::focus::Focus;
@@ -39,7 +40,7 @@ use glam::Vec2;
 use shared::fixture;
 #[cfg(test)]
 pub(crate) use shared::fixtures;
-use shared::{channels, horizon, message, names, values};
+use shared::{channels, horizon, message, names, patches, values};
 use strings::Language;
 
 /// What is known of a panel without drawing it.
@@ -145,6 +146,10 @@ pub struct PanelInput<'a> {
     pub answered: Answered,
     /// The step of what is selected, whose values the inspector shows in place of those of the step.
     pub selected: Option<usize>,
+    /// Whether patches are shown with what they have still to shoot, in place of what they have.
+    pub unshot: bool,
+    /// The two patches that are selected, from the first to the second.
+    pub pair: Option<[usize; 2]>,
 }
 
 impl<'a> PanelInput<'a> {
@@ -167,6 +172,8 @@ impl<'a> PanelInput<'a> {
             pending: None,
             answered: Answered::default(),
             selected: None,
+            unshot: false,
+            pair: None,
         }
     }
 }

@@ -1,9 +1,10 @@
-//! The patches of the room as the scene's camera sees them, each in its light so far, with the current exchange; where patches
-//! shoot, and there is room for it, beside it the light that they have still to shoot.
+//! The patches of the room as the scene's camera sees them, each in its light so far or, where that is chosen, in the light that
+//! it has still to shoot; with the current exchange, and the form factors between the two patches that are selected.
 
 mod colors;
 pub(super) mod exchange;
 mod order;
+pub(super) mod pair;
 mod room_view;
 mod smooth;
 
@@ -55,50 +56,55 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let exchange = Exchange::of(input.run, input.focus);
     let mut picture = Picture::new(size.x, size.y);
     picture.alt = in_words(input, prepared, room, &view, exchange.as_ref());
-    let colorings = colorings(input, room);
-    let places = places(size, colorings.len());
-    let outlined = view.corners() * places.len() <= MOST_LINES;
-    for (coloring, place) in colorings.iter().zip(places) {
-        let area = coloring.frame(&mut picture, place);
-        let fit = view.fit(area);
-        let smooth = input.smooth.filter(|_| coloring.may_be_smooth);
-        if let Some(draw) = smooth {
-            let (place, image) = smooth::image(draw, room, &view, &fit, &coloring.patches);
-            picture.image(place, image);
-        }
-        for seen in &view.seen {
-            let paint = Ink::Rgb(coloring.patches[seen.patch]).fill();
-            let paint = match (smooth.is_some(), outlined) {
-                // Not seen, but pointed at.
-                (true, _) => paint.opacity(0.0),
-                (false, true) => paint.outlined(Ink::Muted.stroke(0.75).opacity(0.6)),
-                (false, false) => paint,
-            };
-            picture.tagged(Tag::Patch(seen.patch), |picture| {
-                for piece in &seen.pieces {
-                    let corners: Vec<Vec2> =
-                        piece.iter().map(|&corner| fit.place(corner)).collect();
-                    picture.polygon(overlapping(&corners), paint);
-                }
-            });
-        }
-        input.answered.draw(&mut picture, |tag| {
-            let Tag::Patch(patch) = tag else { return None };
-            let center = view.center(patch)?;
-            Some(Rect::between(fit.place(center), fit.place(center)))
+    let coloring = coloring(input, room);
+    let place = place(&picture);
+    let between = input.pair.map(|pair| pair::in_words(input, pair));
+    let area = coloring.frame(&mut picture, place, between.as_deref());
+    let fit = view.fit(area);
+    let smooth = input.smooth.filter(|_| coloring.may_be_smooth);
+    if let Some(draw) = smooth {
+        let (place, image) = smooth::image(draw, room, &view, &fit, &coloring.patches);
+        picture.image(place, image);
+    }
+    let outlined = view.corners() <= MOST_LINES;
+    for seen in &view.seen {
+        let paint = Ink::Rgb(coloring.patches[seen.patch]).fill();
+        let paint = match (smooth.is_some(), outlined) {
+            // Not seen, but pointed at.
+            (true, _) => paint.opacity(0.0),
+            (false, true) => paint.outlined(Ink::Muted.stroke(0.75).opacity(0.6)),
+            (false, false) => paint,
+        };
+        picture.tagged(Tag::Patch(seen.patch), |picture| {
+            for piece in &seen.pieces {
+                let corners: Vec<Vec2> = piece.iter().map(|&corner| fit.place(corner)).collect();
+                picture.polygon(overlapping(&corners), paint);
+            }
         });
-        if let Some(exchange) = &exchange {
-            exchange.draw(
-                &mut picture,
-                (prepared, room),
-                input.language,
-                &view,
-                &fit,
-                area,
-            );
-        }
+    }
+    input.answered.draw(&mut picture, |tag| {
+        let Tag::Patch(patch) = tag else { return None };
+        let center = view.center(patch)?;
+        Some(Rect::between(fit.place(center), fit.place(center)))
+    });
+    if let Some(pair) = input.pair {
+        pair::draw(&mut picture, pair, (&view, &fit), area);
+    }
+    if let Some(exchange) = &exchange {
+        exchange.draw(
+            &mut picture,
+            (prepared, room),
+            input.language,
+            &view,
+            &fit,
+            area,
+        );
     }
     picture
+}
+
+fn place(picture: &Picture) -> Rect {
+    picture.bounds().grown(-MARGIN)
 }
 
 /// What the patches are coloured by.
@@ -116,20 +122,37 @@ struct Scale {
     ends: [String; 2],
 }
 
-/// The light so far, and where patches shoot what they have still to shoot. Of a form factor, what the surfaces look like.
-fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
+/// The light so far, or what patches have still to shoot, where they shoot and that is chosen. Of a form factor, what the surfaces
+/// look like.
+fn coloring(input: &PanelInput, room: &Enclosure) -> Coloring {
     let localize = |strings: Message| strings.text(input.language);
     let Run::Radiosity(_, replay) = input.run else {
-        return vec![Coloring {
+        return Coloring {
             title: localize(REFLECTANCE).to_string(),
             patches: room.reflectance.clone(),
             may_be_smooth: false,
             scale: None,
-        }];
+        };
     };
     let state = replay.state();
     let exposure = state.solved.as_ref().map_or(1.0, |solved| solved.exposure);
-    let mut colorings = vec![Coloring {
+    if let Some(unshot) = state.unshot(room).filter(|_| input.unshot) {
+        let least = unshot.brightest * 10_f64.powi(-DECADES);
+        let channel = names::word(unshot.channel, input.language);
+        return Coloring {
+            title: UNSHOT.format(input.language, &[("channel", &channel)]),
+            patches: shares(&unshot).into_iter().map(viridis).collect(),
+            may_be_smooth: false,
+            scale: Some(Scale {
+                color: viridis,
+                ends: [
+                    format!("≤ {}", input.language.significant(least, 3)),
+                    input.language.significant(unshot.brightest, 3),
+                ],
+            }),
+        };
+    }
+    Coloring {
         title: title(state, room, input.language),
         patches: state
             .light(room)
@@ -144,26 +167,7 @@ fn colorings(input: &PanelInput, room: &Enclosure) -> Vec<Coloring> {
                 format!("≥ {}", input.language.significant(1.0 / exposure, 3)),
             ],
         }),
-    }];
-    if let Some(unshot) = state.unshot(room) {
-        let least = unshot.brightest * 10_f64.powi(-DECADES);
-        colorings.push(Coloring {
-            title: UNSHOT.format(
-                input.language,
-                &[("channel", &names::word(unshot.channel, input.language))],
-            ),
-            patches: shares(&unshot).into_iter().map(viridis).collect(),
-            may_be_smooth: false,
-            scale: Some(Scale {
-                color: viridis,
-                ends: [
-                    format!("≤ {}", input.language.significant(least, 3)),
-                    input.language.significant(unshot.brightest, 3),
-                ],
-            }),
-        });
     }
-    colorings
 }
 
 /// What is shown, and of which channels.
@@ -186,35 +190,23 @@ fn title(state: &State, room: &Enclosure, language: Language) -> String {
     labelled(localize(what), &words.join(", "), language)
 }
 
-/// Two pictures beside or below each other; the first alone where there is no room for both.
-fn places(size: Vec2, count: usize) -> Vec<Rect> {
-    let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-MARGIN);
-    if count < 2 {
-        return vec![whole];
-    }
-    if size.x >= 480.0 && size.x > 1.3 * size.y {
-        let width = 0.5 * (whole.width - 2.0 * MARGIN);
-        let left = Rect { width, ..whole };
-        vec![left, left.shifted(Vec2::new(width + 2.0 * MARGIN, 0.0))]
-    } else if size.y >= 400.0 {
-        let height = 0.5 * (whole.height - MARGIN);
-        let upper = Rect { height, ..whole };
-        vec![upper, upper.shifted(Vec2::new(0.0, height + MARGIN))]
-    } else {
-        vec![whole]
-    }
-}
-
 impl Coloring {
-    /// Draws title and scale, and returns the place between them.
-    fn frame(&self, picture: &mut Picture, place: Rect) -> Rect {
+    /// Draws title, scale and, in a row of its own, what passes between the patches that are selected. Returns the place that is
+    /// left for the room.
+    fn frame(&self, picture: &mut Picture, place: Rect, between: Option<&str>) -> Rect {
         let style = Style::Body.size(TEXT).ink(Ink::Muted);
         let row = Rect {
             height: ROW,
             ..place
         };
         elided(picture, row, &self.title, style);
-        let mut inside = Rect::new(place.x, place.y + ROW, place.width, place.height - ROW);
+        let mut inside = Rect::between((place.x, place.y + ROW), place.max());
+        if let Some(between) = between {
+            let row = row.shifted(Vec2::new(0.0, ROW));
+            let style = Style::LabelBold.size(TEXT).ink(Ink::Linked);
+            elided(picture, row, between, style);
+            inside = Rect::between((place.x, place.y + 2.0 * ROW), place.max());
+        }
         if let Some(scale) = &self.scale {
             inside.height -= ROW;
             let below = row.shifted(Vec2::new(0.0, place.height - ROW));

@@ -177,6 +177,9 @@ fn in_words(state: &State, language: Language) -> String {
 impl Sketch<'_> {
     fn patches(&mut self, room: &Enclosure) {
         exchange::targets(self.picture, &self.space, room);
+        if let Some(pair) = self.input.pair {
+            self.pair(room, pair);
+        }
         self.exchange(room);
     }
 

@@ -120,6 +120,8 @@ pub enum Command {
     Fill,
     /// Rooms smooth, or patch by patch.
     Smooth,
+    /// Rooms with what is unshot, or with their light.
+    Unshot,
     LargerText,
     SmallerText,
     NormalText,

@@ -4,7 +4,7 @@ use super::{Refused, Session};
 use crate::algorithms::focus::Focus;
 use crate::app::strings;
 use crate::figure::View;
-use crate::panels::TreeView;
+use crate::panels::{Panel, TreeView};
 use crate::picture::Tag;
 use crate::record::{RecordingLimit, Value};
 use crate::replay::{Comparison, Condition, Operand, Query, Run, Walk, query};
@@ -63,6 +63,9 @@ impl Session {
     fn switch_to(&mut self, run: Run, focus: Focus, step: usize) {
         self.open.run = run;
         self.focus = focus;
+        if matches!(focus, Focus::FormFactor { .. }) && !self.follows_lesson() {
+            self.chosen = Some(Panel::FormFactor);
+        }
         self.recording += 1;
         self.play = None;
         self.around = super::playing::Loop::default();

@@ -1,13 +1,19 @@
 //! Which panel is shown large: the one that the explanation names, the one in which its question is answered, or the user's choice.
 
 use super::{Drawer, Refused, Session};
+use crate::algorithms::focus::Focus;
 use crate::app::strings;
 use crate::panels::Panel;
 
 impl Session {
-    /// The lesson's panels; their numbers count from 1.
-    pub fn panels(&self) -> &[Panel] {
-        &self.open.lesson.panels
+    /// The lesson's panels; their numbers count from 1. Whoever follows a form factor sees its panel too.
+    pub fn panels(&self) -> Vec<Panel> {
+        let mut panels = self.open.lesson.panels.clone();
+        let follows = matches!(self.focus, Focus::FormFactor { .. });
+        if follows && !panels.contains(&Panel::FormFactor) {
+            panels.push(Panel::FormFactor);
+        }
+        panels
     }
 
     /// The panel shown large. None in a lesson without panels.
@@ -16,6 +22,7 @@ impl Session {
         let named = || said.and_then(|said| said.key);
         let panels = self.panels();
         self.chosen
+            .filter(|chosen| panels.contains(chosen))
             .or_else(|| self.answer_panel())
             .or_else(named)
             .or_else(|| panels.first().copied())
@@ -36,7 +43,7 @@ impl Session {
     /// The others, in their order.
     pub fn other_panels(&self) -> Vec<Panel> {
         let key = self.key_panel();
-        let panels = self.panels().iter().copied();
+        let panels = self.panels().into_iter();
         panels.filter(|&panel| Some(panel) != key).collect()
     }
 
@@ -51,8 +58,10 @@ impl Session {
 
     /// The panel of that number, from 1.
     pub(super) fn numbered(&self, number: usize) -> Result<Panel, Refused> {
-        let panel = number.checked_sub(1).and_then(|i| self.panels().get(i));
-        panel.copied().ok_or(strings::NO_SUCH_PANEL.into())
+        let index = number.checked_sub(1).filter(|&i| i < self.panels().len());
+        index
+            .map(|i| self.panels()[i])
+            .ok_or(strings::NO_SUCH_PANEL.into())
     }
 
     pub(super) fn fill(&mut self) {

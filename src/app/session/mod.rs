@@ -73,6 +73,8 @@ pub struct Look {
     pub drawer: Option<Drawer>,
     /// Whether rooms are shown smooth, not patch by patch.
     pub smooth: bool,
+    /// Whether rooms are shown with what is unshot, in place of their light.
+    pub unshot: bool,
     pub questions: bool,
 }
 
@@ -90,6 +92,7 @@ impl Look {
             skipped: false,
             drawer: None,
             smooth: false,
+            unshot: false,
             questions: true,
         }
     }
@@ -247,6 +250,7 @@ impl Session {
         self.results = None;
         let radiosity: enclosure::Settings = self.open.setup.settings.get();
         self.look.smooth = radiosity.smooth;
+        self.look.unshot = false;
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
         self.standings = vec![Standing::Open; self.narrated.len()];
         self.guesses.clear();
@@ -355,6 +359,8 @@ impl Session {
             pending: self.pending(),
             answered: self.answered(),
             selected: self.selected_step(),
+            unshot: self.look.unshot,
+            pair: self.pair(),
         }
     }
 

@@ -1,11 +1,13 @@
 //! What a click selects: it lights up in all panels with what belongs to it, and the inspector has its values. The step stays; going
 //! there is a second action.
 
-use super::{Refused, Session};
+use super::{Command, Refused, Session};
+use crate::algorithms::focus::Focus;
 use crate::app::strings;
+use crate::language::Message;
 use crate::picture::Tag;
 use crate::record::{Fields, Value};
-use crate::replay::Walk;
+use crate::replay::{Run, Walk};
 
 /// How far back the step of a thing is looked for.
 const FAR: usize = 20_000;
@@ -33,32 +35,78 @@ impl Session {
         self.selected_step().unwrap_or(self.step())
     }
 
-    /// All that lights up: what is selected, and what belongs to it.
+    /// All that lights up: what is under the pointer, what is selected, and what belongs to them.
     pub fn lit(&self) -> Vec<Tag> {
+        let mut lit: Vec<Tag> = self.hovered.into_iter().flat_map(alike).collect();
         let Some(Selected { tag, step }) = self.selected else {
-            return Vec::new();
+            return lit;
         };
-        let mut lit = vec![tag];
-        match tag {
-            Tag::FormFactor { i, j } => lit.extend([Tag::Patch(i), Tag::Patch(j)]),
-            Tag::Step(_) | Tag::Scope(_) | Tag::Pixel { .. } => {
-                if let Some(step) = step {
-                    lit.extend([Tag::Step(step), Tag::Scope(step)]);
-                    let in_room = self.open.run.enclosure().is_some();
-                    lit.extend(things(self.walk(), step, in_room));
-                }
-            }
-            _ => {}
+        lit.extend(alike(tag));
+        let is_place = matches!(tag, Tag::Step(_) | Tag::Scope(_) | Tag::Pixel { .. });
+        if let Some(step) = step.filter(|_| is_place) {
+            lit.extend([Tag::Step(step), Tag::Scope(step)]);
+            let in_room = self.open.run.enclosure().is_some();
+            lit.extend(things(self.walk(), step, in_room));
         }
         lit
     }
 
-    /// Selects what a tag shows; a second time, it is selected no more.
+    /// The two patches that are selected.
+    pub fn pair(&self) -> Option<[usize; 2]> {
+        match self.selected()? {
+            Tag::FormFactor { i, j } => Some([i, j]),
+            _ => None,
+        }
+    }
+
+    /// Selects what a tag shows; a second time, it is selected no more. After a patch another one makes a pair with it, and the
+    /// pixel of a room shows a patch.
     pub(super) fn select(&mut self, tag: Tag) {
+        let tag = match tag {
+            Tag::Pixel { x, y } => self.patch_at(x, y).map_or(tag, Tag::Patch),
+            _ => tag,
+        };
+        let tag = match (self.selected(), tag) {
+            (Some(Tag::Patch(i)), Tag::Patch(j)) if i != j => Tag::FormFactor { i, j },
+            _ => tag,
+        };
         let step = self.step_of(tag);
         let new = Selected { tag, step };
         let is_selected = self.selected() == Some(tag);
         self.selected = Some(new).filter(|_| !is_selected);
+    }
+
+    /// What looks at the form factor between the two patches, step by step.
+    pub fn step_by_step(&self) -> Option<Command> {
+        let [i, j] = self.pair()?.map(|patch| patch as u32);
+        Some(Command::Focus(Focus::FormFactor { i, j }))
+    }
+
+    /// Why a form factor cannot be followed; none where it can.
+    pub(super) fn cannot_follow(&self, focus: Focus) -> Option<Message> {
+        if self.question_at(self.step()) {
+            Some(strings::ANSWER_FIRST)
+        } else if focus == self.focus {
+            Some(strings::FOLLOWED_ALREADY)
+        } else if self.setup().check(focus).is_err() {
+            Some(strings::OUTSIDE)
+        } else {
+            None
+        }
+    }
+
+    /// Whether the solver keeps what patches have still to shoot.
+    pub(super) fn has_unshot(&self) -> bool {
+        match (&self.open.run, self.open.run.enclosure()) {
+            (Run::Radiosity(..), Some(room)) => room.settings.solver.shoots(),
+            _ => false,
+        }
+    }
+
+    /// The patch that a pixel of the picture shows, where the run exchanges light between patches.
+    pub fn patch_at(&self, x: u32, y: u32) -> Option<usize> {
+        self.open.run.enclosure()?;
+        self.setup().patch_at(x, y)
     }
 
     /// After a move, the step that is about the same thing.
@@ -103,6 +151,16 @@ impl Session {
         };
         let step = self.step_of(tag).or_else(ahead);
         self.go_to(step.ok_or(strings::NOT_FOUND)?)
+    }
+}
+
+/// Tags that light up together: a step and the scope that it opens, a form factor and its two patches.
+fn alike(tag: Tag) -> Vec<Tag> {
+    match tag {
+        Tag::Step(step) => vec![tag, Tag::Scope(step)],
+        Tag::Scope(step) => vec![tag, Tag::Step(step)],
+        Tag::FormFactor { i, j } => vec![tag, Tag::Patch(i), Tag::Patch(j)],
+        _ => vec![tag],
     }
 }
 

@@ -3,6 +3,7 @@
 use super::lessons::Neighbour;
 use super::search::{in_program_names, is_sign};
 use super::{Command, Direction, Drawer, Guess, Refused, Session, TEXT_SIZES};
+use crate::algorithms::focus::Focus;
 use crate::app::strings;
 use crate::language::{Language, Message};
 use crate::lesson::{Thing, builtin};
@@ -131,6 +132,8 @@ impl Session {
             Command::Parameters if self.lesson().parameters.is_empty() => {
                 Some(strings::NO_PARAMETERS)
             }
+            Command::Unshot if !self.has_unshot() => Some(strings::NO_UNSHOT),
+            Command::Focus(focus @ Focus::FormFactor { .. }) => self.cannot_follow(focus),
             Command::Key(panel) if self.key_panel() == Some(panel) => Some(strings::IS_KEY_PANEL),
             Command::KeyNumber(number) => {
                 return self.numbered(number).map(drop);
@@ -342,6 +345,7 @@ impl Session {
             Command::Keys => look.keys = !look.keys,
             Command::Skipped => look.skipped = !look.skipped,
             Command::Smooth => look.smooth = !look.smooth,
+            Command::Unshot => look.unshot = !look.unshot,
             Command::NormalText => look.text = super::Look::new().text,
             Command::LargerText if look.text + 1 == TEXT_SIZES.len() => {
                 return Err(strings::LARGEST.into());

@@ -17,7 +17,7 @@ pub const SMALL: f32 = 11.0;
 const LEAST_CELL: f32 = 4.0;
 const MOST_CELLS: usize = 100;
 /// A narrower panel has no bars of the sums, so that the cells are larger.
-const WITH_SUMS: f32 = 300.0;
+const WITH_SUMS: f32 = 360.0;
 /// Between the matrix and the bars.
 const GAP: f32 = 10.0;
 
@@ -27,7 +27,7 @@ pub fn draw(picture: &mut Picture, layout: &Layout) {
         let columns = (layout.n + 1) as f32;
         height >= 260.0 && (width - 2.0 * MARGIN - 40.0) / columns >= 48.0
     });
-    let sides = Sides::new(layout, width);
+    let sides = Sides::new(layout, [width, height]);
     let bars = match width >= WITH_SUMS {
         true => (0.18 * width).clamp(44.0, 130.0) + GAP,
         false => 0.0,
@@ -45,12 +45,20 @@ pub fn draw(picture: &mut Picture, layout: &Layout) {
     sides.draw(picture, layout, &grid);
     if bars > 0.0 {
         let x = area.right() + GAP;
-        sums(picture, layout, &grid, Rect::new(x, area.y, bars - GAP, area.height));
+        sums(
+            picture,
+            layout,
+            &grid,
+            Rect::new(x, area.y, bars - GAP, area.height),
+        );
     }
     if let Some(hand) = layout.hand {
         marks(picture, &grid, hand);
     }
-    let row = Rect::between((MARGIN, area.bottom() + 3.0), (area.right(), area.bottom() + 3.0 + LINE));
+    let row = Rect::between(
+        (MARGIN, area.bottom() + 3.0),
+        (area.right(), area.bottom() + 3.0 + LINE),
+    );
     legend(picture, &grid, row);
     if let Some((rho, emission)) = written {
         let y = height - MARGIN - 2.0 * LINE;
@@ -73,7 +81,11 @@ fn title(picture: &mut Picture, layout: &Layout) {
         |hand| ways_to_say(layout, hand),
     );
     let fitting = ways.iter().find(|text| set.width(text) <= room);
-    picture.text_in(place, fitting.unwrap_or(&ways[ways.len() - 1]).as_str(), set);
+    picture.text_in(
+        place,
+        fitting.unwrap_or(&ways[ways.len() - 1]).as_str(),
+        set,
+    );
 }
 
 fn ways_to_say(layout: &Layout, hand: Hand) -> Vec<String> {
@@ -87,7 +99,10 @@ fn ways_to_say(layout: &Layout, hand: Hand) -> Vec<String> {
     let Some((row, column, f)) = hand.entry else {
         let named = patch('i', hand.i);
         let whole = sum.map(|sum| format!("{named}  ·  {sum}"));
-        return whole.into_iter().chain([named, format!("i = {number}")]).collect();
+        return whole
+            .into_iter()
+            .chain([named, format!("i = {number}")])
+            .collect();
     };
     let (other, symbol) = match hand.shoots() {
         true => (row, "F_j_i"),
@@ -97,7 +112,10 @@ fn ways_to_say(layout: &Layout, hand: Hand) -> Vec<String> {
     let parts = [patch('i', hand.i), value.clone(), patch('j', other)];
     let whole = sum.map(|sum| [&parts[..], &[sum]].concat().join("  ·  "));
     let short = format!("i = {number}  ·  {value}  ·  j = {other}");
-    whole.into_iter().chain([parts.join("  ·  "), short, value]).collect()
+    whole
+        .into_iter()
+        .chain([parts.join("  ·  "), short, value])
+        .collect()
 }
 
 /// The colours, and over them what can be pointed at.
@@ -144,7 +162,11 @@ fn sums(picture: &mut Picture, layout: &Layout, grid: &Grid, place: Rect) {
         .collect();
     let longest = rows.iter().map(|(_, _, sum)| *sum).fold(1.1, f64::max);
     let scale = place.width / longest as f32;
-    let gap = if grid.cell().y >= LEAST_CELL { 1.0 } else { 0.0 };
+    let gap = if grid.cell().y >= LEAST_CELL {
+        1.0
+    } else {
+        0.0
+    };
     for (rows, row, sum) in rows {
         let [from, to] = grid.rows(rows.clone());
         let bar = Rect::new(

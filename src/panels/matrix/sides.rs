@@ -12,18 +12,21 @@ const BRACKET: f32 = 6.0;
 /// Between two numbers.
 const APART: f32 = 5.0;
 /// Of the panel's width, at most so much is for names.
-const NAMES: f32 = 0.25;
+const NAMES: f32 = 0.16;
+/// A lower panel has no names along the top.
+const NAMED_ABOVE: f32 = 200.0;
 
 /// The objects with their patches, and the room that they take.
 pub struct Sides {
     objects: Vec<(String, Range<usize>)>,
-    /// Of the longest name; 0 where names would take too much.
-    name: f32,
+    /// What names and brackets take at the left, and above; 0 where that would be too much.
+    beside: f32,
+    above: f32,
     number: f32,
 }
 
 impl Sides {
-    pub fn new(layout: &Layout, width: f32) -> Self {
+    pub fn new(layout: &Layout, [width, height]: [f32; 2]) -> Self {
         let surfaces = layout.room.patches.surfaces.iter().zip(0_u32..);
         let objects = surfaces.map(|(surface, number)| {
             let count = (surface.grid[0] * surface.grid[1]) as usize;
@@ -32,75 +35,95 @@ impl Sides {
         });
         let objects: Vec<_> = objects.collect();
         let longest = objects.iter().map(|(name, _)| small().width(name));
-        let longest = longest.fold(0.0, f32::max) + APART;
+        let beside = longest.fold(0.0, f32::max) + APART + BRACKET;
         Sides {
             objects,
-            name: if longest <= NAMES * width { longest } else { 0.0 },
+            beside: if beside <= NAMES * width { beside } else { 0.0 },
+            above: if height >= NAMED_ABOVE {
+                LINE + BRACKET
+            } else {
+                0.0
+            },
             number: small().width(&(layout.n - 1).to_string()) + APART,
         }
     }
 
     pub fn left(&self) -> f32 {
-        self.name + BRACKET + self.number
+        self.beside + self.number
     }
 
     pub fn top(&self) -> f32 {
-        2.0 * LINE + BRACKET
+        LINE + self.above
     }
 
     pub fn draw(&self, picture: &mut Picture, layout: &Layout, grid: &Grid) {
-        self.left_side(picture, layout, grid);
-        self.upper_side(picture, layout, grid);
+        self.rows(picture, layout, grid);
+        self.columns(picture, layout, grid);
+        let row = current(layout, false);
+        if self.beside > 0.0 {
+            self.names_beside(picture, row, grid);
+        }
+        if self.above > 0.0 {
+            self.names_above(picture, grid);
+        }
     }
 
-    fn left_side(&self, picture: &mut Picture, layout: &Layout, grid: &Grid) {
-        let x = grid.area.x - self.number;
+    fn rows(&self, picture: &mut Picture, layout: &Layout, grid: &Grid) {
         let current = current(layout, false);
-        let mut taken = Taken::default();
+        let mut taken = Taken::along(grid);
         for row in in_order(layout.n, current) {
             let [from, to] = grid.rows(row..row + 1);
-            let y = 0.5 * (from + to - LINE);
-            let place = Rect::new(x, y, self.number - 3.0, LINE);
-            if taken.takes(place, [grid.area.y - 3.0, grid.area.bottom() + 3.0]) {
+            let place = Rect::new(
+                grid.area.x - self.number,
+                0.5 * (from + to - LINE),
+                self.number - 3.0,
+                LINE,
+            );
+            if taken.takes(place) {
                 let set = small().ink(ink(current == Some(row))).end();
                 picture.text_in(place, row.to_string(), set);
             }
         }
+    }
+
+    fn columns(&self, picture: &mut Picture, layout: &Layout, grid: &Grid) {
+        let current = current(layout, true);
         let mut taken = Taken::default();
-        let holds = |range: &Range<usize>| current.is_some_and(|row| range.contains(&row));
-        let (mut first, others): (Vec<_>, Vec<_>) =
-            self.objects.iter().partition(|(_, range)| holds(range));
-        first.extend(others);
-        for (name, range) in first {
-            let [from, to] = grid.rows(range.clone());
-            let x = x - BRACKET;
-            bracket(picture, [from, to], |at, depth| [x + depth, at]);
-            let y = 0.5 * (from + to - LINE);
-            let place = Rect::new(x - self.name, y, self.name - APART, LINE);
-            let ends = [grid.area.y - 3.0, grid.area.bottom() + 3.0];
-            if self.name > 0.0 && taken.takes(place, ends) {
-                picture.text_in(place, name, small().ink(ink(holds(range))).end());
+        for column in in_order(layout.n, current) {
+            let [from, to] = grid.columns(column..column + 1);
+            let x = 0.5 * (from + to - self.number);
+            let place = Rect::new(x, grid.area.y - LINE - 1.0, self.number, LINE);
+            if taken.takes(place) {
+                let set = small().ink(ink(current == Some(column))).middle();
+                picture.text_in(place, column.to_string(), set);
             }
         }
     }
 
-    fn upper_side(&self, picture: &mut Picture, layout: &Layout, grid: &Grid) {
-        let y = grid.area.y - LINE;
-        let current = current(layout, true);
-        let mut numbers: Vec<Rect> = Vec::new();
-        for column in in_order(layout.n, current) {
-            let [from, to] = grid.columns(column..column + 1);
-            let width = self.number;
-            let place = Rect::new(0.5 * (from + to - width), y - 1.0, width, LINE);
-            if numbers.iter().all(|other| other.intersection(&place).is_empty()) {
-                let set = small().ink(ink(current == Some(column))).middle();
-                picture.text_in(place, column.to_string(), set);
-                numbers.push(place);
+    /// The object of the current row first, since it must not be left out.
+    fn names_beside(&self, picture: &mut Picture, row: Option<usize>, grid: &Grid) {
+        let holds = |range: &Range<usize>| row.is_some_and(|row| range.contains(&row));
+        let mut objects: Vec<_> = self.objects.iter().collect();
+        objects.sort_by_key(|(_, range)| !holds(range));
+        let x = grid.area.x - self.number - BRACKET;
+        let mut taken = Taken::along(grid);
+        for (name, range) in objects {
+            let [from, to] = grid.rows(range.clone());
+            bracket(picture, [from, to], |at, depth| [x + depth, at]);
+            let width = self.beside - BRACKET - APART;
+            let y = 0.5 * (from + to - LINE);
+            let place = Rect::new(x - APART - width, y, width, LINE);
+            if taken.takes(place) {
+                let set = small().ink(ink(holds(range))).end();
+                picture.text_in(place, name.as_str(), set);
             }
         }
+    }
+
+    fn names_above(&self, picture: &mut Picture, grid: &Grid) {
+        let y = grid.area.y - LINE - BRACKET;
         for (name, range) in &self.objects {
             let [from, to] = grid.columns(range.clone());
-            let y = y - BRACKET;
             bracket(picture, [from, to], |at, depth| [at, y + depth]);
             if small().width(name) <= to - from - 4.0 {
                 let place = Rect::new(from, y - LINE, to - from, LINE);
@@ -110,18 +133,40 @@ impl Sides {
     }
 }
 
-/// Places along the left that are taken.
-#[derive(Default)]
-struct Taken(Vec<Rect>);
+/// Places that are taken, and how far up and down they may reach.
+struct Taken {
+    places: Vec<Rect>,
+    ends: [f32; 2],
+}
+
+impl Default for Taken {
+    fn default() -> Self {
+        Taken {
+            places: Vec::new(),
+            ends: [f32::NEG_INFINITY, f32::INFINITY],
+        }
+    }
+}
 
 impl Taken {
+    /// Beside the matrix.
+    fn along(grid: &Grid) -> Self {
+        Taken {
+            ends: [grid.area.y - 3.0, grid.area.bottom() + 3.0],
+            ..Taken::default()
+        }
+    }
+
     /// Whether the place is free and within the ends; it is taken then.
-    fn takes(&mut self, place: Rect, [top, bottom]: [f32; 2]) -> bool {
-        let is_free = place.y >= top
-            && place.bottom() <= bottom
-            && self.0.iter().all(|other| other.intersection(&place).is_empty());
+    fn takes(&mut self, place: Rect) -> bool {
+        let [top, bottom] = self.ends;
+        // Lines of text may touch.
+        let inner = place.grown(-0.5);
+        let overlaps = |other: &Rect| !other.intersection(&inner).is_empty();
+        let is_free = place.y >= top && place.bottom() <= bottom;
+        let is_free = is_free && !self.places.iter().any(overlaps);
         if is_free {
-            self.0.push(place);
+            self.places.push(place);
         }
         is_free
     }

@@ -1,5 +1,6 @@
 use super::super::fixture::Fixture;
 use super::super::fixtures::{SIZES, assert_legible, nothing, open_room, solvers, texts};
+use super::super::patches::form_factor_values;
 use super::*;
 use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
@@ -70,6 +71,62 @@ fn a_cell_can_be_pointed_at_and_the_row_in_hand_is_written_out() {
     assert!(printed.contains(&"E_i"), "{printed:?}");
     // A closed part of the diagonal: flat patches see nothing of themselves.
     assert!(printed.contains(&"1.000"), "{printed:?}");
+}
+
+#[test]
+fn the_matrix_fills_its_panel_with_numbered_rows_and_columns_and_nothing_is_cut() {
+    let mut fixture = solved(Solver::Jacobi);
+    let step = fixture.first("Gathering") + 1;
+    fixture.seek(step);
+    let n = fixture.run.enclosure().expect("an enclosure").patches.len();
+    for size in SIZES {
+        let picture = draw(&fixture.input(), size);
+        let cell = |i, j| {
+            picture
+                .tagged_bounds(Tag::FormFactor { i, j })
+                .expect("a cell")
+        };
+        let map = cell(0, 0).union(&cell(n - 1, n - 1));
+        let share = map.width * map.height / (size.x * size.y);
+        assert!(share >= 0.25, "{share} of {size}");
+        if size.min_element() >= 170.0 {
+            assert!(share >= 0.4, "{share} of {size}");
+        }
+        let printed = texts(&picture);
+        assert!(
+            printed.iter().all(|(text, _)| !text.contains('…')),
+            "{printed:?}"
+        );
+        for number in 0..n {
+            let written = number.to_string();
+            let beside = printed.iter().any(|(text, at)| {
+                *text == written && at.right() <= map.x + 4.0 && map.height >= 15.0 * n as f32
+            });
+            let above = printed
+                .iter()
+                .any(|(text, at)| *text == written && at.bottom() <= map.y + 2.0);
+            assert!(
+                above && (beside || map.height < 15.0 * n as f32),
+                "{number} at {size}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_cell_says_its_form_factor_unless_a_question_hides_it() {
+    let fixture = solved(Solver::Jacobi);
+    let room = fixture.run.enclosure().expect("an enclosure");
+    let f = room.matrix().expect("a matrix")[3 * room.patches.len() + 4];
+    let said = form_factor_values(&fixture.input(), [3, 4]).expect("a cell");
+    assert!(said.starts_with(&format!("F_{{3, 4}} = {}", Language::English.number(f))));
+    assert!(said.ends_with("j = 4: lamp"), "{said}");
+    let input = PanelInput {
+        pending: Some(&[]),
+        ..fixture.input()
+    };
+    let hidden = form_factor_values(&input, [3, 4]).expect("a cell");
+    assert!(hidden.starts_with("F_{3, 4} = ?"), "{hidden}");
 }
 
 #[test]

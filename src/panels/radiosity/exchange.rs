@@ -175,7 +175,13 @@ impl Exchange {
     }
 }
 
-fn outline(picture: &mut Picture, view: &RoomView, patch: usize, fit: &Fit, stroke: Stroke) {
+pub(super) fn outline(
+    picture: &mut Picture,
+    view: &RoomView,
+    patch: usize,
+    fit: &Fit,
+    stroke: Stroke,
+) {
     for piece in view.outlines(patch) {
         picture.tagged(Tag::Patch(patch), |picture| {
             picture.polygon(piece.into_iter().map(|corner| fit.place(corner)), stroke);

@@ -85,8 +85,8 @@ fn the_nearest_patch_answers_the_pointer() {
     let picture = draw(&fixture.input(), WIDE);
     let view = RoomView::new(prepared, room);
     let mut layout = Picture::new(WIDE.x, WIDE.y);
-    let place = places(WIDE, 1)[0];
-    let fit = view.fit(colorings(&fixture.input(), room)[0].frame(&mut layout, place));
+    let place = place(&layout);
+    let fit = view.fit(coloring(&fixture.input(), room).frame(&mut layout, place, None));
     let nearest = |at: Vec2| {
         let View {
             eye,
@@ -160,24 +160,99 @@ fn what_is_gathered_comes_along_an_arrow() {
     );
 }
 
-#[test]
-fn where_patches_shoot_a_wide_panel_shows_what_is_still_unshot() {
-    let mut fixture = Fixture::room(Solver::Shooting, Focus::Frame);
-    let pictures = |fixture: &Fixture, size| {
-        let picture = draw(&fixture.input(), size);
-        tagged(&picture, Tag::Patch(3)).count()
+/// The fill of a patch in the panel.
+fn fill(fixture: &Fixture, patch: usize, unshot: bool) -> Ink {
+    let input = PanelInput {
+        unshot,
+        ..fixture.input()
     };
-    assert_eq!([NARROW, WIDE].map(|size| pictures(&fixture, size)), [1, 2]);
+    let picture = draw(&input, WIDE);
+    let mut items = tagged(&picture, Tag::Patch(patch));
+    let Some(Shape::Polygon { paint, .. }) = items.next().map(|item| &item.shape) else {
+        panic!("patch {patch} is drawn");
+    };
+    paint.fill.expect("it is filled").ink
+}
+
+#[test]
+fn the_switch_shows_what_is_unshot_in_place_of_what_patches_have() {
+    let mut fixture = Fixture::room(Solver::Shooting, Focus::Frame);
     fixture.go_to("Received", 5);
-    // The current patch is another, so that this one has no outline beside its picture.
-    let state = state_of(&fixture).focused.expect("a shot");
-    assert_eq!((state.i, state.exchange.map(|(j, _)| j)), (60, Some(5)));
-    assert_eq!([NARROW, WIDE].map(|size| pictures(&fixture, size)), [1, 2]);
-    let unshot = state_of(&fixture).unshot(room_of(&fixture));
+    let state = state_of(&fixture);
+    let unshot = state.unshot(room_of(&fixture));
     let shares = shares(&unshot.expect("a solver that shoots"));
     // The first of the lamp's patches has just shot all it had, and the others have not.
     assert_eq!(shares[60..], [0.0, 1.0, 1.0, 1.0]);
     assert!(shares[3] > 0.0 && shares[3] < 1.0);
+    for patch in [3, 61] {
+        assert_eq!(
+            fill(&fixture, patch, true),
+            Ink::Rgb(viridis(shares[patch]))
+        );
+        assert_ne!(fill(&fixture, patch, false), fill(&fixture, patch, true));
+    }
+    // Who gathers keeps nothing to shoot, and shows the light.
+    let gathering = Fixture::room(Solver::GaussSeidel, Focus::Frame);
+    assert_eq!(fill(&gathering, 3, true), fill(&gathering, 3, false));
+}
+
+#[test]
+fn two_selected_patches_are_outlined_with_their_form_factors() {
+    let mut fixture = Fixture::room(Solver::GaussSeidel, Focus::Frame);
+    fixture.go_to("RoomDone", 0);
+    let room = room_of(&fixture);
+    let n = room.patches.len();
+    let f = |i: usize, j: usize| room.matrix().expect("made")[i * n + j];
+    for size in SIZES {
+        for language in Language::ALL {
+            let input = PanelInput {
+                pair: Some([3, 60]),
+                ..fixture.show_in(language)
+            };
+            for picture in [draw(&input, size), super::super::space::draw(&input, size)] {
+                assert_legible(&picture, &format!("pair at {size}"));
+                let printed = fixtures::texts(&picture);
+                let printed: Vec<&str> = printed.into_iter().map(|(text, _)| text).collect();
+                let f = language.number(f(3, 60));
+                let begins = |text: &&str| text.starts_with(&format!("F_{{3, 60}} = {f}"));
+                assert!(printed.iter().any(begins), "{size}: {printed:?}");
+            }
+        }
+    }
+    let input = PanelInput {
+        pair: Some([3, 60]),
+        ..fixture.input()
+    };
+    let picture = draw(&input, WIDE);
+    for patch in [3, 60] {
+        let mut outlines = tagged(&picture, Tag::Patch(patch));
+        let is_blue = |item: &Item| match &item.shape {
+            Shape::Polygon { paint, .. } => paint.stroke.is_some_and(|s| s.ink == Ink::Linked),
+            _ => false,
+        };
+        assert!(outlines.any(is_blue), "patch {patch}");
+    }
+}
+
+#[test]
+fn a_patch_says_what_it_has() {
+    let mut fixture = Fixture::room(Solver::Shooting, Focus::Frame);
+    fixture.go_to("Received", 5);
+    let (state, room) = (state_of(&fixture), room_of(&fixture));
+    let said = super::super::patches::patch_values(&fixture.input(), 5).expect("a patch");
+    let unshot = state.unshot(room).expect("a solver that shoots").patches[5];
+    let english = Language::English;
+    for value in [unshot, room.patches[5].area, room.reflectance[5].r] {
+        assert!(said.contains(&english.short(value, 4)), "{value} in {said}");
+    }
+    assert!(
+        said.contains("patch 5") && said.contains("B = 0\n"),
+        "{said}"
+    );
+    assert_eq!(
+        super::super::patches::patch_values(&fixture.input(), 1 << 20),
+        None
+    );
 }
 
 #[test]

@@ -10,5 +10,6 @@ pub mod fixtures;
 pub mod horizon;
 pub mod message;
 pub mod names;
+pub mod patches;
 pub mod strings;
 pub mod values;

@@ -1,13 +1,14 @@
 //! Patches in space: what they are coloured by, which one the pointer is on, and what passes between two of them.
 
 use super::super::radiosity::exchange::Exchange;
+use super::super::radiosity::pair::in_words as between;
 use super::sketch::Sketch;
 use super::surfaces::{faces_viewer, light_from};
 use crate::algorithms::enclosure::Enclosure;
 use crate::color::Rgb;
-use crate::figure::Space;
+use crate::figure::{Space, elided};
 use crate::panels::PanelInput;
-use crate::picture::{Ink, Picture, Tag};
+use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::Run;
 use glam::{DVec3, Vec2};
 
@@ -52,6 +53,31 @@ pub(super) fn targets(picture: &mut Picture, space: &Space, room: &Enclosure) {
 }
 
 impl Sketch<'_> {
+    /// The two patches that are selected, a line between them, and the form factors in a corner.
+    pub fn pair(&mut self, room: &Enclosure, [i, j]: [usize; 2]) {
+        for patch in [i, j] {
+            for piece in room.patches.pieces(patch) {
+                self.outline(piece.corners, Ink::Linked.stroke(2.5));
+            }
+        }
+        let [from, to] = [i, j].map(|patch| room.patches[patch].center);
+        self.line(from, to, Ink::Linked.stroke(1.75));
+        let style = Style::LabelBold.size(self.text).ink(Ink::Linked);
+        let text = between(self.input, [i, j]);
+        let corner = self.space.area.min() + 6.0;
+        let ground = Rect::new(
+            corner.x,
+            corner.y,
+            style.width(&text) + 8.0,
+            1.6 * self.text,
+        );
+        let ground = ground.intersection(&self.space.area);
+        self.labels.reserve(ground);
+        self.picture
+            .rounded_rect(ground, 2.0, Ink::Surface.fill().opacity(0.85));
+        elided(self.picture, ground.grown(-4.0), &text, style);
+    }
+
     pub fn exchange(&mut self, room: &Enclosure) {
         let Some(exchange) = Exchange::of(self.input.run, self.input.focus) else {
             return;

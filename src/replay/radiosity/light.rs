@@ -19,6 +19,15 @@ impl State {
     /// equal to one before it, whose light it shares: a grey enclosure is grey from the first step on. Where patches shoot, their
     /// unshot radiosity, which they already have, counts (Cohen, Chen, Wallace & Greenberg 1988).
     pub fn light(&self, enclosure: &Enclosure) -> Vec<Rgb> {
+        self.of_channels(enclosure, true)
+    }
+
+    /// The same without what is still unshot: B alone, where patches shoot.
+    pub fn radiosity(&self, enclosure: &Enclosure) -> Vec<Rgb> {
+        self.of_channels(enclosure, false)
+    }
+
+    fn of_channels(&self, enclosure: &Enclosure, with_unshot: bool) -> Vec<Rgb> {
         if self.channels.is_empty() {
             return enclosure.emission.clone();
         }
@@ -28,7 +37,7 @@ impl State {
                     || vec![0.0; enclosure.patches.len()],
                     |channel| {
                         let emission = enclosure.emission.iter().map(|e| e.channels()[c]);
-                        channel.radiosity(emission)
+                        channel.radiosity(emission, with_unshot)
                     },
                 )
         });
@@ -80,11 +89,11 @@ impl ChannelNow {
         self.patches.iter().any(|patch| patch.step.is_some())
     }
 
-    fn radiosity(&self, emission: impl Iterator<Item = f64>) -> Vec<f64> {
+    fn radiosity(&self, emission: impl Iterator<Item = f64>, with_unshot: bool) -> Vec<f64> {
         if !self.has_begun() {
             return emission.collect();
         }
-        let unshot_counts = f64::from(u8::from(self.solver.shoots()));
+        let unshot_counts = f64::from(u8::from(with_unshot && self.solver.shoots()));
         let patches = self.patches.iter();
         patches
             .map(|patch| patch.b + unshot_counts * patch.unshot)

@@ -194,3 +194,76 @@ fn a_matrix_cell_lights_up_with_its_patches() {
     assert_eq!(both, [0, 3].map(|number| Some(Value::Integer(number))));
     assert_eq!(session.step(), step);
 }
+
+#[test]
+fn two_patches_make_a_pair_whose_form_factor_is_found_step_by_step() {
+    let mut session = session("gathering");
+    let own = session.lesson().focus;
+    go(&mut session, Command::Click(Tag::Patch(0)));
+    assert_eq!(
+        (session.selected(), session.pair()),
+        (Some(Tag::Patch(0)), None)
+    );
+    go(&mut session, Command::Click(Tag::Patch(3)));
+    assert_eq!(session.pair(), Some([0, 3]));
+    let follow = session.step_by_step().expect("a pair");
+    assert!(!session.panels().contains(&Panel::FormFactor));
+    assert_eq!(session.allows(&follow), Ok(()));
+    go(&mut session, follow.clone());
+    assert_eq!(session.key_panel(), Some(Panel::FormFactor));
+    let walk = session.walk();
+    let mut kinds = (0..walk.len()).map(|step| walk.kind(step));
+    assert!(kinds.any(|kind| kind == "FormFactorFound"));
+    assert_eq!(
+        session.allows(&follow),
+        Err(strings::FOLLOWED_ALREADY.into())
+    );
+    go(&mut session, Command::Focus(own));
+    assert!(!session.panels().contains(&Panel::FormFactor));
+    assert_ne!(session.key_panel(), Some(Panel::FormFactor));
+    // A third patch begins anew.
+    go(&mut session, Command::Click(Tag::Patch(5)));
+    assert_eq!(
+        (session.selected(), session.pair()),
+        (Some(Tag::Patch(5)), None)
+    );
+}
+
+#[test]
+fn while_a_question_waits_no_form_factor_is_followed() {
+    let mut session = session("gathering");
+    go(&mut session, Command::End);
+    assert!(session.question_at(session.step()));
+    go(&mut session, Command::Click(Tag::FormFactor { i: 0, j: 3 }));
+    let follow = session.step_by_step().expect("a pair");
+    assert_eq!(session.allows(&follow), Err(strings::ANSWER_FIRST.into()));
+}
+
+#[test]
+fn a_pixel_of_a_room_selects_the_patch_that_it_shows() {
+    let mut session = session("shooting");
+    let view = session.prepared().view;
+    let room = session.setup().enclosure().expect("a room").clone();
+    let mut found = 0;
+    for (number, patch) in room.patches.iter().enumerate() {
+        let at = view.to_screen(view.to_camera(patch.center));
+        let (x, y) = (at.x as u32, at.y as u32);
+        let inside = at.cmpge(glam::DVec2::ZERO).all() && x < view.width && y < view.height;
+        if !inside || patch.normal.dot(view.eye - patch.center) <= 0.0 {
+            continue;
+        }
+        go(&mut session, Command::Click(Tag::Pixel { x, y }));
+        let Some(Tag::Patch(shown)) = session.selected() else {
+            panic!("a patch is shown at {at}");
+        };
+        // Itself, or one that stands before it.
+        let distance = |patch: usize| room.patches[patch].center.distance(view.eye);
+        assert!(
+            shown == number || distance(shown) < distance(number),
+            "{shown} at {number}"
+        );
+        found += usize::from(shown == number);
+        go(&mut session, Command::Click(Tag::Patch(shown)));
+    }
+    assert!(found > 5, "{found}");
+}
