@@ -172,6 +172,8 @@ pub const BINDINGS: &[Binding] = &[
         || Command::PreviousLesson,
         "app-previous-lesson",
     ),
+    bind(Key::Z, Ctrl, "Ctrl z", || Command::Undo, "app-undo"),
+    bind(Key::Y, Ctrl, "Ctrl y", || Command::Redo, "app-redo"),
     bind(
         Key::R,
         Nothing,

@@ -148,6 +148,14 @@ fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui
         if let Some(slide) = said.slide(language) {
             slide_note(session, slide, ui);
         }
+        for (title, otherwise) in session.not_happening_here() {
+            let title = [("title", title.unwrap_or("…"))];
+            let text = strings::NOT_HAPPENING.format(language, &title);
+            announced(ui.label(prose(session, &text, 14.0, Ink::Warn)));
+            if let Some(otherwise) = otherwise {
+                announced(ui.label(prose(session, otherwise, 14.0, Ink::Text)));
+            }
+        }
         return;
     }
     if !session.walk().is_empty() {

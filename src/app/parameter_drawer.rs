@@ -1,10 +1,12 @@
 //! The parameters that the lesson lets be changed, each with a slider and its value.
 
-use super::button::{button, off};
+use super::button::button;
 use super::session::{Command, Session};
 use super::{arrow_focus, prose, strings};
 use crate::language::{Language, Message};
-use crate::lesson::{Change, Coefficient, DIVISIONS, Parameter, read_number};
+use crate::lesson::{
+    ByPath, Change, Coefficient, DIVISIONS, Kind, Parameter, PathValue, read_number,
+};
 use crate::picture::Ink;
 use crate::scene::Scene;
 use egui::{Button, DragValue, FontId, Rect, Response, RichText, Slider, Ui, WidgetInfo};
@@ -26,6 +28,8 @@ enum Cell {
     Value(Parameter),
     /// Of a light or the eye: x, y and z.
     Place(Parameter),
+    /// One of several values.
+    Choice(usize),
 }
 
 fn cells(session: &Session) -> Vec<Cell> {
@@ -34,12 +38,18 @@ fn cells(session: &Session) -> Vec<Cell> {
         .flat_map(|&parameter| {
             let has_place = matches!(parameter, Parameter::Light(_) | Parameter::Eye);
             let place = has_place.then_some(Cell::Place(parameter));
-            std::iter::once(Cell::Value(parameter)).chain(place)
+            let first = match parameter {
+                Parameter::ByPath(index) if options(session, index).is_some() => {
+                    Cell::Choice(index)
+                }
+                _ => Cell::Value(parameter),
+            };
+            std::iter::once(first).chain(place)
         })
         .collect()
 }
 
-/// Shows the parameters in `rect`, below each other, and a button that puts all of them back.
+/// Shows the parameters in `rect`, below each other, and the ways back to earlier values.
 pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut Ui) {
     let mut ui =
         ui.new_child(egui::UiBuilder::new().max_rect(rect.shrink2(egui::vec2(MARGIN, 4.0))));
@@ -52,15 +62,19 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
             let change = match cell {
                 Cell::Value(parameter) => value(session, parameter, &mut on_slider, &mut ui),
                 Cell::Place(parameter) => coordinates(session, parameter, &mut ui),
+                Cell::Choice(index) => choice(session, index, &mut ui),
             };
             commands.extend(change.map(Command::Change));
         }
-        let reset = Button::new(RichText::new(session.localize(strings::PUT_BACK_ALL)).size(13.0));
-        let name = session.localize(strings::PUT_BACK);
-        ui.add_enabled_ui(session.is_changed(), |ui| {
-            let response = button(session, reset, name, Command::Reset, commands, ui);
-            if !session.is_changed() {
-                off(response, session.localize(strings::NOTHING_CHANGED));
+        ui.horizontal(|ui| {
+            for (name, command) in [
+                (strings::UNDO, Command::Undo),
+                (strings::REDO, Command::Redo),
+                (strings::LESSONS_VALUES, Command::LessonsValues),
+            ] {
+                let name = session.localize(name);
+                let shown = Button::new(RichText::new(name).size(13.0));
+                button(session, shown, name, command, commands, ui);
             }
         });
     });
@@ -81,7 +95,6 @@ fn value(
     on_slider: &mut bool,
     ui: &mut Ui,
 ) -> Option<Change> {
-    let scene = &session.prepared().scene;
     let rail = Rail::of(session, parameter)?;
     let name = name(session, parameter);
     let (_, place) = ui.allocate_space(egui::vec2(NAME, ROW));
@@ -114,8 +127,59 @@ fn value(
     let as_number = strings::AS_A_NUMBER.format(session.look.language, &[("name", &name)]);
     named(&response, &as_number, rail.value, &range);
     let moved = value != rail.value;
-    let change = moved.then(|| change_to(session, scene, parameter, value));
+    let change = moved.then(|| change_to(session, parameter, value));
     change.flatten()
+}
+
+fn by_path(session: &Session, index: usize) -> Option<&ByPath> {
+    session.lesson().by_path.get(index)
+}
+
+/// The values that a parameter can have; none where it is a number.
+fn options(session: &Session, index: usize) -> Option<impl Iterator<Item = &str>> {
+    let language = session.look.language;
+    match &by_path(session, index)?.kind {
+        Kind::Choice(options) => Some(
+            options
+                .iter()
+                .map(move |(_, name)| name.in_language(language)),
+        ),
+        Kind::Number { .. } => None,
+    }
+}
+
+/// A list of the values that a parameter can have.
+fn choice(session: &Session, parameter: usize, ui: &mut Ui) -> Option<Change> {
+    let Some(Change::ByPath {
+        value: PathValue::Option(now),
+        ..
+    }) = session.value(Parameter::ByPath(parameter))
+    else {
+        return None;
+    };
+    let name = name(session, Parameter::ByPath(parameter));
+    let (_, place) = ui.allocate_space(egui::vec2(NAME, ROW));
+    let label = egui::Label::new(RichText::new(&name).size(13.0));
+    ui.new_child(inside(place))
+        .add(label.truncate().selectable(false));
+    let names: Vec<&str> = options(session, parameter)?.collect();
+    let mut chosen = now;
+    let list = egui::ComboBox::from_id_salt(parameter)
+        .width((ui.available_width() - 8.0).max(RAIL))
+        .truncate()
+        .selected_text(names[now]);
+    let response = list.show_ui(ui, |ui| {
+        for (index, &name) in names.iter().enumerate() {
+            ui.selectable_value(&mut chosen, index, name);
+        }
+    });
+    let shown = names[now];
+    response.response.widget_info(|| WidgetInfo {
+        current_text_value: Some(shown.to_owned()),
+        ..WidgetInfo::labeled(egui::Role::ComboBox, true, &name)
+    });
+    let value = PathValue::Option(chosen);
+    (chosen != now).then_some(Change::ByPath { parameter, value })
 }
 
 /// What a screen reader says of it: its name, its value, and between what it moves in which unit.
@@ -135,15 +199,36 @@ struct Rail {
     whole: bool,
     /// Of other numbers there is no unit.
     is_length: bool,
+    /// Of a value of the document, where it has one.
+    unit: Option<String>,
 }
 
 impl Rail {
     fn of(session: &Session, parameter: Parameter) -> Option<Self> {
         let opened = &session.lesson().scene;
-        let now = parameter.value(&session.prepared().scene)?;
+        let now = session.value(parameter)?;
+        let mut of_path = (false, None);
         let (value, range, logarithmic) = match now {
+            Change::ByPath { parameter, value } => {
+                let PathValue::Number(value) = value else {
+                    return None;
+                };
+                let Kind::Number {
+                    range,
+                    whole,
+                    logarithmic,
+                    unit,
+                } = &by_path(session, parameter)?.kind
+                else {
+                    return None;
+                };
+                let language = session.look.language;
+                let unit = unit.as_ref().map(|unit| unit.in_language(language));
+                of_path = (*whole, unit.map(str::to_owned));
+                (value, range.clone(), *logarithmic)
+            }
             Change::Light { position, .. } | Change::Eye { position } => {
-                let at_first = match parameter.value(opened)? {
+                let at_first = match session.lesson().value(parameter, &[])? {
                     Change::Light { position, .. } | Change::Eye { position } => position,
                     _ => position,
                 };
@@ -166,8 +251,9 @@ impl Rail {
             value,
             range,
             logarithmic,
-            whole: matches!(now, Change::Divisions { .. }),
+            whole: of_path.0 || matches!(now, Change::Divisions { .. }),
             is_length: matches!(now, Change::Light { .. } | Change::Eye { .. }),
+            unit: of_path.1,
         })
     }
 
@@ -177,7 +263,11 @@ impl Rail {
             true => strings::RANGE_OF_LENGTHS,
             false => strings::RANGE,
         };
-        words.format(language, &[("least", &least), ("most", &most)])
+        let range = words.format(language, &[("least", &least), ("most", &most)]);
+        match &self.unit {
+            Some(unit) => strings::RANGE_IN.format(language, &[("range", &range), ("unit", unit)]),
+            None => range,
+        }
     }
 }
 
@@ -188,13 +278,17 @@ fn distance(scene: &Scene, position: DVec3) -> f64 {
 }
 
 /// The parameter with the value of its slider. A light or the eye moves straight to or from what the camera looks at.
-fn change_to(session: &Session, scene: &Scene, parameter: Parameter, value: f64) -> Option<Change> {
+fn change_to(session: &Session, parameter: Parameter, value: f64) -> Option<Change> {
     let camera = session.lesson().scene.camera?;
     let along = |position: DVec3| {
         let away = (position - camera.target).try_normalize();
         camera.target + value * away.unwrap_or(camera.up.normalize_or_zero())
     };
-    Some(match parameter.value(scene)? {
+    Some(match session.value(parameter)? {
+        Change::ByPath { parameter, .. } => Change::ByPath {
+            parameter,
+            value: PathValue::Number(value),
+        },
         Change::Light { light, position } => Change::Light {
             light,
             position: along(position),
@@ -220,7 +314,7 @@ fn change_to(session: &Session, scene: &Scene, parameter: Parameter, value: f64)
 
 /// x, y and z, to be dragged or typed.
 fn coordinates(session: &Session, parameter: Parameter, ui: &mut Ui) -> Option<Change> {
-    let now = parameter.value(&session.prepared().scene)?;
+    let now = session.value(parameter)?;
     let (Change::Light { position, .. } | Change::Eye { position }) = now else {
         return None;
     };
@@ -268,6 +362,9 @@ fn name(session: &Session, parameter: Parameter) -> String {
     match parameter {
         Parameter::Light(light) => distance(&light_name(session, light)),
         Parameter::Eye => distance(session.localize(strings::EYE)),
+        Parameter::ByPath(index) => by_path(session, index).map_or_else(String::new, |parameter| {
+            parameter.name.in_language(language).to_owned()
+        }),
         Parameter::Coefficient(material, coefficient) => {
             format!(
                 "{} {}",

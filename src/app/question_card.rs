@@ -107,10 +107,7 @@ fn undecided(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         .button(session.localize(strings::LESSONS_VALUES))
         .clicked()
     {
-        let lesson = session.lesson();
-        let values = lesson.parameters.iter();
-        let values = values.filter_map(|parameter| parameter.value(&lesson.scene));
-        commands.extend(values.map(Command::Change));
+        commands.push(Command::LessonsValues);
     }
 }
 

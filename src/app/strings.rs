@@ -112,6 +112,12 @@ pub const BREAKPOINT: Message = Message("app-breakpoint");
 pub const TRUNCATED: Message = Message("app-truncated");
 
 pub const MAKING_THE_PICTURE: Message = Message("app-making-the-picture");
+pub const NOT_HAPPENING: Message = Message("app-not-happening");
+pub const UNDO: Message = Message("app-undo");
+pub const REDO: Message = Message("app-redo");
+pub const NOTHING_TO_UNDO: Message = Message("app-nothing-to-undo");
+pub const NOTHING_TO_REDO: Message = Message("app-nothing-to-redo");
+pub const RANGE_IN: Message = Message("app-range-in");
 pub const UNSAID: Message = Message("app-unsaid");
 pub const PUT_BACK: Message = Message("app-put-back");
 
@@ -200,7 +206,6 @@ pub const CLICK_A_ROW: Message = Message("app-click-a-row");
 pub const DRAG_THE_LIGHT: Message = Message("app-drag-the-light");
 pub const DRAG_THE_EYE: Message = Message("app-drag-the-eye");
 pub const PARAMETERS: Message = Message("app-parameters");
-pub const PUT_BACK_ALL: Message = Message("app-put-back-all");
 pub const LIGHT: Message = Message("common-light");
 pub const EYE: Message = Message("common-eye");
 pub const AS_A_NUMBER: Message = Message("app-as-a-number");

@@ -120,7 +120,7 @@ impl Maker {
 /// The lesson's picture in small. None where it cannot be drawn, or was cancelled.
 fn draw(mut lesson: Lesson, stop: &AtomicBool) -> Option<ColorImage> {
     lesson.size = fitted(lesson.size);
-    let setup = lesson.setup(lesson.scene.clone())?;
+    let setup = lesson.setup(lesson.scene.clone(), lesson.settings.clone())?;
     setup.check_for(lesson.method).ok()?;
     let progress = |_, _| match stop.load(Ordering::Relaxed) {
         true => Err(Cancelled),

@@ -82,7 +82,8 @@ fn check(path: &Path, limits: &Limits) -> Result<Found, Failure> {
         }
         Document::Lesson(lesson) => {
             let open = lesson
-                .open()
+                .check_parameters()
+                .and_then(|()| lesson.open())
                 .map_err(|error| files::wrong(&path.display(), &error))?;
             let (steps, narrated) = (open.run.walk().len(), open.narrated.len());
             Ok(Found {

@@ -24,7 +24,13 @@ fn values(parameter: Parameter, lesson: &Lesson) -> Vec<Change> {
             .flat_map(|offset| DVec3::AXES.map(|axis| make(center + offset * axis)));
         moved.chain([make(-center)]).collect()
     };
-    match parameter.value(&lesson.scene).unwrap() {
+    match lesson.value(parameter, &[]).unwrap() {
+        Change::ByPath { parameter, .. } => {
+            let sampled = lesson.by_path[parameter].sampled().into_iter();
+            sampled
+                .map(|value| Change::ByPath { parameter, value })
+                .collect()
+        }
         Change::Light { light, position } => {
             around(position, &|position| Change::Light { light, position })
         }
@@ -107,9 +113,8 @@ fn other_words(lesson: &str, at: &str, walk: &dyn Walk, question: &Question) -> 
 
 /// The verdicts of a lesson after one change: how many questions have an answer, or why the lesson is silent.
 fn verdicts(lesson: &Lesson, change: Change) -> Option<usize> {
-    let mut scene = lesson.scene.clone();
-    change.make(&mut scene, &lesson.scene).ok()?;
-    let setup = Arc::new(lesson.setup(scene)?);
+    let (scene, settings) = lesson.changed(&[change]).ok()?;
+    let setup = Arc::new(lesson.setup(scene, settings)?);
     let run = Run::record(
         setup,
         lesson.method,
@@ -118,7 +123,8 @@ fn verdicts(lesson: &Lesson, change: Change) -> Option<usize> {
     );
     let narrated = lesson.narrate(&run).ok()?;
     let mut decided = 0;
-    for (said, step) in narrated.iter().zip(&lesson.steps) {
+    for said in &narrated {
+        let step = &lesson.steps[said.index];
         let (Some(question), Some(Keyed(file))) = (&said.question, &step.question) else {
             continue;
         };

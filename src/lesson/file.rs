@@ -113,6 +113,9 @@ pub struct StepFile {
     pub slide: Option<Text>,
     #[serde(default, deserialize_with = "present")]
     pub question: Option<Keyed<QuestionFile>>,
+    /// Said where the step does not happen after a parameter was changed: what happens instead.
+    #[serde(default, deserialize_with = "present")]
+    pub otherwise: Option<Text>,
 }
 
 /// Predict before seeing.

@@ -30,5 +30,7 @@ pub use contents::Chapter;
 pub use error::LessonError;
 pub use file::{LessonFile, Text};
 pub use narrated::{Narrated, Question};
-pub use parameters::{Change, Coefficient, DIVISIONS, NotAllowed, Parameter};
+pub use parameters::{
+    ByPath, Change, Coefficient, DIVISIONS, Kind, NotAllowed, Parameter, PathValue,
+};
 pub use resolve::{Lesson, OpenLesson};

@@ -10,7 +10,8 @@ use crate::record::{Fields, Value};
 use crate::replay::{Query, Run, Walk, query};
 use crate::scene::document::{Keyed, Problem};
 
-/// Finds every narrated step, in order, and fills in its texts. In a `changed` run a question may have no answer.
+/// Finds every narrated step, in order, and fills in its texts. In a `changed` run a question may have no answer, and a step that does not
+/// happen is told at the one before it, or at the first.
 pub(super) fn narrate(
     steps: &[StepFile],
     run: &Run,
@@ -22,30 +23,29 @@ pub(super) fn narrate(
         changed,
         problems: Vec::new(),
     };
-    let mut narrated = Vec::new();
+    let mut narrated: Vec<Narrated> = Vec::new();
+    let mut not_happening = Vec::new();
     let mut from = 0;
     for (index, step) in steps.iter().enumerate() {
-        let place = format!("steps[{index}]");
-        let Some(at) = search.find(&step.at, from, &place) else {
-            continue;
-        };
-        from = at + 1;
-        let say = search.fill(&step.say, at, &format!("{place}.say"));
-        let slide = step
-            .slide
-            .as_ref()
-            .map(|slide| search.fill(slide, at, &format!("{place}.slide")));
-        let question = step.question.as_ref().and_then(|Keyed(question)| {
-            search.question(question, at, &format!("{place}.question"))
-        });
-        narrated.push(Narrated {
-            step: at,
-            title: step.title.clone(),
-            key: step.key.as_deref().and_then(Panel::called),
-            say,
-            slide,
-            question,
-        });
+        let before = search.problems.len();
+        let found = search.narrated(index, step, from);
+        let is_right = search.problems.len() == before;
+        match found.filter(|_| is_right || !changed) {
+            Some(mut said) => {
+                from = said.step + 1;
+                said.not_happening.append(&mut not_happening);
+                narrated.push(said);
+            }
+            None if changed => {
+                search.problems.truncate(before);
+                let missing = step.clone();
+                match narrated.last_mut() {
+                    Some(said) => said.not_happening.push(missing),
+                    None => not_happening.push(missing),
+                }
+            }
+            None => {}
+        }
     }
     if search.problems.is_empty() {
         Ok(narrated)
@@ -65,6 +65,25 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
+    /// What is said at the first step at or behind `from` that is meant; texts that cannot be filled are problems.
+    fn narrated(&mut self, index: usize, step: &StepFile, from: usize) -> Option<Narrated> {
+        let place = format!("steps[{index}]");
+        let at = self.find(&step.at, from, &place)?;
+        let slide = step.slide.as_ref();
+        Some(Narrated {
+            index,
+            step: at,
+            title: step.title.clone(),
+            key: step.key.as_deref().and_then(Panel::called),
+            say: self.fill(&step.say, at, &format!("{place}.say")),
+            slide: slide.map(|slide| self.fill(slide, at, &format!("{place}.slide"))),
+            question: step.question.as_ref().and_then(|Keyed(question)| {
+                self.question(question, at, &format!("{place}.question"))
+            }),
+            not_happening: Vec::new(),
+        })
+    }
+
     /// The first step at or behind `from` that the selector means.
     fn find(&mut self, selector: &Query, from: usize, place: &str) -> Option<usize> {
         let found = query::matches(self.walk, selector, from..self.walk.len()).next();

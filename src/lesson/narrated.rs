@@ -1,13 +1,15 @@
 //! What is said and asked at a step, with the values of the run filled in.
 
 use super::answer::Answer;
-use super::file::Text;
+use super::file::{StepFile, Text};
 use crate::panels::strings::Language;
 use crate::panels::{Hidden, Panel};
 
 /// What is said at a step.
 #[derive(Clone, Debug)]
 pub struct Narrated {
+    /// Its place among the lesson's explanations.
+    pub index: usize,
     pub step: usize,
     /// A few words for the outline, where the lesson gives them.
     pub title: Option<Text>,
@@ -17,6 +19,8 @@ pub struct Narrated {
     pub(super) say: [String; 2],
     pub(super) slide: Option<[String; 2]>,
     pub question: Option<Question>,
+    /// Explanations of what does not happen after a change: those that would follow, and before the first those that would come before.
+    pub(super) not_happening: Vec<StepFile>,
 }
 
 /// A question whose answer was read from the run.
@@ -35,6 +39,19 @@ pub struct Question {
 impl Narrated {
     pub fn say(&self, language: Language) -> &str {
         &self.say[language as usize]
+    }
+
+    /// The titles of what does not happen after a change, each with what happens instead, where the lesson says it.
+    pub fn not_happening<'a>(
+        &'a self,
+        language: Language,
+    ) -> impl Iterator<Item = (Option<&'a str>, Option<&'a str>)> {
+        self.not_happening.iter().map(move |step| {
+            let title = step.title.as_ref();
+            let otherwise = step.otherwise.as_ref();
+            let shown = |text: Option<&'a Text>| text.map(|text| text.in_language(language));
+            (shown(title), shown(otherwise))
+        })
     }
 
     /// The note on what the lecture's slide prints instead.

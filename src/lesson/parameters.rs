@@ -1,8 +1,15 @@
 //! What a student may change in a lesson, and what a change does to its scene.
 
+mod by_path;
+
+pub use by_path::{ByPath, Kind, PathValue, Source};
+
 use super::error::problem;
-use crate::scene::document::Problem;
+use super::resolve::Lesson;
+use crate::methods::Settings;
+use crate::scene::document::{Keyed, Problem};
 use crate::scene::{LARGEST, Light, Material, Object, Scene, Shape};
+use by_path::{ChoiceFile, NumberFile};
 use glam::DVec3;
 use serde::Deserialize;
 
@@ -24,6 +31,16 @@ pub enum ParameterFile {
     Shininess(String),
     /// Into how many parts the curved object of this name is divided.
     Divisions(String),
+    /// A number that the lesson gives at a path.
+    Number(Keyed<NumberFile>),
+    /// One of several values at a path.
+    Choice(Keyed<ChoiceFile>),
+}
+
+impl ParameterFile {
+    pub(super) fn has_path(&self) -> bool {
+        matches!(self, ParameterFile::Number(_) | ParameterFile::Choice(_))
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,6 +73,8 @@ pub enum Parameter {
     Coefficient(usize, Coefficient),
     /// Of an object, by its index.
     Divisions(usize),
+    /// At a path of the document, by its index among the lesson's.
+    ByPath(usize),
 }
 
 /// A value for a parameter.
@@ -78,20 +97,26 @@ pub enum Change {
         object: usize,
         divisions: u32,
     },
+    ByPath {
+        parameter: usize,
+        value: PathValue,
+    },
 }
 
 /// Why a value cannot be had.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum NotAllowed {
     TooFar,
     /// The eye would look along the camera's up, or stand at its target.
     NoView,
     OutOfRange,
+    /// What a file with this value would be refused for.
+    Refused(String),
 }
 
 impl Parameter {
-    /// The change that would make the scene what it is.
-    pub fn value(self, scene: &Scene) -> Option<Change> {
+    /// The change that would make the scene what it is; none for what is not of the scene.
+    fn value(self, scene: &Scene) -> Option<Change> {
         Some(match self {
             Parameter::Light(light) => match *scene.lights.get(light)? {
                 Light::Point { position, .. } => Change::Light { light, position },
@@ -105,6 +130,7 @@ impl Parameter {
                 coefficient,
                 value: largest_channel(scene.materials.get(material)?, coefficient),
             },
+            Parameter::ByPath(_) => return None,
             Parameter::Divisions(object) => {
                 let of = scene.objects.get(object)?;
                 Change::Divisions {
@@ -130,12 +156,15 @@ impl Change {
                 ..
             } => Parameter::Coefficient(material, coefficient),
             Change::Divisions { object, .. } => Parameter::Divisions(object),
+            Change::ByPath { parameter, .. } => Parameter::ByPath(parameter),
         }
     }
 
     /// Makes the change in `scene`, which was `opened` before any change. Errors: nothing has changed then.
-    pub fn make(self, scene: &mut Scene, opened: &Scene) -> Result<(), NotAllowed> {
+    fn make(self, scene: &mut Scene, opened: &Scene) -> Result<(), NotAllowed> {
         match self {
+            // The scene is read with it.
+            Change::ByPath { .. } => {}
             Change::Light { light, position } => {
                 check_place(position)?;
                 if let Some(Light::Point { position: at, .. }) = scene.lights.get_mut(light) {
@@ -191,6 +220,44 @@ impl Change {
     }
 }
 
+impl Lesson {
+    /// The value that a parameter has after the changes.
+    pub fn value(&self, parameter: Parameter, changes: &[Change]) -> Option<Change> {
+        let mut changes = changes.iter().copied();
+        let changed = changes.rfind(|change| change.parameter() == parameter);
+        changed.or_else(|| match parameter {
+            Parameter::ByPath(parameter) => Some(Change::ByPath {
+                parameter,
+                value: self.by_path.get(parameter)?.value,
+            }),
+            _ => parameter.value(&self.scene),
+        })
+    }
+
+    /// Scene and settings after the changes, of which there is at most one a parameter. Errors: why a value cannot be had.
+    pub fn changed(&self, changes: &[Change]) -> Result<(Scene, Settings), NotAllowed> {
+        let by_path = changes.iter().filter_map(|change| match *change {
+            Change::ByPath { parameter, value } => Some((self.by_path.get(parameter)?, value)),
+            _ => None,
+        });
+        let mut by_path = by_path.peekable();
+        let source = self.source.as_ref().filter(|_| by_path.peek().is_some());
+        let (opened, settings) = match source {
+            None => (self.scene.clone(), self.settings.clone()),
+            Some(source) => {
+                let read = source.with(by_path);
+                let read = read.map_err(|error| NotAllowed::Refused(error.to_string()))?;
+                (read.scene, read.settings)
+            }
+        };
+        let mut scene = opened.clone();
+        for change in changes {
+            change.make(&mut scene, &opened)?;
+        }
+        Ok((scene, settings))
+    }
+}
+
 fn check_place(position: DVec3) -> Result<(), NotAllowed> {
     // Not a number is not allowed either.
     let near = position.to_array().iter().all(|x| x.abs() <= LARGEST);
@@ -232,15 +299,32 @@ fn set_coefficient(
     };
 }
 
-/// What the file names, in the scene. What is not there, or given twice, is a problem.
+/// What the file names, in the scene and in the document. What is not there, or given twice, is a problem.
 pub(super) fn parameters(
     files: &[ParameterFile],
     scene: &Scene,
+    source: Option<&Source>,
     problems: &mut Vec<Problem>,
-) -> Vec<Parameter> {
-    let mut parameters = Vec::new();
+) -> (Vec<Parameter>, Vec<ByPath>) {
+    let (mut parameters, mut by_path) = (Vec::new(), Vec::new());
     for (index, file) in files.iter().enumerate() {
-        let parameter = find(file, scene).and_then(|parameter| {
+        let found = match (file, source) {
+            (ParameterFile::Number(Keyed(file)), Some(source)) => {
+                Some(by_path::number(file, source))
+            }
+            (ParameterFile::Choice(Keyed(file)), Some(source)) => {
+                Some(by_path::choice(file, source))
+            }
+            _ => None,
+        };
+        let found = match found {
+            Some(found) => found.map(|found| {
+                by_path.push(found);
+                Parameter::ByPath(by_path.len() - 1)
+            }),
+            None => find(file, scene),
+        };
+        let parameter = found.and_then(|parameter| {
             let new = !parameters.contains(&parameter);
             new.then_some(parameter)
                 .ok_or_else(|| "found a parameter that stands in the list already".into())
@@ -250,7 +334,7 @@ pub(super) fn parameters(
             Err(message) => problems.push(problem(format!("parameters[{index}]"), message)),
         }
     }
-    parameters
+    (parameters, by_path)
 }
 
 fn find(file: &ParameterFile, scene: &Scene) -> Result<Parameter, String> {
@@ -262,6 +346,9 @@ fn find(file: &ParameterFile, scene: &Scene) -> Result<Parameter, String> {
         ParameterFile::Diffuse(name) => (name, Coefficient::Diffuse),
         ParameterFile::Specular(name) => (name, Coefficient::Specular),
         ParameterFile::Shininess(name) => (name, Coefficient::Shininess),
+        ParameterFile::Number(_) | ParameterFile::Choice(_) => {
+            return Err("the lesson is no document whose values have paths".into());
+        }
     };
     let mut materials = scene.materials.iter();
     let material = materials.position(|material| material.name == *name);

@@ -6,7 +6,7 @@ use super::error::{LessonError, problem};
 use super::file::{FocusFile, LessonFile, StepFile, Text};
 use super::narrate::narrate;
 use super::narrated::Narrated;
-use super::parameters::{Parameter, parameters};
+use super::parameters::{ByPath, Parameter, ParameterFile, Source, parameters};
 use super::settings::{compare, mapping, radiosity, rays};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
@@ -40,6 +40,10 @@ pub struct Lesson {
     pub focus: Focus,
     /// What may be changed while one looks.
     pub parameters: Vec<Parameter>,
+    /// Those at paths of the document.
+    pub by_path: Vec<ByPath>,
+    /// The document, where values of it may be changed.
+    pub(super) source: Option<Arc<Source>>,
     pub panels: Vec<Panel>,
     /// What was learned, where the file says it.
     pub recap: Option<Text>,
@@ -67,6 +71,12 @@ impl Lesson {
     ) -> Result<Lesson, LessonError> {
         let file: LessonFile = document::parse(bytes)?;
         let mut problems = Vec::new();
+        let mut files = Vec::new();
+        let read_file = &mut |path: &str| {
+            let bytes = read_file(path)?;
+            files.push((path.to_owned(), bytes.clone()));
+            Ok(bytes)
+        };
         let mut scene = read_scene(&file, limits, read_file).unwrap_or_else(|error| {
             problems.extend(error.problems);
             None
@@ -110,9 +120,17 @@ impl Lesson {
         check_keys(&file, &mut problems);
         check_hidden(&file, &mut problems);
         check_words(&file, &mut problems);
-        let parameters = match (&scene, &file.parameters) {
-            (Some(scene), Some(files)) => parameters(files, scene, &mut problems),
-            _ => Vec::new(),
+        let has_paths = file
+            .parameters
+            .iter()
+            .flatten()
+            .any(ParameterFile::has_path);
+        let source = has_paths
+            .then(|| Source::new(bytes, files, limits))
+            .flatten();
+        let (parameters, by_path) = match (&scene, &file.parameters) {
+            (Some(scene), Some(files)) => parameters(files, scene, source.as_ref(), &mut problems),
+            _ => Default::default(),
         };
         let focus = match file.focus {
             FocusFile::Frame => Focus::Frame,
@@ -157,6 +175,8 @@ impl Lesson {
                 compare,
                 focus,
                 parameters,
+                by_path,
+                source: source.map(Arc::new),
                 panels,
                 recap: file.recap,
                 steps: file.steps.into_iter().map(|Keyed(step)| step).collect(),
@@ -168,7 +188,7 @@ impl Lesson {
     /// Runs the lesson and finds its narrated steps. Errors: every anchor, value and answer that is not in the run.
     pub fn open(self) -> Result<OpenLesson, LessonError> {
         let setup = Arc::new(
-            self.setup(self.scene.clone())
+            self.setup(self.scene.clone(), self.settings.clone())
                 .ok_or_else(|| problem("scene.camera", "the key is missing"))?,
         );
         let wrong = |error: &_| problem("scene", format!("{error}"));
@@ -191,12 +211,12 @@ impl Lesson {
         })
     }
 
-    /// The lesson's scene, as it is or changed, in front of its camera. None without a camera.
-    pub fn setup(&self, scene: Scene) -> Option<Setup> {
+    /// The lesson's scene and settings, as they are or changed, in front of the camera. None without a camera.
+    pub fn setup(&self, scene: Scene, settings: Settings) -> Option<Setup> {
         let [width, height] = self.size;
         let view = View::new(scene.camera.as_ref()?, width, height);
         let prepared = PreparedScene::new(scene, view);
-        Some(Setup::new(prepared, self.settings.clone()))
+        Some(Setup::new(prepared, settings))
     }
 
     /// What is said in a run of the lesson's own part, whose scene may be changed: questions that have no answer then are

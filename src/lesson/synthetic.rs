@@ -35,6 +35,8 @@ impl Lesson {
             compare: Vec::new(),
             focus: method.family().focus(size),
             parameters: Vec::new(),
+            by_path: Vec::new(),
+            source: None,
             recap: None,
             panels: panels.filter_map(Panel::called).collect(),
             steps: vec![StepFile {
@@ -44,6 +46,7 @@ impl Lesson {
                 say,
                 slide: None,
                 question: None,
+                otherwise: None,
             }],
         }
     }

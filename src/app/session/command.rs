@@ -78,6 +78,12 @@ pub enum Command {
     Questions,
     /// Gives a parameter another value; the lesson says which may be changed.
     Change(Change),
+    /// Takes the last change of a parameter back.
+    Undo,
+    /// Makes it again.
+    Redo,
+    /// Gives all parameters the values that the lesson gives them.
+    LessonsValues,
     /// Forces a part that the scene does not need, or skips it again.
     Force(Part),
     /// The lesson from its beginning, as it was before anything was changed or answered.

@@ -111,7 +111,8 @@ impl Session {
             return;
         };
         let step = progress.place.step(&self.narrated, self.last_step());
-        for (index, said) in self.open.narrated.iter().enumerate() {
+        for said in &self.open.narrated {
+            let index = said.index;
             let Some(question) = &said.question else {
                 continue;
             };
@@ -127,15 +128,15 @@ impl Session {
         self.seek(step);
     }
 
-    /// Brings the progress in this lesson up to date. It stays as it was where a change has silenced the narration, and where the page
-    /// of all lessons is shown instead of the lesson.
+    /// Brings the progress in this lesson up to date. It stays as it was where something that the lesson explains does not happen after a
+    /// change, and where the page of all lessons is shown instead of the lesson.
     pub(super) fn note_progress(&mut self) {
         if self.look.home {
             return;
         }
         let lesson = &self.open.lesson;
         let narrated: Vec<usize> = self.open.narrated.iter().map(|said| said.step).collect();
-        if lesson.number == Lesson::UNNUMBERED || narrated.is_empty() {
+        if lesson.number == Lesson::UNNUMBERED || narrated.len() < lesson.explanations() {
             return;
         }
         let place = Place::of(self.lesson_step(), &narrated);

@@ -144,6 +144,8 @@ pub struct Session {
     standings: Vec<Standing>,
     /// What was answered so far, by the index of the explanation that asks.
     guesses: BTreeMap<usize, Vec<Guess>>,
+    /// What has other values than the lesson gives it.
+    changes: change::Changes,
     /// The recording and the step at which an arrow is turned, and its degrees so far.
     turned: Option<((u64, usize), f64)>,
     /// How far each lesson has come, by its id.
@@ -198,6 +200,7 @@ impl Session {
             narrated: Vec::new(),
             standings: Vec::new(),
             guesses: BTreeMap::new(),
+            changes: Default::default(),
             turned: None,
             progress: BTreeMap::new(),
             kept_lesson: None,
@@ -236,6 +239,7 @@ impl Session {
         self.note_progress();
         self.preview = Preview::new(open.setup.clone(), methods(&open));
         self.focus = open.lesson.focus;
+        self.changes = Default::default();
         self.open = open;
         self.start_over();
         self.resume();
@@ -252,7 +256,7 @@ impl Session {
         self.look.smooth = radiosity.smooth;
         self.look.unshot = false;
         self.narrated = self.open.narrated.iter().map(|said| said.step).collect();
-        self.standings = vec![Standing::Open; self.narrated.len()];
+        self.standings = vec![Standing::Open; self.open.lesson.explanations()];
         self.guesses.clear();
         self.turned = None;
         self.breakpoints.clear();

@@ -48,15 +48,14 @@ impl Session {
     pub fn outline(&self) -> Vec<Entry> {
         let here = self.lesson_step();
         let language = self.look.language;
-        let narrated = self.open.narrated.iter().enumerate();
-        let entries = narrated.map(|(index, said)| {
+        let entries = self.open.narrated.iter().map(|said| {
             let title = said.title.as_ref().map(|title| title.in_language(language));
             let hidden = said.step > here && self.waits_at(here);
             let asks = said.question.is_some() && self.look.questions;
             Entry {
                 step: said.step,
                 title: (!hidden).then(|| title.unwrap_or(said.say(language)).to_owned()),
-                standing: asks.then(|| self.standings[index]),
+                standing: asks.then(|| self.standings[said.index]),
             }
         });
         entries.collect()
@@ -68,7 +67,8 @@ impl Session {
         let at = narrated.binary_search_by_key(&step, |said| said.step);
         self.look.questions
             && at.is_ok_and(|index| {
-                narrated[index].question.is_some() && self.standings[index] == Standing::Open
+                let said = &narrated[index];
+                said.question.is_some() && self.standings[said.index] == Standing::Open
             })
     }
 

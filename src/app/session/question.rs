@@ -10,16 +10,17 @@ impl Session {
     /// The question at this step, and how it stands.
     pub fn question(&self) -> Option<(&Question, Standing)> {
         let index = self.narrated_here().filter(|_| self.look.questions)?;
-        let question = self.open.narrated[index].question.as_ref()?;
-        Some((question, self.standings[index]))
+        let said = &self.open.narrated[index];
+        Some((said.question.as_ref()?, self.standings[said.index]))
     }
 
     /// Whether a question waits to be answered at `step`.
     pub fn question_at(&self, step: usize) -> bool {
         self.look.questions
             && self.narrated.binary_search(&step).is_ok_and(|index| {
-                let question = self.open.narrated[index].question.as_ref();
-                self.standings[index] == Standing::Open
+                let said = &self.open.narrated[index];
+                let question = said.question.as_ref();
+                self.standings[said.index] == Standing::Open
                     && question.is_some_and(|question| question.answer != Answer::Undecided)
             })
     }
@@ -49,7 +50,8 @@ impl Session {
             .narrated_here()
             .filter(|_| self.question_at(self.step()));
         let index = index.ok_or(strings::NO_QUESTION)?;
-        let question = self.open.narrated[index].question.as_ref();
+        let said = &self.open.narrated[index];
+        let (index, question) = (said.index, said.question.as_ref());
         let answer = &question.ok_or(strings::NO_QUESTION)?.answer;
         let right = answer.judge(guess).map_err(|why| match why {
             NoAnswer::NotANumber => strings::NOT_A_NUMBER,
@@ -69,7 +71,7 @@ impl Session {
     pub fn guesses(&self) -> &[Guess] {
         let index = self.narrated_here();
         index
-            .and_then(|index| self.guesses.get(&index))
+            .and_then(|index| self.guesses.get(&self.open.narrated[index].index))
             .map_or(&[], |guesses| guesses)
     }
 
@@ -101,7 +103,8 @@ impl Session {
         let index = self
             .narrated_here()
             .filter(|_| self.question_at(self.step()));
-        self.standings[index.ok_or(strings::NO_QUESTION)?] = Standing::Skipped;
+        let said = &self.open.narrated[index.ok_or(strings::NO_QUESTION)?];
+        self.standings[said.index] = Standing::Skipped;
         Ok(())
     }
 
@@ -109,6 +112,9 @@ impl Session {
     pub fn start_at(&mut self, step: usize) {
         let target = step.min(self.last_step());
         let before = self.narrated.partition_point(|&step| step < target);
+        let before = before
+            .checked_sub(1)
+            .map_or(0, |last| self.open.narrated[last].index + 1);
         for standing in &mut self.standings[..before] {
             if *standing == Standing::Open {
                 *standing = Standing::Skipped;

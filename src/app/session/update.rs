@@ -63,6 +63,9 @@ impl Session {
             Command::Skip => return self.skip(),
             Command::Questions => self.look.questions = !self.look.questions,
             Command::Change(change) => return self.change(change),
+            Command::Undo => return self.undo(),
+            Command::Redo => return self.redo(),
+            Command::LessonsValues => self.reset(),
             Command::Force(part) => return self.force(part),
             Command::Reset => {
                 if !self.setup().forced().is_empty() {
@@ -139,6 +142,9 @@ impl Session {
                 return self.numbered(number).map(drop);
             }
             Command::Change(change) => self.cannot_change(change.parameter()),
+            Command::Undo => self.cannot_undo(),
+            Command::Redo => self.cannot_redo(),
+            Command::LessonsValues if !self.is_changed() => Some(strings::NOTHING_CHANGED),
             Command::Study(command) => self.cannot_study(command),
             Command::Force(part) => self.cannot_leave_out(part),
             _ => None,

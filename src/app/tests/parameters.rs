@@ -100,7 +100,7 @@ fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
     assert!(screen.session().is_changed());
     screen.keep("parameters");
 
-    screen.click(strings::PUT_BACK.text(Language::English));
+    screen.click(strings::LESSONS_VALUES.text(Language::English));
     assert_eq!(lights(&screen), before);
     screen.press(Modifiers::NONE, Key::ArrowRight);
     assert_eq!(screen.session().step(), step + 1);

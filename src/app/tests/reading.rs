@@ -100,7 +100,7 @@ fn what_is_off_says_why_and_sliders_say_their_range_and_unit() {
         described(first),
         strings::AT_THE_START.text(Language::English)
     );
-    let reset = strings::PUT_BACK.text(Language::English);
+    let reset = strings::LESSONS_VALUES.text(Language::English);
     assert_eq!(
         described(reset),
         strings::NOTHING_CHANGED.text(Language::English)

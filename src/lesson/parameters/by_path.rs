@@ -1,0 +1,303 @@
+//! Parameters by the path of their value in the lesson's document: of its scene, or of the settings of its method.
+//!
+//! A changed document is read and checked again as a whole, so that a value can do no more than one that is written in the file.
+
+use super::super::error::{LessonError, problem};
+use super::super::file::Text;
+use super::super::resolve::Lesson;
+use crate::scene::Limits;
+use crate::scene::document::{Keyed, present};
+use serde::Deserialize;
+use serde_json::Value;
+use std::ops::RangeInclusive;
+
+/// A number as a parameter, as it is written in a lesson file.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NumberFile {
+    pub path: String,
+    pub name: Text,
+    pub from: f64,
+    pub to: f64,
+    /// Steps of whole numbers.
+    #[serde(default, deserialize_with = "present")]
+    pub whole: Option<bool>,
+    /// Equal ratios at equal distances on the slider.
+    #[serde(default, deserialize_with = "present")]
+    pub logarithmic: Option<bool>,
+    #[serde(default, deserialize_with = "present")]
+    pub unit: Option<Text>,
+}
+
+/// One of several values as a parameter.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ChoiceFile {
+    pub path: String,
+    pub name: Text,
+    pub options: Vec<Keyed<ValueFile>>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ValueFile {
+    pub value: Value,
+    pub name: Text,
+}
+
+/// A value of the document that may be changed.
+#[derive(Clone, Debug)]
+pub struct ByPath {
+    path: Path,
+    pub name: Text,
+    pub kind: Kind,
+    /// The lesson's own value.
+    pub value: PathValue,
+}
+
+#[derive(Clone, Debug)]
+pub enum Kind {
+    Number {
+        range: RangeInclusive<f64>,
+        whole: bool,
+        logarithmic: bool,
+        unit: Option<Text>,
+    },
+    /// Values with their names.
+    Choice(Vec<(Value, Text)>),
+}
+
+/// A value of such a parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PathValue {
+    Number(f64),
+    /// By its index among the options.
+    Option(usize),
+}
+
+impl ByPath {
+    /// As in the document; none where the parameter does not have such a value.
+    fn written(&self, value: PathValue) -> Option<Value> {
+        match (&self.kind, value) {
+            (Kind::Number { range, whole, .. }, PathValue::Number(number)) => {
+                let fits = range.contains(&number);
+                let written = match whole {
+                    true => Value::from(number.round() as i64),
+                    false => Value::from(number),
+                };
+                fits.then_some(written)
+            }
+            (Kind::Choice(options), PathValue::Option(index)) => {
+                options.get(index).map(|(value, _)| value.clone())
+            }
+            _ => None,
+        }
+    }
+
+    /// Values all over its range, both ends among them; all options.
+    pub fn sampled(&self) -> Vec<PathValue> {
+        match &self.kind {
+            Kind::Choice(options) => (0..options.len()).map(PathValue::Option).collect(),
+            Kind::Number {
+                range,
+                whole,
+                logarithmic,
+                ..
+            } => {
+                let (from, to) = (*range.start(), *range.end());
+                let shares = [0.0, 0.15, 0.4, 0.7, 1.0].into_iter();
+                let mut values: Vec<f64> = shares
+                    .map(|share| match logarithmic {
+                        true if share == 1.0 => to,
+                        true => from * (to / from).powf(share),
+                        false => from + share * (to - from),
+                    })
+                    .map(|value| if *whole { value.round() } else { value })
+                    .collect();
+                values.dedup();
+                values.into_iter().map(PathValue::Number).collect()
+            }
+        }
+    }
+}
+
+/// Keys and indices, as in `objects[2].material`.
+#[derive(Clone, Debug, PartialEq)]
+struct Path(Vec<Segment>);
+
+#[derive(Clone, Debug, PartialEq)]
+enum Segment {
+    Key(String),
+    Index(usize),
+}
+
+impl Path {
+    /// None where the text is no path.
+    fn parse(text: &str) -> Option<Self> {
+        let mut segments = Vec::new();
+        for part in text.split('.') {
+            let mut pieces = part.split('[');
+            let key = pieces.next().filter(|key| !key.is_empty())?;
+            segments.push(Segment::Key(key.to_owned()));
+            for index in pieces {
+                let index = index.strip_suffix(']')?.parse().ok()?;
+                segments.push(Segment::Index(index));
+            }
+        }
+        Some(Path(segments))
+    }
+
+    fn find<'a>(&self, document: &'a mut Value) -> Option<&'a mut Value> {
+        self.0
+            .iter()
+            .try_fold(document, |value, segment| match segment {
+                Segment::Key(key) => value.get_mut(key),
+                Segment::Index(index) => value.get_mut(index),
+            })
+    }
+}
+
+/// A lesson's document, with the files that belong to it.
+#[derive(Clone, Debug)]
+pub struct Source {
+    document: Value,
+    files: Vec<(String, Vec<u8>)>,
+    limits: Limits,
+}
+
+impl Source {
+    /// `files` are those that were read for the document.
+    pub fn new(bytes: &[u8], files: Vec<(String, Vec<u8>)>, limits: &Limits) -> Option<Self> {
+        let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+        let mut document: Value = serde_json::from_slice(bytes).ok()?;
+        // What reads the changed document has no parameters of its own to find.
+        document.as_object_mut()?.remove("parameters");
+        Some(Source {
+            document,
+            files,
+            limits: limits.clone(),
+        })
+    }
+
+    /// The lesson with other values. Errors: what the file would be refused for.
+    pub fn with<'a>(
+        &self,
+        values: impl Iterator<Item = (&'a ByPath, PathValue)>,
+    ) -> Result<Lesson, LessonError> {
+        let mut document = self.document.clone();
+        for (parameter, value) in values {
+            let written = parameter.written(value);
+            let place = parameter.path.find(&mut document);
+            match (place, written) {
+                (Some(place), Some(written)) => *place = written,
+                _ => return Err(problem("parameters", "found a value out of its range").into()),
+            }
+        }
+        let bytes = serde_json::to_vec(&document).expect("a document is written as text");
+        Lesson::read(&bytes, &self.limits, &mut |path| {
+            let file = self.files.iter().find(|(name, _)| name == path);
+            file.map(|(_, bytes)| bytes.clone())
+                .ok_or_else(|| format!("{path} was not read with the lesson"))
+        })
+    }
+}
+
+/// A number that the document gives. Errors: what is wrong with it.
+pub fn number(file: &NumberFile, source: &Source) -> Result<ByPath, String> {
+    let (path, found) = given(&file.path, source)?;
+    let (from, to) = (file.from, file.to);
+    let number = found
+        .as_f64()
+        .ok_or_else(|| format!("`{}` is {found}; a `number` changes a number", file.path))?;
+    let logarithmic = file.logarithmic.unwrap_or(false);
+    if from.partial_cmp(&to) != Some(std::cmp::Ordering::Less) || logarithmic && from <= 0.0 {
+        return Err(format!(
+            "found a range from {from} to {to}; it begins below its end, and above 0 where it is logarithmic"
+        ));
+    }
+    if !(from..=to).contains(&number) {
+        return Err(format!(
+            "found a range from {from} to {to}, in which the lesson's own value {number} does not lie"
+        ));
+    }
+    Ok(ByPath {
+        path,
+        name: file.name.clone(),
+        kind: Kind::Number {
+            range: from..=to,
+            whole: file.whole.unwrap_or(false),
+            logarithmic,
+            unit: file.unit.clone(),
+        },
+        value: PathValue::Number(number),
+    })
+}
+
+/// A value of the document among several. Errors: what is wrong with it.
+pub fn choice(file: &ChoiceFile, source: &Source) -> Result<ByPath, String> {
+    let (path, found) = given(&file.path, source)?;
+    let mut options = file.options.iter();
+    let own = options.position(|Keyed(option)| option.value == found);
+    let own =
+        own.ok_or_else(|| format!("`{}` is {found}, which is none of the options", file.path))?;
+    let options = file.options.iter();
+    let options = options.map(|Keyed(option)| (option.value.clone(), option.name.clone()));
+    Ok(ByPath {
+        path,
+        name: file.name.clone(),
+        kind: Kind::Choice(options.collect()),
+        value: PathValue::Option(own),
+    })
+}
+
+fn given(text: &str, source: &Source) -> Result<(Path, Value), String> {
+    let path = Path::parse(text).ok_or_else(|| {
+        format!("found the path \"{text}\"; a path is written like scene.objects[2].sphere.radius")
+    })?;
+    let mut document = source.document.clone();
+    let found = path.find(&mut document).map(|value| value.clone());
+    let found = found.ok_or_else(|| {
+        format!("the lesson gives no value at `{text}`; write one there to change it")
+    })?;
+    Ok((path, found))
+}
+
+impl Lesson {
+    /// The first of the values of its parameters, tried all over their ranges, with which the lesson would be refused.
+    pub fn check_parameters(&self) -> Result<(), LessonError> {
+        let Some(source) = &self.source else {
+            return Ok(());
+        };
+        for parameter in &self.by_path {
+            for value in parameter.sampled() {
+                let read = source.with([(parameter, value)].into_iter());
+                read.map_err(|error| {
+                    let value = match value {
+                        PathValue::Number(number) => number.to_string(),
+                        PathValue::Option(index) => format!("option {index}"),
+                    };
+                    let name = &parameter.name.en;
+                    problem("parameters", format!("with {value} for “{name}”: {error}"))
+                })?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_leads_through_keys_and_indices() {
+        let mut document = serde_json::json!({ "scene": { "objects": [{}, { "at": [1, 2.5] }] } });
+        let path = Path::parse("scene.objects[1].at[1]").unwrap();
+        assert_eq!(path.find(&mut document), Some(&mut Value::from(2.5)));
+        let other = Path::parse("scene.objects[2].at[1]").unwrap();
+        assert_eq!(other.find(&mut document), None);
+        for wrong in ["", "a..b", "a[", "a[x]", "[1]"] {
+            assert_eq!(Path::parse(wrong), None, "{wrong}");
+        }
+    }
+}
