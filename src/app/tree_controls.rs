@@ -4,7 +4,7 @@ use super::button;
 use super::session::{Command, Session};
 use super::strings;
 use crate::figure::View;
-use crate::panels::{tree_area, tree_middle};
+use crate::panels::node_near;
 use crate::picture::Rect;
 use egui::{Response, Ui};
 use glam::Vec2;
@@ -17,31 +17,51 @@ const WHEEL: f32 = 200.0;
 /// Fit, larger and smaller.
 pub fn buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.x = 4.0;
-    let shown = session.tree().shown;
+    let tree = session.tree();
     for (sign, view, name) in [
         (
             session.localize(strings::TREE_FIT),
-            View::WHOLE,
+            tree.fitted(),
             strings::WHOLE_TREE,
         ),
-        ("+", shown.zoomed(PRESS), strings::LARGER_TREE),
-        ("−", shown.zoomed(1.0 / PRESS), strings::SMALLER_TREE),
+        ("+", tree.zoomed(PRESS, tree.held), strings::LARGER_TREE),
+        (
+            "−",
+            tree.zoomed(1.0 / PRESS, tree.held),
+            strings::SMALLER_TREE,
+        ),
     ] {
-        let command = Command::ViewTree(session.tree().showing(view));
+        let command = Command::ViewTree(view);
         button::sign(session, sign, name, command, commands, ui);
     }
 }
 
-/// What the pointer does in the ray tree.
+/// What the pointer does in the ray tree: it holds the node that is nearest.
 pub fn pointed(session: &Session, response: &Response, ui: &Ui) -> Option<Command> {
     let tree = session.tree();
     let size = Vec2::new(response.rect.width(), response.rect.height());
-    let middle = || tree_middle(&session.panel_input(), size);
-    let view = match response.double_clicked() {
-        true => View::WHOLE,
-        false => looked_at(tree.shown, middle, tree_area(size), response, ui)?,
+    let held = || {
+        let at = response.hover_pos()? - response.rect.min;
+        node_near(&session.panel_input(), size, Vec2::new(at.x, at.y))
     };
-    Some(Command::ViewTree(tree.showing(view)))
+    let factor = factor(ui);
+    let drag = response.drag_delta();
+    let changed = if response.double_clicked() {
+        tree.fitted()
+    } else if response.hovered() && factor != 1.0 {
+        tree.zoomed(factor, held())
+    } else if drag != egui::Vec2::ZERO {
+        tree.dragged(Vec2::new(drag.x, drag.y), held()?)
+    } else {
+        return None;
+    };
+    (changed != *tree).then_some(Command::ViewTree(changed))
+}
+
+/// How much the wheel and a pinch zoom.
+fn factor(ui: &Ui) -> f32 {
+    let (wheel, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+    pinch * (wheel / WHEEL).exp()
 }
 
 /// The wheel and a pinch zoom about the pointer, dragging drags. The figure stands in `area` of what is pointed at,
@@ -53,8 +73,7 @@ pub fn looked_at(
     response: &Response,
     ui: &Ui,
 ) -> Option<View> {
-    let (wheel, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
-    let factor = pinch * (wheel / WHEEL).exp();
+    let factor = factor(ui);
     let drag = response.drag_delta();
     let extent = Vec2::new(area.width, area.height);
     let changed = if let Some(at) = response.hover_pos().filter(|_| factor != 1.0) {

@@ -522,6 +522,7 @@ ray-tree-rays = { $count ->
  }
 ray-tree-hidden = { $count } not shown
 ray-tree-level = level { $level } of { $deepest }
+ray-tree-from-level = light from level
 ray-tree-shadow-rays = Shadow rays at { $thing }
 ray-tree-lights = Lights at { $thing }
 ray-tree-coming-back = Coming back up

@@ -519,6 +519,7 @@ ray-tree-no-coefficient = tanpa koefisien
 ray-tree-rays = { $count } sinar
 ray-tree-hidden = { $count } tak tampak
 ray-tree-level = tingkat { $level } dari { $deepest }
+ray-tree-from-level = cahaya dari tingkat
 ray-tree-shadow-rays = Sinar bayangan di { $thing }
 ray-tree-lights = Cahaya di { $thing }
 ray-tree-coming-back = Kembali ke atas

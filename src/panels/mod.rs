@@ -12,8 +12,7 @@ pub use list::image::{
     ImageView, PixelLayer, middle as image_middle, place as image_place, value as pixel_value,
 };
 pub use list::inspector::{InspectorView, scrolled as inspector_scrolled};
-pub use list::ray_tree::TreeView;
-pub use list::ray_tree::{area as tree_area, middle as tree_middle};
+pub use list::ray_tree::{HeldNode, TreeView, node_near};
 pub use list::space::{Grip, Orbit, Pixels, Preset, SpaceView, grip};
 pub use list::time_line::{heights as time_line_heights, step_at};
 pub use list::vectors::{Held, PlaneGrip, degrees_toward, grip as vector_grip};

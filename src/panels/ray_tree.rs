@@ -4,8 +4,12 @@
 mod arrange;
 mod card;
 mod edges;
+mod levels;
+mod lines;
 mod node;
 mod pick;
+mod places;
+mod sign;
 mod strings;
 mod tidy;
 mod view;
@@ -13,7 +17,7 @@ mod view;
 #[cfg(test)]
 mod tests;
 
-pub use view::TreeView;
+pub use view::{HeldNode, TreeView};
 
 use super::message::message;
 use super::values::step_in_words;
@@ -24,17 +28,12 @@ use crate::language::Message;
 use crate::methods::Method;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::rays::{Outcome, RayState, State};
-use arrange::{Arrangement, Detail, arrange};
+use arrange::{Arrangement, Detail};
 use glam::Vec2;
 use node::{Describer, Standing, letter, line};
-use pick::{Node, Rays};
+use pick::Rays;
+use places::{CardPlace, Places};
 use strings::*;
-
-const MARGIN: f32 = 6.0;
-/// Of the line above the tree.
-const HEAD: f32 = 18.0;
-/// Of the sign that collapses and expands.
-const SIGN: f32 = 6.0;
 
 pub const PANEL: Properties = Properties::titled(Message("app-ray-tree"));
 
@@ -53,8 +52,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         language: input.language,
     };
     let rays = Rays::new(state);
-    let places = Places::new(size);
-    let arrangement = arrange(&rays, input.tree, places.tree);
+    let (places, arrangement) = Places::new(&rays, input.tree, size);
     let (rising, returning) = rising(input, state);
 
     let mut picture = Picture::new(size.x, size.y);
@@ -71,105 +69,42 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let said = said_of_tree(&describer, &rays, &arrangement, levels);
     let branches = arrangement.tree.nodes.len() > 1;
     head(&mut picture, &said, branches, places.head);
-    if let Some(place) = places.card {
-        picture.line(place.rule[0], place.rule[1], Ink::Rule.stroke(1.0));
-        card::draw(
-            &mut picture,
-            &describer,
-            ray,
-            (rising, returning),
-            place.rect,
-        );
-    } else {
-        card::line(&mut picture, &describer, ray, places.foot);
+    if let Some(row) = places.levels {
+        levels::draw(&mut picture, &describer, row);
     }
-    picture.alt = format!(
-        "{}: {said}. {}.",
-        step_in_words(input),
-        in_words(&describer, ray)
-    );
+    match places.card {
+        CardPlace::Whole { rect, rule } => {
+            picture.line(rule[0], rule[1], Ink::Rule.stroke(1.0));
+            let light = (rising, returning);
+            card::draw(&mut picture, &describer, ray, light, rect);
+        }
+        CardPlace::Line(place) => card::line(&mut picture, &describer, ray, place),
+    }
+    let sentences = [
+        Some(format!("{}: {said}", step_in_words(input))),
+        Some(in_words(&describer, ray)),
+        levels::in_words(&describer),
+    ];
+    let sentences: Vec<String> = sentences.into_iter().flatten().collect();
+    picture.alt = sentences.join(". ") + ".";
     picture
 }
 
-/// Where the middle of the tree's area lies, as shares of the tree's box; none where no tree is drawn.
-pub fn middle(input: &PanelInput, size: Vec2) -> Option<Vec2> {
+/// The node nearest to a place of a panel of that size, as it stands now; none where no tree is drawn.
+pub fn node_near(input: &PanelInput, size: Vec2, at: Vec2) -> Option<HeldNode> {
     let state = input.run.rays()?;
     state.ray()?;
-    let arrangement = arrange(&Rays::new(state), input.tree, Places::new(size).tree);
-    Some(arrangement.middle)
-}
-
-/// The part of a panel that the tree is drawn in.
-pub fn area(size: Vec2) -> Rect {
-    Places::new(size).tree
-}
-
-/// What is drawn where.
-struct Places {
-    head: Rect,
-    tree: Rect,
-    card: Option<CardPlace>,
-    foot: Rect,
-}
-
-#[derive(Clone, Copy)]
-struct CardPlace {
-    rect: Rect,
-    rule: [Vec2; 2],
-}
-
-impl Places {
-    /// The card under the tree where the panel is high, beside it where it is wide; else one line.
-    fn new(size: Vec2) -> Self {
-        let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-MARGIN);
-        let head = Rect::new(whole.x, whole.y - 2.0, whole.width, HEAD);
-        let body = Rect::between((whole.x, head.bottom()), whole.max());
-        let foot = Rect::new(body.x, body.bottom() - HEAD + 3.0, body.width, HEAD);
-        if body.height >= 330.0 {
-            let height = if body.width >= 620.0 {
-                (0.32 * body.height).clamp(124.0, 180.0)
-            } else {
-                (0.4 * body.height).clamp(124.0, 260.0)
-            };
-            let tree = Rect::new(body.x, body.y, body.width, body.height - height - 14.0);
-            let y = tree.bottom() + 4.0;
-            let rect = Rect::new(
-                body.x + 4.0,
-                body.bottom() - height,
-                body.width - 8.0,
-                height,
-            );
-            let rule = [Vec2::new(body.x, y), Vec2::new(body.right(), y)];
-            let card = Some(CardPlace { rect, rule });
-            return Places {
-                head,
-                tree,
-                card,
-                foot,
-            };
-        }
-        if body.width >= 560.0 {
-            let width = (0.42 * body.width).clamp(250.0, 420.0);
-            let tree = Rect::new(body.x, body.y, body.width - width - 16.0, body.height);
-            let x = tree.right() + 7.0;
-            let rect = Rect::new(tree.right() + 16.0, body.y, width - 2.0, body.height);
-            let rule = [Vec2::new(x, body.y), Vec2::new(x, body.bottom())];
-            let card = Some(CardPlace { rect, rule });
-            return Places {
-                head,
-                tree,
-                card,
-                foot,
-            };
-        }
-        let tree = Rect::new(body.x, body.y, body.width, body.height - HEAD);
-        Places {
-            head,
-            tree,
-            card: None,
-            foot,
-        }
-    }
+    let rays = Rays::new(state);
+    let (places, arrangement) = Places::new(&rays, input.tree, size);
+    let nodes = arrangement.tree.nodes.iter().zip(&arrangement.rects);
+    let distance = |rect: &Rect| rect.center().distance_squared(at);
+    let (node, rect) = nodes
+        .filter(|(node, _)| rays.ray(node).is_some())
+        .min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)))?;
+    Some(HeldNode {
+        ray: rays.ray(node)?.step,
+        at: rect.center() - places.tree.center(),
+    })
 }
 
 /// The ray whose light came back last, if it is this step that it rises or is added at; and whether light comes back at all.
@@ -226,7 +161,7 @@ fn nodes(
                 node::frame(picture, rect, standing, ray, detail);
             }
             if seen_whole && detail > Detail::Dot {
-                node::write(picture, describer, whole, ray, detail, arrangement.scale);
+                lines::write(picture, describer, whole, ray, detail, arrangement.scale);
             }
         };
         match ray {
@@ -236,62 +171,9 @@ fn nodes(
             None => add(picture),
         }
         if let Some(ray) = ray {
-            sign(picture, ray, node, (whole, detail), area);
+            sign::draw(picture, describer, ray, node, (whole, detail), area);
         }
     }
-}
-
-/// Under a node what collapses it, or how many rays are hidden below.
-fn sign(
-    picture: &mut Picture,
-    ray: &RayState,
-    node: &Node,
-    (rect, detail): (Rect, Detail),
-    area: Rect,
-) {
-    let bottom = Vec2::new(rect.center().x, rect.bottom());
-    let center = bottom + Vec2::Y * (SIGN - 1.0);
-    if node.hidden > 0 && detail == Detail::Dot {
-        let tip = bottom + Vec2::new(0.0, 5.0);
-        let points = [bottom - Vec2::X * 4.0, bottom + Vec2::X * 4.0, tip];
-        if area.encloses(&Rect::between(points[0], tip)) {
-            picture.polygon(points, Ink::Muted);
-        }
-        return;
-    }
-    if node.hidden > 0 {
-        let set = Style::Bold.size(11.0).middle();
-        let text = format!("+{}", node.hidden);
-        let width = set.width(&text) + 12.0;
-        let pill = Rect::new(bottom.x - 0.5 * width, bottom.y + 2.0, width, 16.0);
-        if !area.encloses(&pill) {
-            return;
-        }
-        // What the viewer collapsed can be expanded; what there is no room for is gone to.
-        let tag = if node.collapsed {
-            Tag::Fold(ray.step)
-        } else {
-            Tag::Scope(ray.step)
-        };
-        picture.tagged(tag, |picture| {
-            let paint = Ink::LinkedTint.fill().outlined(Ink::Linked.stroke(1.0));
-            picture.rounded_rect(pill, 8.0, paint);
-        });
-        picture.text_in(pill, text, set);
-        return;
-    }
-    if node.children == [None; 2] || detail == Detail::Dot {
-        return;
-    }
-    if !area.encloses(&Rect::between(center, center).grown(SIGN + 1.0)) {
-        return;
-    }
-    picture.tagged(Tag::Fold(ray.step), |picture| {
-        let paint = Ink::Surface.fill().outlined(Ink::Muted.stroke(1.0));
-        picture.circle(center, SIGN, paint);
-    });
-    let arm = Vec2::X * (SIGN - 3.0);
-    picture.line(center - arm, center + arm, Ink::Text.stroke(1.5));
 }
 
 /// How large the tree is.
@@ -301,12 +183,11 @@ fn said_of_tree(
     arrangement: &Arrangement,
     levels: bool,
 ) -> String {
-    let counted =
-        |message, count: usize| describer.format(message, &[("count", &count.to_string())]);
-    let mut text = counted(RAYS, rays.len());
+    let mut text = sign::counted_rays(describer, rays.len());
     if arrangement.tree.hidden > 0 {
+        let count = arrangement.tree.hidden.to_string();
         text += ", ";
-        text += &counted(HIDDEN, arrangement.tree.hidden);
+        text += &describer.format(HIDDEN, &[("count", &count)]);
     }
     if !levels {
         return text;

@@ -1,6 +1,7 @@
 //! The state of ray casting and of ray tracing at one step: the picture so far, and the tree of rays of the current pixel, with what
 //! is known of each.
 
+mod levels;
 mod media;
 mod ray;
 

@@ -3,7 +3,6 @@
 use super::{Refused, Session};
 use crate::algorithms::focus::Focus;
 use crate::app::strings;
-use crate::figure::View;
 use crate::panels::{Panel, TreeView};
 use crate::picture::Tag;
 use crate::record::{RecordingLimit, Value};
@@ -69,11 +68,7 @@ impl Session {
         self.recording += 1;
         self.play = None;
         self.around = super::playing::Loop::default();
-        let shown = View {
-            zoom: self.tree.shown.zoom,
-            ..View::WHOLE
-        };
-        self.tree = TreeView::WHOLE.showing(shown);
+        self.tree = TreeView::WHOLE.zoomed(self.tree.zoom, None);
         self.seek(step.min(self.last_step()));
         let last = self.last_step();
         if let Some(breakpoints) = self.breakpoints.get_mut(&focus) {

@@ -1,6 +1,6 @@
 //! Where the nodes of the tree lie, and in how much detail each is drawn: the most that fits the room.
 
-use super::pick::{Enclosure, Rays, Tree};
+use super::pick::{Enclosure, Of, Rays, Tree};
 use super::tidy;
 use super::view::TreeView;
 use crate::picture::Rect;
@@ -11,28 +11,28 @@ use glam::Vec2;
 pub(super) enum Detail {
     /// A disc of its colour.
     Dot,
-    /// Name and t in one line.
-    Line,
-    /// Name and t in two short lines.
-    Tiny,
-    /// And verdicts.
-    Small,
-    /// And sum and remarks.
+    /// Name and t in one line, local term and sum in the next.
+    Short,
+    /// Name and t, local term, and sum, each in a line.
+    Stacked,
+    /// And verdicts, in larger letters.
     Brief,
-    /// And normal, local term, and who blocks.
+    /// And normal, and who blocks.
     Full,
 }
 
 impl Detail {
-    /// Width, and height without the lines that only some nodes have.
-    pub fn size(self) -> Vec2 {
+    /// From the most to the least that names its rays.
+    const NAMED: [Detail; 4] = [Detail::Full, Detail::Brief, Detail::Stacked, Detail::Short];
+
+    /// Width, and height without the lines that only some nodes have, where the widest light is so wide.
+    pub fn size(self, light: f32) -> Vec2 {
         match self {
             Detail::Dot => Vec2::new(10.0, 10.0),
-            Detail::Line => Vec2::new(142.0, 20.0),
-            Detail::Tiny => Vec2::new(92.0, 34.0),
-            Detail::Small => Vec2::new(134.0, 38.0),
-            Detail::Brief => Vec2::new(140.0, 53.0),
-            Detail::Full => Vec2::new(206.0, 85.0),
+            Detail::Short => Vec2::new((76.0 + 2.0 * light).max(146.0), 34.0),
+            Detail::Stacked => Vec2::new((54.0 + light).max(126.0), 48.0),
+            Detail::Brief => Vec2::new((54.0 + light).max(146.0), 69.0),
+            Detail::Full => Vec2::new((54.0 + light).max(206.0), 85.0),
         }
     }
 
@@ -40,9 +40,8 @@ impl Detail {
     fn gap(self) -> Vec2 {
         match self {
             Detail::Dot => Vec2::new(4.0, 13.0),
-            Detail::Line => Vec2::new(6.0, 18.0),
-            Detail::Tiny => Vec2::new(8.0, 28.0),
-            Detail::Small => Vec2::new(10.0, 30.0),
+            Detail::Short => Vec2::new(8.0, 24.0),
+            Detail::Stacked => Vec2::new(10.0, 28.0),
             Detail::Brief => Vec2::new(14.0, 32.0),
             Detail::Full => Vec2::new(18.0, 38.0),
         }
@@ -55,7 +54,7 @@ pub(super) const LINE: f32 = 16.0;
 const FOOT: f32 = 16.0;
 /// Trees of more rays are never drawn whole.
 const MOST_NODES: usize = 1500;
-/// How far a tree is drawn apart to fill the room, when the whole is shown.
+/// How far a tree is drawn apart at most to fill the room.
 const APART: f32 = 1.7;
 /// How much larger than needed texts become.
 const LARGER: f32 = 1.15;
@@ -67,8 +66,6 @@ pub(super) struct Arrangement {
     pub rects: Vec<Rect>,
     /// How much larger than usual everything is drawn.
     pub scale: f32,
-    /// What lies in the middle of the area, as shares of the tree's box.
-    pub middle: Vec2,
 }
 
 /// Before it is stretched and put in place: centres, and the top and height of each level.
@@ -90,7 +87,7 @@ impl Natural {
             .iter()
             .zip(&details)
             .map(|(node, detail)| tidy::Node {
-                width: detail.size().x,
+                width: detail.size(rays.widest).x,
                 children: node.children,
             })
             .collect();
@@ -114,7 +111,7 @@ impl Natural {
         let mut gaps: Vec<f32> = most
             .windows(2)
             .map(|pair| match pair {
-                [above, Detail::Dot] if *above > Detail::Dot => Detail::Line.gap().y,
+                [above, Detail::Dot] if *above > Detail::Dot => Detail::Short.gap().y,
                 pair => pair[0].min(pair[1]).gap().y,
             })
             .collect();
@@ -136,20 +133,28 @@ impl Natural {
     fn fits(&self, room: Vec2) -> bool {
         self.size().cmple(room).all()
     }
+
+    /// Width and height that the largest nodes have.
+    fn largest(&self, rays: &Rays, tree: &Tree) -> Vec2 {
+        let sizes = self.details.iter().enumerate().map(|(node, &detail)| {
+            Vec2::new(detail.size(rays.widest).x, height(rays, tree, node, detail))
+        });
+        sizes.fold(Vec2::ONE, Vec2::max)
+    }
 }
 
 /// Height of a node, with the lines that it has more than others.
 pub(super) fn height(rays: &Rays, tree: &Tree, node: usize, detail: Detail) -> f32 {
     let further = rays
         .ray(&tree.nodes[node])
-        .map_or(0, |ray| super::node::further_lines(ray, detail));
-    detail.size().y + LINE * further as f32
+        .map_or(0, |ray| super::lines::further_lines(ray, detail));
+    detail.size(rays.widest).y + LINE * further as f32
 }
 
 /// The most detail that fits `area` at the view's zoom.
 pub(super) fn arrange(rays: &Rays, view: &TreeView, area: Rect) -> Arrangement {
     let size = Vec2::new(area.width, area.height);
-    let room = view.shown.zoom * size;
+    let room = view.zoom * size;
     let (tree, natural) = whole(rays, view, room).unwrap_or_else(|| in_part(rays, view, room));
     place(rays, tree, natural, view, area)
 }
@@ -160,16 +165,8 @@ fn whole(rays: &Rays, view: &TreeView, room: Vec2) -> Option<(Tree, Natural)> {
         return None;
     }
     let tree = rays.pick(&view.collapsed, Enclosure::ENDLESS);
-    const LEAST_FIRST: [Detail; 5] = [
-        Detail::Line,
-        Detail::Tiny,
-        Detail::Small,
-        Detail::Brief,
-        Detail::Full,
-    ];
-    let natural = LEAST_FIRST
+    let natural = Detail::NAMED
         .into_iter()
-        .rev()
         .map(|detail| Natural::new(rays, &tree, |_| detail))
         .find(|natural| natural.fits(room))?;
     Some((tree, natural))
@@ -190,7 +187,7 @@ impl Named {
     const LEAST: Named = Named {
         levels: 0,
         before_hand: 0,
-        detail: Detail::Line,
+        detail: Detail::Short,
     };
 
     /// All choices, the most first.
@@ -199,7 +196,7 @@ impl Named {
         from_root
             .chain([(0, 3), (0, 0)])
             .flat_map(|(levels, before_hand)| {
-                [Detail::Tiny, Detail::Line].map(|detail| Named {
+                [Detail::Stacked, Detail::Short].map(|detail| Named {
                     levels,
                     before_hand,
                     detail,
@@ -225,7 +222,7 @@ impl Named {
 /// As many rays as there is room for as discs; names along the way to the current ray and on the levels near the root, where
 /// they fit.
 fn in_part(rays: &Rays, view: &TreeView, room: Vec2) -> (Tree, Natural) {
-    let (dot, gap) = (Detail::Dot.size(), Detail::Dot.gap());
+    let (dot, gap) = (Detail::Dot.size(rays.widest), Detail::Dot.gap());
     let levels = (room.y / (dot.y + gap.y)).max(2.0) as usize;
     let pick = |leaves| rays.pick(&view.collapsed, Enclosure { leaves, levels });
     // Subtrees reach under each other, so there may be room for more leaves than side by side.
@@ -248,22 +245,22 @@ fn in_part(rays: &Rays, view: &TreeView, room: Vec2) -> (Tree, Natural) {
 
 fn place(rays: &Rays, tree: Tree, natural: Natural, view: &TreeView, area: Rect) -> Arrangement {
     let size = Vec2::new(area.width, area.height);
-    let room = view.shown.zoom * size;
     let needed = natural.size();
-    let spare = (room / needed).min_element();
+    let spare = (view.zoom * size / needed).min_element();
     let scale = if natural.details.contains(&Detail::Dot) {
         1.0
     } else {
-        spare.clamp(1.0, LARGER * view.shown.zoom.sqrt())
+        // No node outgrows the area.
+        let one = natural.largest(rays, &tree);
+        let most = (size / one).min_element().max(1.0);
+        spare.clamp(1.0, LARGER * view.zoom.sqrt()).min(most)
     };
-    let apart = (room.x / (scale * needed.x)).clamp(1.0, APART * view.shown.zoom);
-    // The levels are drawn apart alike; what height is left then goes above and below.
+    // Branches and levels are drawn apart to fill the area, but not as far as the viewer zooms: no void opens between them.
+    let apart = (view.zoom * size.x / (scale * needed.x)).clamp(1.0, APART);
     let between: f32 = scale * natural.gaps.iter().sum::<f32>();
-    let spread = (1.0 + (room.y - scale * needed.y) / between).clamp(1.0, APART * view.shown.zoom);
-    let left_over = room.y - scale * needed.y - (spread - 1.0) * between;
+    let spread = (1.0 + (size.y - scale * needed.y) / between).clamp(1.0, APART);
+    let left_over = size.y - scale * needed.y - (spread - 1.0) * between;
 
-    let (left, right) = natural.extent;
-    let center_x = 0.5 * room.x - 0.5 * scale * apart * (left + right);
     let mut tops = Vec::with_capacity(natural.rows.len());
     let mut y = (0.25 * left_over).max(0.0);
     for (row, gap) in natural.rows.iter().zip(&natural.gaps) {
@@ -276,23 +273,18 @@ fn place(rays: &Rays, tree: Tree, natural: Natural, view: &TreeView, area: Rect)
         .enumerate()
         .map(|(i, node)| {
             let detail = natural.details[i];
-            let width = scale * detail.size().x;
+            let width = scale * detail.size(rays.widest).x;
             let height = scale * height(rays, &tree, i, detail);
-            let x = center_x + scale * apart * natural.centers[i] - 0.5 * width;
+            let x = scale * apart * natural.centers[i] - 0.5 * width;
             Rect::new(x, tops[node.level], width, height)
         })
         .collect();
-
-    // What is in the middle: the viewer's choice, else the current ray; and nothing beyond the tree.
-    let overhang = (0.5 * (scale * apart * (right - left) - room.x)).max(0.0);
-    let low = Vec2::new(-overhang, 0.0) + 0.5 * size;
-    let high = Vec2::new(room.x + overhang, room.y.max(y)) - 0.5 * size;
-    let wanted = match view.shown.center {
-        Some(center) => center * room,
-        None => rects[tree.current].center(),
-    };
-    let middle = wanted.clamp(low, high.max(low));
-    let offset = area.center() - middle;
+    let (left, right) = natural.extent;
+    let whole = Rect::between(
+        (scale * apart * left, 0.0),
+        (scale * apart * right, y.max(size.y)),
+    );
+    let offset = offset(rays, &tree, &rects, whole, view, area);
     rects
         .iter_mut()
         .for_each(|rect| *rect = rect.shifted(offset));
@@ -301,6 +293,53 @@ fn place(rays: &Rays, tree: Tree, natural: Natural, view: &TreeView, area: Rect)
         details: natural.details,
         rects,
         scale,
-        middle: middle / room,
     }
+}
+
+/// How far the tree, whose box is `whole`, is moved into its area: to where the viewer holds a node, else to the current ray; and
+/// never so far that the area shows what is beyond the tree, or no node.
+fn offset(
+    rays: &Rays,
+    tree: &Tree,
+    rects: &[Rect],
+    whole: Rect,
+    view: &TreeView,
+    area: Rect,
+) -> Vec2 {
+    let (node, at) = match view.held {
+        Some(held) => (drawn(rays, tree, held.ray), held.at),
+        None => (tree.current, Vec2::ZERO),
+    };
+    let wanted = area.center() + at - rects[node].center();
+    let within = |wanted: f32, low: f32, length: f32, start: f32, room: f32| {
+        let (first, last) = (start - low, start + room - low - length);
+        match length <= room {
+            true => start + 0.5 * (room - length) - low,
+            false => wanted.clamp(last, first),
+        }
+    };
+    let offset = Vec2::new(
+        within(wanted.x, whole.x, whole.width, area.x, area.width),
+        within(wanted.y, whole.y, whole.height, area.y, area.height),
+    );
+    // From each node the way into the area; where one is there already, none.
+    let ways = rects.iter().map(|rect| {
+        let rect = rect.shifted(offset);
+        let (low, high) = (area.min() - rect.min(), area.max() - rect.max());
+        Vec2::ZERO.clamp(low.min(high), high.max(low))
+    });
+    let shortest = ways.min_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
+    offset + shortest.unwrap_or_default()
+}
+
+/// The node of the ray that a step opened, or the one that it is collapsed into.
+fn drawn(rays: &Rays, tree: &Tree, step: usize) -> usize {
+    let index = rays.state.rays.iter().position(|ray| ray.step == step);
+    let parent = |&index: &usize| rays.state.rays.get(index).and_then(|ray| ray.parent);
+    let way = std::iter::successors(index, parent);
+    let node = |index| {
+        let nodes = &mut tree.nodes.iter();
+        nodes.position(|node| node.of == Of::Ray(index))
+    };
+    way.into_iter().find_map(node).unwrap_or(tree.current)
 }

@@ -104,7 +104,8 @@ pub(super) fn draw(
     }
 }
 
-/// The letter with its coefficient, beside the middle of the edge on its outer side, or further along where that is taken.
+/// The letter with its coefficient, beside the middle of the edge on its outer side, or further along where that is taken, or on
+/// the edge; where there is no room for that, the letter alone.
 fn label(
     picture: &mut Picture,
     branch: &CurrentBranch,
@@ -114,59 +115,66 @@ fn label(
     taken: &mut Vec<Rect>,
     area: Rect,
 ) {
-    let [top, bottom] = lines[edge];
-    let others = || lines.iter().enumerate().filter(|(line, _)| *line != edge);
     let set = Style::Bold.size(11.0 * scale);
     let letter = letter(branch.kind);
     let coefficient = branch
         .branch
         .map(|branch| color(branch.coefficient, language));
     let full = coefficient.map(|coefficient| format!("{letter} {coefficient}"));
+    let mut others = lines.to_vec();
+    let ends = others.swap_remove(edge);
     let left = branch.kind == RayKind::Reflected;
-    let along = bottom - top;
-    let flat = along.x.abs() > 1.2 * along.y;
-    // Off the line, toward the outer side.
-    let out = if left { Vec2::NEG_X } else { Vec2::X };
-    let away = along.perp().normalize_or_zero();
-    let away = (BAND + 3.0) * if away.dot(out) < 0.0 { -away } else { away };
     for text in full.into_iter().chain([letter.to_owned()]) {
-        let size = Vec2::new(set.width(&text) + 2.0, 14.0 * scale);
-        for share in [0.5, 0.62, 0.4, 0.72, 0.82, 0.9] {
-            for away in [away, -away] {
-                let near = top.lerp(bottom, share) + away;
-                // Beside a steep line in mid-height; of a flat one with the corner that is nearest.
-                let corner = Vec2::new(
-                    if away.x < 0.0 { size.x } else { 0.0 },
-                    match flat {
-                        false => 0.5 * size.y,
-                        true if away.y < 0.0 => size.y,
-                        true => 0.0,
-                    },
-                );
-                let place = near - corner;
-                let place = Rect::new(place.x, place.y, size.x, size.y);
-                let free =
-                    is_free(place, taken, area) && !others().any(|(_, line)| crosses(*line, place));
-                if free {
-                    picture.text_in(place, text, set);
-                    taken.push(place);
-                    return;
-                }
-            }
+        let width = set.width(&text);
+        let beside = beside(ends, Vec2::new(width + 2.0, 14.0 * scale), left);
+        let is_clear = |place: &Rect| !others.iter().any(|&line| crosses(line, *place));
+        let mut places = beside.filter(|place| is_free(*place, taken, area));
+        if let Some(place) = places.find(is_clear) {
+            picture.text_in(place, text, set);
+            taken.push(place);
+            return;
         }
-    }
-    // Where there is no room beside it, the letter stands on the line.
-    let size = Vec2::new(set.width(letter) + 4.0, 13.0 * scale);
-    for share in [0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2] {
-        let place = top.lerp(bottom, share) - 0.5 * size;
-        let place = Rect::new(place.x, place.y, size.x, size.y);
-        if is_free(place, taken, area) {
+        let mut on_it = upon(ends, Vec2::new(width + 4.0, 13.0 * scale));
+        if let Some(place) = on_it.find(|place| is_free(*place, taken, area)) {
             picture.rounded_rect(place, 3.0, Ink::Surface);
-            picture.text_in(place, letter, set.middle());
+            picture.text_in(place, text, set.middle());
             taken.push(place);
             return;
         }
     }
+}
+
+/// Places of that size beside a line, the best first: on its outer side, which is the left one or the right one.
+fn beside([top, bottom]: [Vec2; 2], size: Vec2, left: bool) -> impl Iterator<Item = Rect> {
+    let along = bottom - top;
+    let flat = along.x.abs() > 1.2 * along.y;
+    let out = if left { Vec2::NEG_X } else { Vec2::X };
+    let away = along.perp().normalize_or_zero();
+    let away = (BAND + 3.0) * if away.dot(out) < 0.0 { -away } else { away };
+    let shares = [0.5, 0.62, 0.4, 0.72, 0.82, 0.9].into_iter();
+    let offsets = shares.flat_map(move |share| [(share, away), (share, -away)]);
+    offsets.map(move |(share, away)| {
+        // Beside a steep line in mid-height; of a flat one with the corner that is nearest.
+        let corner = Vec2::new(
+            if away.x < 0.0 { size.x } else { 0.0 },
+            match flat {
+                false => 0.5 * size.y,
+                true if away.y < 0.0 => size.y,
+                true => 0.0,
+            },
+        );
+        let place = top.lerp(bottom, share) + away - corner;
+        Rect::new(place.x, place.y, size.x, size.y)
+    })
+}
+
+/// Places of that size on a line, the best first.
+fn upon([top, bottom]: [Vec2; 2], size: Vec2) -> impl Iterator<Item = Rect> {
+    let shares = [0.5, 0.6, 0.4, 0.7, 0.3, 0.8, 0.2].into_iter();
+    shares.map(move |share| {
+        let place = top.lerp(bottom, share) - 0.5 * size;
+        Rect::new(place.x, place.y, size.x, size.y)
+    })
 }
 
 fn is_free(place: Rect, taken: &[Rect], area: Rect) -> bool {

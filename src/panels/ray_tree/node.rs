@@ -1,23 +1,18 @@
-//! What is said of a ray, and how its node is drawn.
+//! How a ray is described, and the frame of its node.
 
-use super::arrange::{Detail, LINE};
+use super::arrange::Detail;
 use super::strings::*;
 use crate::algorithms::ray_tree::{End, RayKind};
 use crate::algorithms::visible::Intersection;
 use crate::color::Rgb;
-use crate::figure::Cell;
 use crate::language::Message;
-use crate::panels::message::labelled;
 use crate::panels::names;
 use crate::panels::strings::Language;
-use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, Text, symbol};
+use crate::picture::{Dash, Ink, Picture, Rect, Stroke, Style, symbol};
 use crate::replay::rays::{Outcome, RayState, State};
 
 /// Width of the strip that shows a node's light.
-const STRIP: f32 = 7.0;
-/// Between a node's border and its text.
-const INSET: f32 = 5.0;
-
+pub(super) const STRIP: f32 = 7.0;
 /// Who says things, and of which run.
 #[derive(Clone, Copy)]
 pub(super) struct Describer<'a> {
@@ -64,12 +59,12 @@ impl Describer<'_> {
         message.format(self.language, arguments)
     }
 
-    /// Where the ray met it, or why it has no t; and the same in short.
-    fn place(&self, ray: &RayState) -> [String; 2] {
+    /// Where the ray met it; of the background, that it does not.
+    pub fn place(&self, ray: &RayState) -> String {
         match ray.met {
-            None => [String::new(), String::new()],
-            Some(Intersection::Nothing) => [self.localize(LEAVES), self.localize(LEAVES_SHORT)],
-            Some(met) => [(); 2].map(|()| format!("t {}", self.number(met.t()))),
+            None => String::new(),
+            Some(met) if met.t().is_finite() => format!("t {}", self.number(met.t())),
+            Some(_) => "t ∞".to_owned(),
         }
     }
 }
@@ -128,16 +123,6 @@ pub(super) fn too_deep(ray: &RayState) -> Vec<&'static str> {
         .filter(|branch| branch.outcome == Outcome::Ended(End::Depth))
         .map(|branch| letter(branch.kind))
         .collect()
-}
-
-/// Lines that a node has more than others of its detail.
-pub(super) fn further_lines(ray: &RayState, detail: Detail) -> usize {
-    let remarks = usize::from(nothing_passes(ray)) + usize::from(!too_deep(ray).is_empty());
-    match detail {
-        Detail::Dot | Detail::Line | Detail::Tiny | Detail::Small => 0,
-        Detail::Brief => remarks,
-        Detail::Full => remarks + ray.shadows.len(),
-    }
 }
 
 /// How a node stands.
@@ -201,96 +186,53 @@ fn outline(standing: Standing) -> Stroke {
     }
 }
 
-/// Writes what a node says, line by line.
-pub(super) fn write(
-    picture: &mut Picture,
-    describer: &Describer,
-    rect: Rect,
-    ray: Option<&RayState>,
-    detail: Detail,
-    scale: f32,
-) {
-    let (line, size) = match detail {
-        Detail::Line | Detail::Tiny => (14.0, 11.0),
-        _ => (LINE, 12.0),
-    };
-    let mut writer = Writer {
-        left: rect.x + INSET + STRIP + 1.0,
-        right: rect.right() - INSET,
-        y: rect.y + 3.0 * scale,
-        scale,
-        line: line * scale,
-        picture,
-    };
-    let bold = Style::Bold.size(size * scale);
-    let body = Style::Body.size(11.0 * scale);
-    let muted = body.ink(Ink::Muted);
-    let Some(ray) = ray else {
-        writer.line(
-            &[describer.localize(NOT_TRACED), describer.localize(ASKED)],
-            muted,
-        );
-        return;
-    };
-    let name = describer.name(ray);
-    let place = describer.place(ray);
-    let marks: Vec<bool> = ray.shadows.iter().map(|verdict| !verdict.blocked).collect();
-    if detail == Detail::Line {
-        writer.end(&place[1], muted);
+/// The local term of a surface; of what is none, why the ray ends there.
+pub(super) fn own_light(describer: &Describer, ray: &RayState) -> Vec<String> {
+    match (ray.met, ray.local) {
+        (Some(Intersection::Nothing), _) => {
+            vec![describer.localize(LEAVES), describer.localize(LEAVES_SHORT)]
+        }
+        (Some(Intersection::Light { .. }), _) => vec![describer.localize(LIGHT_MET)],
+        (_, Some(local)) => valued("I_local", color(local, describer.language)),
+        (_, None) => valued("I_local", NOT_KNOWN.to_owned()),
     }
-    writer.line(&name, bold);
-    match detail {
-        Detail::Dot | Detail::Line => {}
-        Detail::Tiny => writer.line(&place, muted),
-        Detail::Small => {
-            writer.marks(&marks);
-            writer.line(&place, body);
-        }
-        Detail::Brief => {
-            writer.marks(&marks);
-            writer.line(&place, body);
-            writer.light(ray, describer.language);
-            writer.remarks(describer, ray);
-        }
-        Detail::Full => {
-            let facing = ray.surface.and_then(|surface| surface.facing);
-            let cosine =
-                facing.map(|(_, cosine, _)| format!("   cos θ_i {}", describer.number(cosine)));
-            let place = place[0].clone() + &cosine.unwrap_or_default();
-            writer.line(&[place], Style::Label.size(11.0 * scale));
-            if let Some((normal, ..)) = facing {
-                let normal = normal.to_array().map(|v| describer.number(v));
-                writer.line(&[format!("N ({})", describer.language.list(normal))], muted);
-            }
-            for verdict in &ray.shadows {
-                let light = describer.light(verdict.light);
-                let by = verdict.by.map_or_else(String::new, |hit| {
-                    format!(
-                        "{}, t {}",
-                        describer.object(hit.object),
-                        describer.number(hit.t)
-                    )
-                });
-                let mark = mark(!verdict.blocked);
-                writer.line(
-                    &[format!("{light} {mark} {by}")],
-                    body.ink(ink(!verdict.blocked)),
-                );
-            }
-            if let Some(local) = ray.local {
-                writer.line(
-                    &[format!(
-                        "{} {}",
-                        symbol("I_local"),
-                        color(local, describer.language)
-                    )],
-                    Style::Label.size(11.0 * scale),
-                );
-            }
-            writer.light(ray, describer.language);
-            writer.remarks(describer, ray);
-        }
+}
+
+/// What came back along the ray, once it has.
+pub(super) fn sum(describer: &Describer, ray: &RayState) -> Vec<String> {
+    let returned = ray
+        .returned
+        .map(|(light, _)| color(light, describer.language));
+    valued("I", returned.unwrap_or_else(|| NOT_KNOWN.to_owned()))
+}
+
+fn valued(name: &str, value: String) -> Vec<String> {
+    vec![format!("{}  {value}", symbol(name)), value]
+}
+
+/// What a ray's sum is called: once it has come back, and before.
+pub(super) fn sum_symbol(ray: Option<&RayState>) -> String {
+    symbol(match ray.is_some_and(|ray| ray.returned.is_some()) {
+        true => "I",
+        false => "I_sum",
+    })
+}
+
+/// How wide the widest light of the rays is in a node: it is as wide in every language. Of very many, three channels of two decimals.
+pub(super) fn widest_light(state: &State) -> f32 {
+    const MOST: usize = 1500;
+    const USUAL: &str = "0.00 0.00 0.00";
+    let set = Style::Label.size(11.0);
+    if state.rays.len() > MOST {
+        return set.width(USUAL);
     }
+    let lights = state.rays.iter().flat_map(|ray| {
+        let returned = ray.returned.map(|(light, _)| light);
+        [ray.local, returned].into_iter().flatten()
+    });
+    let texts = lights.map(|light| color(light, Language::English));
+    let longest = texts.max_by_key(String::len);
+    longest.map_or(0.0, |text| set.width(&text))
 }
 
 pub(super) fn mark(clear: bool) -> &'static str {
@@ -301,89 +243,5 @@ pub(super) fn ink(clear: bool) -> Ink {
     if clear { Ink::Good } else { Ink::Bad }
 }
 
-/// Lines of text from the top of a node down.
-struct Writer<'a> {
-    picture: &'a mut Picture,
-    left: f32,
-    right: f32,
-    y: f32,
-    line: f32,
-    scale: f32,
-}
-
-impl Writer<'_> {
-    /// The first of several wordings that fits, else the last, shortened.
-    fn line(&mut self, wordings: &[String], set: Text) {
-        let place = Rect::new(self.left, self.y, self.right - self.left, self.line);
-        let forms = wordings.iter().map(|text| (text.clone(), set));
-        Cell::forms(forms).draw(self.picture, place);
-        self.y += self.line;
-    }
-
-    /// At the right end of the line to come, which becomes so much shorter.
-    fn end(&mut self, text: &str, set: Text) {
-        let place = Rect::new(self.left, self.y, self.right - self.left, self.line);
-        self.picture.text_in(place, text, set.end());
-        self.right -= set.width(text) + 5.0;
-    }
-
-    /// Verdicts at the right end of the line to come.
-    fn marks(&mut self, marks: &[bool]) {
-        const MOST: usize = 4;
-        let set = Style::Bold.size(12.0 * self.scale);
-        let mut right = self.right;
-        let counted: Vec<(String, bool)> = if marks.len() <= MOST {
-            marks
-                .iter()
-                .map(|&clear| (mark(clear).to_owned(), clear))
-                .collect()
-        } else {
-            let count = |clear| marks.iter().filter(|&&mark| mark == clear).count();
-            [true, false]
-                .map(|clear| (format!("{}{}", mark(clear), count(clear)), clear))
-                .into()
-        };
-        for (text, clear) in counted.into_iter().rev() {
-            let place = Rect::new(self.left, self.y, right - self.left, self.line);
-            right -= set.width(&text) + 2.0;
-            self.picture.text_in(place, text, set.ink(ink(clear)).end());
-        }
-    }
-
-    /// What came back, or what was gathered so far.
-    fn light(&mut self, ray: &RayState, language: Language) {
-        let set = Style::Label.size(11.0 * self.scale);
-        match (ray.returned, ray.sum) {
-            (Some((returned, _)), _) => {
-                self.line(
-                    &[
-                        format!("I  {}", color(returned, language)),
-                        color(returned, language),
-                    ],
-                    set,
-                );
-            }
-            (None, Some(sum)) => self.line(
-                &[
-                    format!("{}  {}", symbol("I_sum"), color(sum, language)),
-                    color(sum, language),
-                ],
-                set,
-            ),
-            (None, None) => {}
-        }
-    }
-
-    fn remarks(&mut self, describer: &Describer, ray: &RayState) {
-        let set = Style::Body.size(11.0 * self.scale).ink(Ink::Muted);
-        if nothing_passes(ray) {
-            self.line(&[describer.localize(NO_TRANSMITTED)], set.ink(Ink::Warn));
-        }
-        let missing = too_deep(ray);
-        if !missing.is_empty() {
-            let depth = describer.localize(DEPTH_REACHED);
-            let missing = labelled(&missing.join(", "), &depth, describer.language);
-            self.line(&[missing, depth], set);
-        }
-    }
-}
+#[cfg(test)]
+mod tests;

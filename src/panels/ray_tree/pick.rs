@@ -1,5 +1,6 @@
 //! Which rays of the tree are drawn: all where there is room, else those on the way to the current ray, then level by level.
 
+use super::node;
 use crate::replay::rays::{Outcome, RayState, State};
 use std::collections::{BTreeSet, VecDeque};
 
@@ -40,6 +41,8 @@ pub(super) struct Tree {
 /// The rays of a state, with how many lie below each.
 pub(super) struct Rays<'a> {
     pub state: &'a State,
+    /// How wide the widest light is that a node writes.
+    pub widest: f32,
     below: Vec<u32>,
     path: Vec<usize>,
 }
@@ -72,7 +75,12 @@ impl<'a> Rays<'a> {
         }
         let parent = |&index: &usize| state.rays.get(index).and_then(|ray| ray.parent);
         let path = std::iter::successors(state.current, parent).collect();
-        Rays { state, below, path }
+        Rays {
+            state,
+            widest: node::widest_light(state),
+            below,
+            path,
+        }
     }
 
     pub fn len(&self) -> usize {

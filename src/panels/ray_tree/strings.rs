@@ -35,3 +35,8 @@ pub(super) const SO_FAR: Message = Message("ray-tree-so-far");
 pub(super) const NEAREST: Message = Message("ray-tree-nearest");
 pub(super) const TESTED: Message = Message("ray-tree-tested");
 pub(super) const MISSED: Message = Message("ray-tree-missed");
+
+/// Above what each level gave.
+pub(super) const FROM_LEVEL: Message = Message("ray-tree-from-level");
+/// In the place of light that has not come back.
+pub(super) const NOT_KNOWN: &str = "—";

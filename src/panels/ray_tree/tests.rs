@@ -2,22 +2,13 @@ use super::super::fixture::{BALL, FLOOR, Fixture, SKY, SPARK, rays_scene};
 use super::super::fixtures::{SIZES, assert_legible, fixtures, nothing, texts};
 use super::super::strings::Language;
 use super::*;
-use crate::figure::View;
 use crate::picture::Shape;
 use crate::record::Value;
 use crate::render::Method;
 
-fn all_words(picture: &Picture) -> String {
+pub(super) fn all_words(picture: &Picture) -> String {
     let strings: Vec<&str> = texts(picture).into_iter().map(|(text, _)| text).collect();
     strings.join("\n")
-}
-
-/// A tree of 200 rays and more: between the faces of the glass cube.
-fn large() -> Fixture {
-    let mut fixture = Fixture::rays(Method::RayTracing, (150, 260), 16);
-    let last = fixture.walk().len() - 1;
-    fixture.seek(last);
-    fixture
 }
 
 #[test]
@@ -41,46 +32,8 @@ fn nothing_overlaps_or_is_cut_at_any_step_and_size() {
     }
 }
 
-fn rays_of(fixture: &Fixture) -> &State {
+pub(super) fn rays_of(fixture: &Fixture) -> &State {
     fixture.run.rays().expect("the sample follows rays")
-}
-
-#[test]
-fn a_large_tree_is_legible_at_any_step_zoom_and_size() {
-    let mut fixture = large();
-    assert!(rays_of(&fixture).rays.len() > 200);
-    let last = fixture.walk().len() - 1;
-    for step in (0..=last).step_by(last / 5) {
-        fixture.seek(step);
-        for size in SIZES {
-            for zoom in [1.0, 3.0, 20.0] {
-                let tree = TreeView::WHOLE.showing(View::WHOLE.zoomed(zoom));
-                let input = PanelInput {
-                    tree: &tree,
-                    ..fixture.input()
-                };
-                let what = format!("step {step}, {size}, zoom {zoom}");
-                assert_legible(&draw(&input, size), &what);
-            }
-        }
-    }
-}
-
-#[test]
-fn every_ray_is_drawn_or_counted_as_hidden() {
-    let fixture = large();
-    let count = rays_of(&fixture).rays.len();
-    for size in SIZES {
-        let rays = Rays::new(rays_of(&fixture));
-        let tree = arrange(&rays, TreeView::whole(), area(size)).tree;
-        assert_eq!(tree.nodes.len() + tree.hidden, count, "{size}");
-        let said = all_words(&draw(&fixture.input(), size));
-        assert_eq!(
-            said.contains(&format!("{} not shown", tree.hidden)),
-            tree.hidden > 0,
-            "{said}"
-        );
-    }
 }
 
 #[test]
@@ -207,31 +160,6 @@ fn leaves_say_why_they_end() {
 }
 
 #[test]
-fn a_collapsed_ray_hides_what_is_below_and_counts_it() {
-    let mut fixture = Fixture::rays(Method::RayTracing, BALL, 5);
-    let last = fixture.walk().len() - 1;
-    fixture.seek(last);
-    let root = rays_of(&fixture).rays.get(0).unwrap().step;
-    let size = Vec2::new(690.0, 620.0);
-    let whole = draw(&fixture.input(), size);
-    assert_eq!(
-        whole.hit(whole.tagged_bounds(Tag::Fold(root)).unwrap().center()),
-        Some(Tag::Fold(root))
-    );
-    let tree = TreeView::WHOLE.toggled(root);
-    let folded = draw(
-        &PanelInput {
-            tree: &tree,
-            ..fixture.input()
-        },
-        size,
-    );
-    assert!(all_words(&folded).contains("+13"));
-    assert!(folded.items.len() < whole.items.len());
-    assert!(folded.tagged_bounds(Tag::Fold(root)).is_some());
-}
-
-#[test]
 fn a_node_and_its_edge_lead_to_the_step_that_opened_the_ray() {
     let mut fixture = Fixture::rays(Method::RayTracing, BALL, 5);
     let last = fixture.walk().len() - 1;
@@ -242,65 +170,5 @@ fn a_node_and_its_edge_lead_to_the_step_that_opened_the_ray() {
         let items = picture.items.iter().filter(|item| item.tag == Some(tag));
         // A primary ray has no edge.
         assert!(items.count() >= if ray.parent.is_some() { 2 } else { 1 });
-    }
-}
-
-#[test]
-fn the_ray_in_hand_stays_in_view_until_the_viewer_looks_elsewhere() {
-    let mut fixture = large();
-    let size = Vec2::new(420.0, 320.0);
-    let follow = TreeView::WHOLE.showing(View::WHOLE.zoomed(6.0));
-    let fixed = follow.showing(View {
-        center: Some(Vec2::splat(0.1)),
-        ..follow.shown
-    });
-    for n in (0..200).step_by(40) {
-        fixture.go_to("Local", n);
-        let tag = Tag::Scope(rays_of(&fixture).ray().unwrap().step);
-        let picture = draw(
-            &PanelInput {
-                tree: &follow,
-                ..fixture.input()
-            },
-            size,
-        );
-        let node = picture.tagged_bounds(tag).unwrap();
-        assert!(area(size).grown(1.0).encloses(&node), "{n}");
-        let input = PanelInput {
-            tree: &fixed,
-            ..fixture.input()
-        };
-        assert!(middle(&input, size).unwrap().distance(Vec2::splat(0.1)) < 1e-3);
-    }
-}
-
-#[test]
-fn of_a_huge_tree_no_more_is_drawn_than_is_legible() {
-    let fixture = Fixture::rays(Method::RayTracing, BALL, 5);
-    let mut state = rays_of(&fixture).clone();
-    let mut fixture = fixture;
-    fixture.go_to("BranchAdded", 0);
-    let model = rays_of(&fixture).rays.get(0).unwrap().clone();
-    state.rays = Default::default();
-    // A full binary tree in level order.
-    const COUNT: usize = 100_000;
-    for index in 0..COUNT {
-        let mut ray = model.clone();
-        ray.parent = index.checked_sub(1).map(|behind| behind / 2);
-        ray.branches = [2 * index + 1, 2 * index + 2].map(|child| {
-            let mut branch = model.branches[0]?;
-            branch.outcome = Outcome::Ray(child);
-            Some(branch).filter(|_| child < COUNT)
-        });
-        state.rays.push(ray);
-    }
-    state.current = Some(COUNT - 1);
-    for zoom in [1.0, View::LARGEST] {
-        let view = TreeView::WHOLE.showing(View::WHOLE.zoomed(zoom));
-        let drawn = arrange(&Rays::new(&state), &view, area(Vec2::new(690.0, 620.0)));
-        let tree = drawn.tree;
-        assert_eq!(tree.nodes.len() + tree.hidden, COUNT);
-        assert!(tree.nodes.len() < 4000, "{} nodes", tree.nodes.len());
-        assert_eq!(tree.nodes[tree.current].of, pick::Of::Ray(COUNT - 1));
     }
 }
