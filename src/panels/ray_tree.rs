@@ -28,7 +28,7 @@ use crate::language::Message;
 use crate::methods::Method;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::rays::{Outcome, RayState, State};
-use arrange::{Arrangement, Detail};
+use arrange::Arrangement;
 use glam::Vec2;
 use node::{Describer, Standing, letter, line};
 use pick::Rays;
@@ -144,8 +144,7 @@ fn nodes(
     for index in order.chain([current]) {
         let node = &arrangement.tree.nodes[index];
         let (whole, detail) = (arrangement.rects[index], arrangement.details[index]);
-        let rect = whole.intersection(&area);
-        if rect.is_empty() {
+        if whole.intersection(&area).is_empty() {
             continue;
         }
         let ray = rays.ray(node);
@@ -156,12 +155,13 @@ fn nodes(
             Some(_) => Standing::Open,
         };
         let add = |picture: &mut Picture| {
-            let seen_whole = area.grown(0.5).encloses(&whole);
-            if detail > Detail::Dot || seen_whole {
-                node::frame(picture, rect, standing, ray, detail);
-            }
-            if seen_whole && detail > Detail::Dot {
+            let write = |picture: &mut Picture| {
+                node::frame(picture, whole, standing, ray, detail);
                 lines::write(picture, describer, whole, ray, detail, arrangement.scale);
+            };
+            match area.grown(0.5).encloses(&whole) {
+                true => write(picture),
+                false => drop(picture.clipped(area, write)),
             }
         };
         match ray {

@@ -16,9 +16,9 @@ const GAP: f32 = 6.0;
 /// The least width of a level, with its numbers one under the other.
 const NARROWEST: f32 = 46.0;
 /// The width from which on a level has its three numbers in one line.
-const IN_LINE: f32 = 100.0;
-/// Share of the width that the row's name takes, in a row that is wide enough for it.
-const NAME: f32 = 0.13;
+const IN_LINE: f32 = 96.0;
+/// Width of the row's name, in a row that is wide enough for it.
+const NAME: f32 = 118.0;
 const WIDE: f32 = 560.0;
 
 /// What a level gave, and what it is called; of the last one also those below, where there is no room for each.
@@ -86,7 +86,7 @@ impl Levels {
 }
 
 fn name_width(room: f32) -> f32 {
-    if room >= WIDE { NAME * room } else { 0.0 }
+    if room >= WIDE { NAME } else { 0.0 }
 }
 
 /// How high the row is in a panel so wide; 0 where there is none.

@@ -31,8 +31,8 @@ pub(super) enum CardPlace {
 }
 
 impl Places {
-    /// The places in a panel of that size, and the tree in its place. The card gives way where only so every node can say what it
-    /// has to say.
+    /// The places in a panel of that size, and the tree in its place. The card gives way where the tree needs its
+    /// room.
     pub fn new(rays: &Rays, view: &TreeView, size: Vec2) -> (Self, Arrangement) {
         let fitted = view.fitted();
         let named = |places: &Places| {
@@ -40,8 +40,8 @@ impl Places {
             fits.iter().all(|&detail| detail > Detail::Dot)
         };
         let mut choices = Places::choices(rays, size);
-        let best = choices.iter().position(named).unwrap_or(0);
-        let places = choices.swap_remove(best);
+        let best = choices.iter().position(named);
+        let places = choices.swap_remove(best.unwrap_or(choices.len() - 1));
         let arrangement = arrange(rays, view, places.tree);
         (places, arrangement)
     }

@@ -335,14 +335,16 @@ pub fn nothing() -> Fixture {
     fixture
 }
 
-/// The texts of a picture with the boxes that they take.
+/// The texts of a picture with the boxes that they take, as far as they are seen.
 pub fn texts(picture: &Picture) -> Vec<(&str, Rect)> {
     picture
         .items
         .iter()
         .filter_map(|item| match &item.shape {
             Drawn::Text { text, .. } if !text.trim().is_empty() => {
-                Some((text.as_str(), item.shape.bounds()))
+                let bounds = item.shape.bounds();
+                let seen = item.clip.map_or(bounds, |clip| bounds.intersection(&clip));
+                Some((text.as_str(), seen))
             }
             _ => None,
         })
