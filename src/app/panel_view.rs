@@ -120,7 +120,7 @@ impl Key {
                 .filter(|_| panel == Panel::Formula),
             image: (panel == Panel::Image).then(|| session.image()),
             space: (panel == Panel::Space).then(|| (session.space(), session.fan().version())),
-            smooth: panel == Panel::Radiosity && session.look.smooth,
+            smooth: matches!(panel, Panel::Radiosity | Panel::Image) && session.look.smooth,
             unshot: panel == Panel::Radiosity && session.look.unshot,
             pair: session
                 .pair()
@@ -149,7 +149,11 @@ fn meaning(session: &Session, panel: Panel, tag: Tag) -> Option<String> {
             panels::meaning(session.walk(), session.step(), name, session.look.language)
         }
         Tag::Pixel { x, y } if panel == Panel::Image => {
-            Some(panels::pixel_value(&session.panel_input(), x, y))
+            let input = session.panel_input();
+            let pixel = panels::pixel_value(&input, x, y);
+            let patch = session.patch_at(x, y);
+            let patch = patch.and_then(|patch| panels::patch_values(&input, patch));
+            Some(patch.map_or(pixel.clone(), |patch| format!("{pixel}\n{patch}")))
         }
         _ => None,
     }

@@ -388,6 +388,7 @@ image-layer-rays = number of rays
 image-normal-colors = red, green, blue: N along x, y, z from −1 to 1
 image-no-object = none
 image-only = focus: { $focus }
+image-surfaces = surfaces by a lamp at the eye: no light is found yet
 image-drawn = pixels drawn so far: { $count }.
 
 ## keys

@@ -388,6 +388,7 @@ image-layer-rays = jumlah sinar
 image-normal-colors = merah, hijau, biru: N sepanjang x, y, z dari −1 sampai 1
 image-no-object = tidak ada
 image-only = fokus: { $focus }
+image-surfaces = permukaan dengan lampu di mata: cahaya belum dicari
 image-drawn = piksel yang sudah digambar: { $count }.
 
 ## keys

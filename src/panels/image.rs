@@ -1,9 +1,11 @@
 //! The picture so far: what is drawn in full colour, what is still to come as a faint ghost, and what the step works on.
 //!
 //! Where the rays of one pixel are followed, the picture so far is that pixel: the finished picture is shown in full colour
-//! around it, so that it can be seen what the pixel is part of. So it is where a run begins and ends.
+//! around it, so that it can be seen what the pixel is part of. So it is where a run begins and ends; but of a room, whose light is
+//! found step by step, only the light so far is shown.
 
 mod layers;
+mod light;
 mod marks;
 mod placing;
 mod value;
@@ -12,18 +14,19 @@ mod view;
 pub use value::value;
 pub use view::{ImageView, PixelLayer};
 
-use super::horizon::{after_your_answer, hatch, hatched};
+use super::horizon::{after_your_answer, hatch, srgb_bytes};
 use super::strings::focus;
 use super::values::{sentence, step_in_words};
 use super::{PanelInput, Properties};
 use crate::algorithms::focus::Focus;
-use crate::figure::joined;
+use crate::figure::{elided, joined};
 use crate::language::{Language, Message};
 use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, ascent, elide};
 use crate::replay::shading::Dot;
 use crate::replay::{Canvas, Run};
 use glam::{UVec2, Vec2};
 use layers::Shown;
+use light::Light;
 use marks::Marks;
 use placing::Placing;
 use std::iter;
@@ -75,7 +78,12 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     match (&shown, &marks) {
         (Some(shown), _) => shown.legend(&mut picture, row, input),
         (None, Some(marks)) => caption(&mut picture, input, marks, pixels, placing.fit.scale),
-        (None, None) => {}
+        (None, None) => {
+            if let Some(title) = light::title(input) {
+                let set = Style::Body.size(CAPTION).ink(Ink::Muted).middle();
+                elided(&mut picture, row, &title, set);
+            }
+        }
     }
     picture.alt = alt(input, marks.as_ref(), drawn);
     picture
@@ -104,7 +112,8 @@ fn pixels(input: &PanelInput) -> UVec2 {
 
 /// Where the picture stands, in a panel of that size.
 fn area(input: &PanelInput, size: Vec2) -> Rect {
-    let has_row = input.run.canvas().is_some() || Shown::of(input).is_some();
+    let is_said = input.run.canvas().is_some() || light::title(input).is_some();
+    let has_row = is_said || Shown::of(input).is_some();
     let row = if has_row { CAPTION_HEIGHT } else { 0.0 };
     Rect::new(0.0, 0.0, size.x, size.y - row)
 }
@@ -148,7 +157,10 @@ fn image(input: &PanelInput, shown: Option<&Shown>, hidden: Option<&[bool]>) -> 
     let size = pixels(input);
     let (image, drawn) = match input.run.canvas() {
         Some(canvas) => so_far(input, canvas, hidden),
-        None => (finished(input, hidden), 0),
+        None => {
+            let light = Light::of(input).map(|light| light.image());
+            (light.unwrap_or_else(|| finished(input, hidden)), 0)
+        }
     };
     let Some(shown) = shown else {
         return (image, drawn);
@@ -161,23 +173,11 @@ fn image(input: &PanelInput, shown: Option<&Shown>, hidden: Option<&[bool]>) -> 
     )
 }
 
-/// The finished picture alone: the exchange of light between patches draws no pixels.
+/// The finished picture alone: a form factor draws no pixels.
 fn finished(input: &PanelInput, hidden: Option<&[bool]>) -> Image {
     let finished = &input.finished.picture;
-    let exposure = exposure(input.run);
-    let colors = finished.color.iter();
-    let colors = colors.map(|&color| (color * exposure).to_srgb8());
-    let bytes = hatched(colors, finished.width, hidden);
+    let bytes = srgb_bytes(finished, hidden);
     Image::new(finished.width, finished.rows.len() as u32, bytes)
-}
-
-/// As bright as the panel of the room shows the same light.
-fn exposure(run: &Run) -> f64 {
-    let Run::Radiosity(_, replay) = run else {
-        return 1.0;
-    };
-    let solved = replay.state().solved.as_ref();
-    solved.map_or(1.0, |solved| solved.exposure)
 }
 
 /// The canvas, and where nothing is drawn on it yet the finished picture as a ghost, hatched where it is hidden; and how many

@@ -171,7 +171,7 @@ fn coloring(input: &PanelInput, room: &Enclosure) -> Coloring {
 }
 
 /// What is shown, and of which channels.
-fn title(state: &State, room: &Enclosure, language: Language) -> String {
+pub(super) fn title(state: &State, room: &Enclosure, language: Language) -> String {
     let localize = |strings: Message| strings.text(language);
     let Some(now) = state.channel() else {
         return localize(EMISSION).to_string();

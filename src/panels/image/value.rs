@@ -3,7 +3,8 @@
 use super::super::horizon::UNKNOWN;
 use super::super::message::labelled;
 use super::super::strings::focus;
-use super::{exposure, layers, shows_finished};
+use super::light::Light;
+use super::{layers, shows_finished};
 use crate::algorithms::focus::Focus;
 use crate::color::Rgb;
 use crate::language::Message;
@@ -27,11 +28,17 @@ pub fn value(input: &PanelInput, x: u32, y: u32) -> String {
     if let Some(said) = layers::said(input, x, y) {
         return labelled(&pixel, &said, language);
     }
-    let Some(color) = color(input, x, y) else {
+    let light = Light::of(input);
+    let exposure = light.as_ref().map_or(1.0, |light| light.exposure);
+    let color = match light {
+        Some(light) => light.at(x, y),
+        None => color(input, x, y),
+    };
+    let Some(color) = color else {
         return NOT_DRAWN.format(language, &[("pixel", &pixel)]);
     };
     let linear = color.channels().map(|channel| language.short(channel, 4));
-    let bytes = (color * exposure(input.run)).to_srgb8();
+    let bytes = (color * exposure).to_srgb8();
     let [r, g, b] = bytes;
     let arguments = [
         ("pixel", &*pixel),

@@ -119,7 +119,10 @@ fn a_cell_says_its_form_factor_unless_a_question_hides_it() {
     let room = fixture.run.enclosure().expect("an enclosure");
     let f = room.matrix().expect("a matrix")[3 * room.patches.len() + 4];
     let said = form_factor_values(&fixture.input(), [3, 4]).expect("a cell");
-    assert!(said.starts_with(&format!("F_{{3, 4}} = {}", Language::English.number(f))));
+    assert!(said.starts_with(&format!(
+        "F_{{3, 4}} = {}",
+        Language::English.significant(f, 4)
+    )));
     assert!(said.ends_with("j = 4: lamp"), "{said}");
     let input = PanelInput {
         pending: Some(&[]),

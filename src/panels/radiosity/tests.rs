@@ -213,7 +213,7 @@ fn two_selected_patches_are_outlined_with_their_form_factors() {
                 assert_legible(&picture, &format!("pair at {size}"));
                 let printed = fixtures::texts(&picture);
                 let printed: Vec<&str> = printed.into_iter().map(|(text, _)| text).collect();
-                let f = language.number(f(3, 60));
+                let f = language.significant(f(3, 60), 4);
                 let begins = |text: &&str| text.starts_with(&format!("F_{{3, 60}} = {f}"));
                 assert!(printed.iter().any(begins), "{size}: {printed:?}");
             }

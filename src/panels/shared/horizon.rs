@@ -9,6 +9,7 @@ use crate::figure::elided;
 use crate::language::Language;
 use crate::panels::PanelInput;
 use crate::picture::{Ink, Picture, Rect, Style};
+use crate::replay::Run;
 use glam::DVec2;
 use std::iter;
 use std::ops::Range;
@@ -53,7 +54,9 @@ impl PanelInput<'_> {
         }
         let count = frame.color.len();
         let Some(canvas) = self.run.canvas() else {
-            return Some(vec![true; count]);
+            // A room is shown in its light so far, which is known.
+            let is_ahead = !matches!(self.run, Run::Radiosity(..));
+            return is_ahead.then(|| vec![true; count]);
         };
         // What is drawn so far may be covered by what is nearer.
         let finished = self

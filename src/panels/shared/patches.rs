@@ -57,7 +57,7 @@ fn in_channels(color: Rgb, language: Language) -> String {
 /// `F_{3, 5} = 0.0123`; a question mark where it is hidden. None where the run has no such form factor.
 pub fn form_factor(input: &PanelInput, [i, j]: [usize; 2]) -> Option<String> {
     let f = match found(input, [i, j])? {
-        Some(f) => input.language.number(f),
+        Some(f) => input.language.significant(f, 4),
         None => UNKNOWN.to_string(),
     };
     Some(format!("F_{{{i}, {j}}} = {f}"))
