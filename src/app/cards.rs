@@ -83,13 +83,16 @@ fn card(
     };
     let wide = rect.width() >= WIDE;
     let has_room = row.available_width() >= CONTROLS + WAY;
+    let has_controls = row.available_width() >= controls_width(panel);
     let fill = (sign, name, Command::Fill);
     let rest = at_end(session, fill, commands, &mut row, |ui, commands| {
         if wide {
             if has_room {
                 way_to_selected(session, commands, ui);
             }
-            controls(session, panel, commands, ui);
+            if has_controls {
+                controls(session, panel, commands, ui);
+            }
         }
     });
     if wide {
@@ -243,6 +246,17 @@ fn controls(session: &Session, panel: Panel, commands: &mut Vec<Command>, ui: &m
     }
     if matches!(panel, Panel::Radiosity | Panel::Space | Panel::Matrix) {
         room_controls::step_by_step(session, commands, ui);
+    }
+}
+
+/// Room for what a panel lets be changed, and the button after it; where there is less, the keys and the pointer do the same.
+fn controls_width(panel: Panel) -> f32 {
+    match panel {
+        Panel::Image => 270.0,
+        Panel::Space => 320.0,
+        Panel::Radiosity => 250.0,
+        Panel::RayTree | Panel::Matrix => 150.0,
+        _ => 0.0,
     }
 }
 

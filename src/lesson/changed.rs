@@ -115,6 +115,7 @@ fn other_words(lesson: &str, at: &str, walk: &dyn Walk, question: &Question) -> 
 fn verdicts(lesson: &Lesson, change: Change) -> Option<usize> {
     let (scene, settings) = lesson.changed(&[change]).ok()?;
     let setup = Arc::new(lesson.setup(scene, settings)?);
+    setup.check(lesson.focus).ok()?;
     let run = Run::record(
         setup,
         lesson.method,

@@ -42,7 +42,7 @@ fn card(screen: &Screen, stop: Rect) -> usize {
         () if at.x < side.left() - 4.0 => 1,
         () if at.x < side.right() + 4.0 => 2,
         () => {
-            assert!(window.contains(at));
+            assert!(window.contains(at), "{stop} in {window}");
             3
         }
     }

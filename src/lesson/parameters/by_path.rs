@@ -15,7 +15,12 @@ use std::ops::RangeInclusive;
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct NumberFile {
-    pub path: String,
+    /// Of a number, or of a colour, whose largest channel it is; either this or `places`.
+    #[serde(default, deserialize_with = "present")]
+    pub path: Option<String>,
+    /// Several numbers that follow from this one.
+    #[serde(default, deserialize_with = "present")]
+    pub places: Option<Vec<Keyed<PlaceFile>>>,
     pub name: Text,
     pub from: f64,
     pub to: f64,
@@ -27,6 +32,17 @@ pub struct NumberFile {
     pub logarithmic: Option<bool>,
     #[serde(default, deserialize_with = "present")]
     pub unit: Option<Text>,
+}
+
+/// A number of the document that is `times` the parameter `plus` something.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlaceFile {
+    pub path: String,
+    #[serde(default, deserialize_with = "present")]
+    pub times: Option<f64>,
+    #[serde(default, deserialize_with = "present")]
+    pub plus: Option<f64>,
 }
 
 /// One of several values as a parameter.
@@ -48,11 +64,59 @@ pub struct ValueFile {
 /// A value of the document that may be changed.
 #[derive(Clone, Debug)]
 pub struct ByPath {
-    path: Path,
+    places: Vec<Place>,
     pub name: Text,
     pub kind: Kind,
     /// The lesson's own value.
     pub value: PathValue,
+}
+
+/// Where a parameter stands in the document, and what it is there.
+#[derive(Clone, Debug)]
+struct Place {
+    path: Path,
+    times: f64,
+    plus: f64,
+    /// The lesson's own value.
+    own: Value,
+}
+
+impl Place {
+    /// A number there; of a colour, whose channels keep their ratios, the largest channel.
+    fn written(&self, number: f64, whole: bool) -> Value {
+        let number = self.times * number + self.plus;
+        let one = |number: f64| match whole {
+            true => Value::from(number.round() as i64),
+            false => Value::from(number),
+        };
+        let Some(channels) = channels(&self.own) else {
+            return one(number);
+        };
+        let largest = largest(&channels);
+        let scaled = |channel: f64| match largest > 0.0 {
+            true => channel * (number / largest),
+            false => number,
+        };
+        Value::from_iter(channels.into_iter().map(|channel| one(scaled(channel))))
+    }
+
+    /// The parameter that has the lesson's own value there; none where that is no number.
+    fn parameter(&self) -> Option<f64> {
+        let number = match channels(&self.own) {
+            Some(channels) => largest(&channels),
+            None => self.own.as_f64()?,
+        };
+        Some((number - self.plus) / self.times)
+    }
+}
+
+/// The numbers of a list of nothing else.
+fn channels(value: &Value) -> Option<Vec<f64>> {
+    value.as_array()?.iter().map(Value::as_f64).collect()
+}
+
+fn largest(channels: &[f64]) -> f64 {
+    channels.iter().copied().fold(0.0, f64::max)
 }
 
 #[derive(Clone, Debug)]
@@ -76,16 +140,12 @@ pub enum PathValue {
 }
 
 impl ByPath {
-    /// As in the document; none where the parameter does not have such a value.
-    fn written(&self, value: PathValue) -> Option<Value> {
+    /// As at a place in the document; none where the parameter does not have such a value.
+    fn written(&self, place: &Place, value: PathValue) -> Option<Value> {
         match (&self.kind, value) {
             (Kind::Number { range, whole, .. }, PathValue::Number(number)) => {
                 let fits = range.contains(&number);
-                let written = match whole {
-                    true => Value::from(number.round() as i64),
-                    false => Value::from(number),
-                };
-                fits.then_some(written)
+                fits.then(|| place.written(number, *whole))
             }
             (Kind::Choice(options), PathValue::Option(index)) => {
                 options.get(index).map(|(value, _)| value.clone())
@@ -167,11 +227,24 @@ pub struct Source {
 
 impl Source {
     /// `files` are those that were read for the document.
-    pub fn new(bytes: &[u8], files: Vec<(String, Vec<u8>)>, limits: &Limits) -> Option<Self> {
+    pub fn new(bytes: &[u8], mut files: Vec<(String, Vec<u8>)>, limits: &Limits) -> Option<Self> {
         let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
         let mut document: Value = serde_json::from_slice(bytes).ok()?;
+        let keys = document.as_object_mut()?;
         // What reads the changed document has no parameters of its own to find.
-        document.as_object_mut()?.remove("parameters");
+        keys.remove("parameters");
+        if let Some(Value::String(path)) = keys.remove("scene_file") {
+            // The paths of a scene begin in its folder.
+            let folder = path
+                .rsplit_once('/')
+                .map_or(0, |(folder, _)| folder.len() + 1);
+            let (_, scene) = files.iter().find(|(name, _)| *name == path)?;
+            keys.insert("scene".into(), serde_json::from_slice(scene).ok()?);
+            files.retain(|(name, _)| *name != path);
+            for (name, _) in &mut files {
+                name.drain(..folder.min(name.len()));
+            }
+        }
         Some(Source {
             document,
             files,
@@ -186,11 +259,12 @@ impl Source {
     ) -> Result<Lesson, LessonError> {
         let mut document = self.document.clone();
         for (parameter, value) in values {
-            let written = parameter.written(value);
-            let place = parameter.path.find(&mut document);
-            match (place, written) {
-                (Some(place), Some(written)) => *place = written,
-                _ => return Err(problem("parameters", "found a value out of its range").into()),
+            for place in &parameter.places {
+                let written = parameter.written(place, value);
+                match (place.path.find(&mut document), written) {
+                    (Some(found), Some(written)) => *found = written,
+                    _ => return Err(problem("parameters", "found a value out of its range").into()),
+                }
             }
         }
         let bytes = serde_json::to_vec(&document).expect("a document is written as text");
@@ -204,11 +278,28 @@ impl Source {
 
 /// A number that the document gives. Errors: what is wrong with it.
 pub fn number(file: &NumberFile, source: &Source) -> Result<ByPath, String> {
-    let (path, found) = given(&file.path, source)?;
+    let places = match (&file.path, &file.places) {
+        (Some(path), None) => vec![given(path, source)?],
+        (None, Some(files)) if !files.is_empty() => {
+            let place = |Keyed(file): &Keyed<PlaceFile>| {
+                let times = file.times.unwrap_or(1.0);
+                if times == 0.0 {
+                    return Err("found `times` 0; then the parameter would change nothing".into());
+                }
+                Ok(Place {
+                    times,
+                    plus: file.plus.unwrap_or(0.0),
+                    ..given(&file.path, source)?
+                })
+            };
+            files.iter().map(place).collect::<Result<_, String>>()?
+        }
+        _ => return Err("a number has exactly one of the keys `path` and `places`".into()),
+    };
     let (from, to) = (file.from, file.to);
-    let number = found
-        .as_f64()
-        .ok_or_else(|| format!("`{}` is {found}; a `number` changes a number", file.path))?;
+    let number = places[0]
+        .parameter()
+        .ok_or_else(|| format!("found {}, where a `number` changes a number", places[0].own))?;
     let logarithmic = file.logarithmic.unwrap_or(false);
     if from.partial_cmp(&to) != Some(std::cmp::Ordering::Less) || logarithmic && from <= 0.0 {
         return Err(format!(
@@ -221,7 +312,7 @@ pub fn number(file: &NumberFile, source: &Source) -> Result<ByPath, String> {
         ));
     }
     Ok(ByPath {
-        path,
+        places,
         name: file.name.clone(),
         kind: Kind::Number {
             range: from..=to,
@@ -235,22 +326,27 @@ pub fn number(file: &NumberFile, source: &Source) -> Result<ByPath, String> {
 
 /// A value of the document among several. Errors: what is wrong with it.
 pub fn choice(file: &ChoiceFile, source: &Source) -> Result<ByPath, String> {
-    let (path, found) = given(&file.path, source)?;
+    let place = given(&file.path, source)?;
     let mut options = file.options.iter();
-    let own = options.position(|Keyed(option)| option.value == found);
-    let own =
-        own.ok_or_else(|| format!("`{}` is {found}, which is none of the options", file.path))?;
+    let own = options.position(|Keyed(option)| option.value == place.own);
+    let own = own.ok_or_else(|| {
+        format!(
+            "`{}` is {}, which is none of the options",
+            file.path, place.own
+        )
+    })?;
     let options = file.options.iter();
     let options = options.map(|Keyed(option)| (option.value.clone(), option.name.clone()));
     Ok(ByPath {
-        path,
+        places: vec![place],
         name: file.name.clone(),
         kind: Kind::Choice(options.collect()),
         value: PathValue::Option(own),
     })
 }
 
-fn given(text: &str, source: &Source) -> Result<(Path, Value), String> {
+/// The place of that path, which the document gives a value.
+fn given(text: &str, source: &Source) -> Result<Place, String> {
     let path = Path::parse(text).ok_or_else(|| {
         format!("found the path \"{text}\"; a path is written like scene.objects[2].sphere.radius")
     })?;
@@ -259,7 +355,12 @@ fn given(text: &str, source: &Source) -> Result<(Path, Value), String> {
     let found = found.ok_or_else(|| {
         format!("the lesson gives no value at `{text}`; write one there to change it")
     })?;
-    Ok((path, found))
+    Ok(Place {
+        path,
+        times: 1.0,
+        plus: 0.0,
+        own: found,
+    })
 }
 
 impl Lesson {
@@ -288,6 +389,30 @@ impl Lesson {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_number_stands_where_its_places_say_and_a_colour_keeps_its_hue() {
+        let path = Path::parse("a").unwrap();
+        let place = |own: Value, times: f64, plus: f64| Place {
+            path: path.clone(),
+            times,
+            plus,
+            own,
+        };
+        let half = place(0.25.into(), -0.5, 0.5);
+        assert_eq!(half.parameter(), Some(0.5));
+        assert_eq!(half.written(1.0, false), Value::from(0.0));
+        let red = place(serde_json::json!([0.8, 0.2, 0.2]), 1.0, 0.0);
+        assert_eq!(red.parameter(), Some(0.8));
+        assert_eq!(red.written(0.4, false), serde_json::json!([0.4, 0.1, 0.1]));
+        let black = place(serde_json::json!([0, 0, 0]), 1.0, 0.0);
+        assert_eq!(
+            black.written(0.4, false),
+            serde_json::json!([0.4, 0.4, 0.4])
+        );
+        assert_eq!(place(3.into(), 1.0, 0.0).written(4.6, true), Value::from(5));
+        assert_eq!(place("word".into(), 1.0, 0.0).parameter(), None);
+    }
 
     #[test]
     fn a_path_leads_through_keys_and_indices() {
