@@ -1,6 +1,7 @@
 //! The window on the screen: eframe's part of the app.
 
 use super::keeper::{self, Keeper};
+use super::opened::{Opened, ReadDocument};
 use super::session::{Kept, Session, listed};
 use super::style;
 use super::window;
@@ -8,6 +9,7 @@ use super::window_state::Window;
 use crate::lesson::{Lesson, builtin, builtins};
 use std::any::Any;
 use std::panic::{self, AssertUnwindSafe};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -27,11 +29,18 @@ impl eframe::App for App {
 }
 
 /// Opens the window on a lesson, where it was left unless a step is given; without a lesson on the page of all lessons. Returns when
-/// it is closed.
+/// it is closed. `read` reads what is dropped on the window, and the file at the path, which the lesson is from, when it is saved again.
 ///
 /// Errors: one line on why there is no window, and what works without.
-pub fn open(lesson: Option<Lesson>, step: Option<usize>) -> Result<(), String> {
-    let mut window = Window::default();
+pub fn open(
+    lesson: Option<Lesson>,
+    step: Option<usize>,
+    (read, path): (ReadDocument, Option<PathBuf>),
+) -> Result<(), String> {
+    let mut window = Window {
+        opened: Some(Opened::new(read, path)),
+        ..Window::default()
+    };
     let mut kept = Kept::default();
     let mut trouble = None;
     if let Some(folder) = keeper::data_folder() {

@@ -19,6 +19,7 @@ mod lesson_card;
 mod main_window;
 mod narration;
 mod notice;
+mod opened;
 mod outline;
 mod panel_view;
 mod parameter_drawer;
@@ -50,4 +51,5 @@ mod window_state;
 mod tests;
 
 pub use main_window::open;
+pub use opened::ReadDocument;
 pub use session::{Command, Session};

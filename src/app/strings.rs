@@ -118,6 +118,10 @@ pub const REDO: Message = Message("app-redo");
 pub const NOTHING_TO_UNDO: Message = Message("app-nothing-to-undo");
 pub const NOTHING_TO_REDO: Message = Message("app-nothing-to-redo");
 pub const RANGE_IN: Message = Message("app-range-in");
+pub const METHOD: Message = Message("app-method");
+pub const METHOD_OF_THE_LESSON: Message = Message("app-method-of-the-lesson");
+pub const METHOD_AS_IT_IS: Message = Message("app-method-as-it-is");
+pub const READ_AGAIN: Message = Message("app-read-again");
 pub const UNSAID: Message = Message("app-unsaid");
 pub const PUT_BACK: Message = Message("app-put-back");
 

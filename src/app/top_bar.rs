@@ -7,6 +7,8 @@ use super::row_end::row_end;
 use super::session::{Command, Session, Sheet, StudyCommand};
 use super::{strings, style};
 use crate::language::{Language, Message};
+use crate::methods::Method;
+use crate::panels::method_name;
 use crate::picture::{Ink, Theme};
 use egui::{Button, Color32, Frame, Margin, RichText, Ui};
 
@@ -117,6 +119,9 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     if session.look.home {
         return;
     }
+    if session.lesson().is_free_walk() {
+        return methods(session, commands, ui);
+    }
     for (sign, name, command) in [
         ("◀", strings::PREVIOUS_LESSON, Command::PreviousLesson),
         ("▶", strings::NEXT_LESSON, Command::NextLesson),
@@ -125,6 +130,24 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         let sign = RichText::new(sign).size(11.0);
         button(session, Button::new(sign), name, command, commands, ui);
     }
+}
+
+/// The methods by which a scene can be walked through.
+fn methods(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let language = session.look.language;
+    let now = method_name(session.lesson().method, language);
+    let menu = egui::containers::menu::MenuButton::new(format!("{now} ▾"));
+    let (response, _) = menu.ui(ui, |ui| {
+        undress(ui);
+        for method in Method::ALL {
+            let name = method_name(method, language);
+            let choose = Command::Method(method);
+            button(session, Button::new(&name), &name, choose, commands, ui);
+        }
+    });
+    let name = session.localize(strings::METHOD);
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
+    response.on_hover_text(name);
 }
 
 /// Themes, text size, questions; what a narrow bar has no room for is in here too.

@@ -2,6 +2,7 @@
 
 use super::cards::panel_on;
 use super::layout::{GAP, Layout, TRANSPORT, Wishes, column_widths, layout};
+use super::opened::{self, Opened};
 use super::session::{Command, Session, Sheet};
 use super::window_state::Window;
 use super::{
@@ -24,6 +25,7 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     }
     close_menus(&ctx);
     window.play_on(session, &ctx);
+    window.open_files(session, &ctx);
     session.take_picture();
     session.take_findings();
     if session.awaits_picture() {
@@ -173,6 +175,29 @@ impl Window {
         session.advance(passed);
         if session.playing().is_some() {
             ctx.request_repaint_after(Duration::from_secs_f64(1.0 / session.speed().min(60.0)));
+        }
+    }
+
+    /// Opens what is dropped on the window, and reads again what was saved.
+    fn open_files(&mut self, session: &mut Session, ctx: &egui::Context) {
+        let Some(opened) = &mut self.opened else {
+            return;
+        };
+        let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
+        let told = match dropped {
+            Some(file) => Some(opened.open(session, file.path()).map(|()| None)),
+            None => opened
+                .look(session)
+                .map(|read| read.map(|()| Some(strings::READ_AGAIN))),
+        };
+        if let Some(told) = told {
+            self.notice = match told {
+                Ok(said) => said.map(|said| session.localize(said).to_owned()),
+                Err(why) => Some(why),
+            };
+        }
+        if self.opened.as_ref().is_some_and(Opened::has_file) {
+            ctx.request_repaint_after(opened::LOOK);
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::home::HomePage;
 use super::keeper::Keeper;
+use super::opened::Opened;
 use super::panel_view::{Key, PanelView};
 use super::study_plot::StudyPlot;
 use crate::panels::Panel;
@@ -26,6 +27,8 @@ pub struct Window {
     /// Why the last command was refused, or what it did, until the next one.
     pub(super) notice: Option<String>,
     pub(super) borders: Borders,
+    /// Files that are opened in the window; none in tests.
+    pub(super) opened: Option<Opened>,
     /// Where progress is kept; nowhere in tests.
     pub(super) keeper: Option<Keeper>,
     /// The least heights of the first formula and of all, with their numbers, and what they depend on.

@@ -32,6 +32,38 @@ pub fn lesson_or_scene(name: &str, limits: &Limits) -> Result<Document, Failure>
     }
 }
 
+/// Reads what the window can walk through: a lesson, a scene, or a mesh, which gets a camera and a light.
+#[cfg(feature = "gui")]
+pub fn to_walk(name: &str) -> Result<Lesson, Failure> {
+    let path = Path::new(name);
+    let limits = Limits::default();
+    let extension = path
+        .extension()
+        .map(|extension| extension.to_ascii_lowercase());
+    let is_mesh = extension
+        .is_some_and(|extension| ["obj", "gltf", "glb"].iter().any(|mesh| extension == *mesh));
+    let title = path.file_name().unwrap_or_default().to_string_lossy();
+    let scene = if is_mesh {
+        let folder = folder_of(path);
+        let mut read_file = |name: &str| read_inside(&folder, name);
+        scene::scene_of_mesh(&title, &limits, &mut read_file)
+            .map_err(|error| wrong(&path.display(), &error))?
+    } else {
+        match lesson_or_scene(name, &limits)? {
+            Document::Lesson(lesson) => return Ok(*lesson),
+            Document::Scene(scene) => *scene,
+        }
+    };
+    // The window asks for all that a picture needs.
+    let checked = prepared(
+        scene,
+        Lesson::SIZE_OF_A_WALK,
+        Method::RayTracing,
+        &path.display(),
+    )?;
+    Ok(Lesson::of_scene(&title, checked))
+}
+
 /// Reads a lesson or scene file: what has the key `steps` is a lesson.
 pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
     #[derive(Deserialize)]

@@ -4,7 +4,7 @@ use super::failure::Failure;
 
 #[derive(clap::Args, Default)]
 pub struct Arguments {
-    /// The id of a lesson, or a lesson file; the page of all lessons unless given
+    /// The id of a lesson, or a lesson, scene or mesh file; the page of all lessons unless given
     lesson: Option<String>,
     /// The step to open it at, counted from 0; where it was left unless given
     #[arg(long, value_name = "N", requires = "lesson")]
@@ -13,27 +13,30 @@ pub struct Arguments {
 
 #[cfg(feature = "gui")]
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    use super::files::{self, Document};
-    use crate::scene::Limits;
+    use super::files;
+    use crate::lesson::builtin;
+    use std::path::{Path, PathBuf};
+    let path = arguments.lesson.as_ref();
+    let path = path
+        .filter(|name| builtin(name).is_none())
+        .map(PathBuf::from);
     let lesson = match arguments.lesson {
         None => None,
-        Some(name) => match files::lesson_or_scene(&name, &Limits::default())? {
-            Document::Lesson(lesson) => {
-                // A lesson that does not resolve is a wrong file, whether or not there is a display.
-                lesson
-                    .clone()
-                    .open()
-                    .map_err(|error| files::wrong(&name, &error))?;
-                Some(*lesson)
-            }
-            Document::Scene(_) => {
-                return Err(Failure::Wrong(format!(
-                    "{name}: is a scene; the window opens lessons"
-                )));
-            }
-        },
+        Some(name) => {
+            let lesson = files::to_walk(&name)?;
+            // A lesson that does not resolve is a wrong file, whether or not there is a display.
+            lesson
+                .clone()
+                .open()
+                .map_err(|error| files::wrong(&name, &error))?;
+            Some(lesson)
+        }
     };
-    crate::app::open(lesson, arguments.step).map_err(Failure::Failed)
+    let read = |path: &Path| {
+        let lesson = files::to_walk(&path.to_string_lossy());
+        lesson.map_err(|failure| failure.to_string())
+    };
+    crate::app::open(lesson, arguments.step, (read, path)).map_err(Failure::Failed)
 }
 
 #[cfg(not(feature = "gui"))]

@@ -1,12 +1,65 @@
 //! Lessons that are made in the program: a picture that can be walked through, with a few words at its first step.
 
 use super::file::{StepFile, Text};
+use super::parameters::{Coefficient, Parameter};
 use super::resolve::Lesson;
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::language::{Language, Message};
+use crate::methods::{Family, Settings};
 use crate::methods::{Method, Setup};
 use crate::panels::Panel;
 use crate::replay::Query;
+use crate::scene::{Light, Scene};
 
 impl Lesson {
+    /// The size of the picture of a scene that is walked through freely.
+    pub const SIZE_OF_A_WALK: [u32; 2] = [480, 360];
+
+    /// A walk through a scene of that name, by the method that suits it: ray tracing, or radiosity where it has surfaces that give off
+    /// light and no lamps.
+    pub fn of_scene(name: &str, prepared: PreparedScene) -> Lesson {
+        let scene = &prepared.scene;
+        let glows = scene
+            .materials
+            .iter()
+            .any(|material| material.emission.max_channel() > 0.0);
+        let method = match scene.lights.is_empty() && glows {
+            true => Method::Radiosity,
+            false => Method::RayTracing,
+        };
+        let setup = Setup::new(prepared, Settings::default());
+        // Braces would stand for values of the run.
+        let name: String = name.chars().filter(|c| !matches!(c, '{' | '}')).collect();
+        let title = Language::ALL.map(|_| name.clone());
+        let say = Language::ALL.map(|language| Message("free-walk-say").text(language).to_owned());
+        let lesson = Lesson::of_picture(title, say, &setup, method);
+        Lesson {
+            id: FREE_WALK.into(),
+            ..lesson.by_method(method)
+        }
+    }
+
+    /// Whether it is a walk through a scene, whose method can be chosen.
+    pub fn is_free_walk(&self) -> bool {
+        self.number == Lesson::UNNUMBERED && self.id == FREE_WALK
+    }
+
+    /// The same walk by another method.
+    pub fn by_method(&self, method: Method) -> Lesson {
+        let panels = method.family().panels_of_a_walk().into_iter();
+        let parameters = match method.family() {
+            Family::Exchange => Vec::new(),
+            Family::Polygons | Family::Rays => parameters(&self.scene),
+        };
+        Lesson {
+            method,
+            focus: method.family().focus(self.size),
+            panels: panels.filter_map(Panel::called).collect(),
+            parameters,
+            ..self.clone()
+        }
+    }
+
     /// The number of a lesson that stands in no list.
     pub const UNNUMBERED: u32 = 0;
 
@@ -50,4 +103,26 @@ impl Lesson {
             }],
         }
     }
+}
+
+/// The id of a walk through a scene.
+const FREE_WALK: &str = "scene";
+/// Of so many materials coefficients can be changed.
+const MATERIALS: usize = 4;
+
+/// What can be changed in a scene: its lamps, the eye, and the coefficients of its first materials.
+fn parameters(scene: &Scene) -> Vec<Parameter> {
+    let lights = scene.lights.iter().enumerate();
+    let lamps = lights.filter(|(_, light)| matches!(light, Light::Point { .. }));
+    let lamps = lamps.map(|(light, _)| Parameter::Light(light));
+    let materials = 0..scene.materials.len().min(MATERIALS);
+    let coefficients = [
+        Coefficient::Diffuse,
+        Coefficient::Specular,
+        Coefficient::Shininess,
+    ];
+    let of_materials = materials.flat_map(|material| {
+        coefficients.map(|coefficient| Parameter::Coefficient(material, coefficient))
+    });
+    lamps.chain([Parameter::Eye]).chain(of_materials).collect()
 }

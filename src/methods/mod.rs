@@ -64,6 +64,15 @@ impl Family {
         }
     }
 
+    /// By name: what is shown of a scene that one walks through freely.
+    pub fn panels_of_a_walk(self) -> [&'static str; 5] {
+        match self {
+            Family::Polygons => ["image", "scan-line", "active-edges", "vertex", "space"],
+            Family::Rays => ["image", "ray-tree", "vectors", "illumination", "space"],
+            Family::Exchange => ["radiosity", "image", "matrix", "convergence", "space"],
+        }
+    }
+
     fn records(self, focus: Focus) -> bool {
         match focus {
             Focus::Frame => true,

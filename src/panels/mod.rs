@@ -22,9 +22,9 @@ pub use shared::horizon::Hidden;
 #[cfg(test)]
 pub use shared::names::word as word_name;
 pub use shared::names::{
-    kind as kind_name, meaning, meaning_and_origin, object as object_name, of_field as named_by,
-    patch as patch_name, quantity as quantity_name, ray_kind as ray_kind_name,
-    scope as scope_names,
+    kind as kind_name, meaning, meaning_and_origin, method as method_name, object as object_name,
+    of_field as named_by, patch as patch_name, quantity as quantity_name,
+    ray_kind as ray_kind_name, scope as scope_names,
 };
 pub use shared::patches::{form_factor, form_factor_values, patch_values};
 pub use shared::strings;

@@ -2,6 +2,7 @@
 //!
 //! Right-handed coordinates, any length unit; angles in radians here, in degrees in files; colours in linear RGB.
 
+mod bare_mesh;
 mod body_notes;
 mod camera;
 mod division;
@@ -21,6 +22,7 @@ mod tessellation;
 mod validate;
 mod values;
 
+pub use bare_mesh::scene_of_mesh;
 pub use body_notes::body_notes;
 pub use camera::{Camera, View};
 pub use file::SceneFile;

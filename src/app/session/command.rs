@@ -4,6 +4,7 @@ use super::outline::Sheet;
 use crate::algorithms::focus::Focus;
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Guess};
+use crate::methods::Method;
 use crate::panels::{ImageView, InspectorView, Panel, SpaceView, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::scene::Part;
@@ -94,6 +95,8 @@ pub enum Command {
     Forget,
     /// Error against run time.
     Study(StudyCommand),
+    /// Another method for a scene that one walks through freely.
+    Method(Method),
     /// A built-in lesson by its id.
     Open(String),
     NextLesson,

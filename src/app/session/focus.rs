@@ -120,13 +120,13 @@ impl Session {
 }
 
 /// What a step is about, by values that another recording has too.
-struct Place {
+pub(super) struct Place {
     kind: &'static str,
     at: Vec<(&'static str, i64)>,
 }
 
 impl Place {
-    fn of(walk: &dyn Walk, step: usize) -> Self {
+    pub(super) fn of(walk: &dyn Walk, step: usize) -> Self {
         if walk.is_empty() {
             return Place {
                 kind: "Frame",
@@ -166,7 +166,7 @@ impl Place {
     }
 
     /// The step nearest to `here` that agrees in kind and place; else in its kind alone.
-    fn nearest(&self, walk: &dyn Walk, here: usize) -> Option<usize> {
+    pub(super) fn nearest(&self, walk: &dyn Walk, here: usize) -> Option<usize> {
         let here = here.min(walk.len().checked_sub(1)?);
         [self.at.len(), 0].into_iter().find_map(|known| {
             let query = self.query(known);

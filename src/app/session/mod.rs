@@ -2,6 +2,7 @@
 
 mod change;
 mod command;
+mod document;
 mod fan;
 mod focus;
 mod forced;

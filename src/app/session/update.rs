@@ -87,6 +87,7 @@ impl Session {
                 self.studying.is_open = false;
                 self.look.home = false;
             }
+            Command::Method(method) => return self.choose_method(method),
             Command::NextLesson => return self.open_neighbour(Neighbour::Next),
             Command::PreviousLesson => return self.open_neighbour(Neighbour::Previous),
             Command::Home => self.toggle_home(),
@@ -129,6 +130,7 @@ impl Session {
             Command::ViewImage(view) if view == self.image => Some(strings::IMAGE_AS_IT_IS),
             Command::ViewSpace(view) if view == self.space => Some(strings::SPACE_AS_IT_IS),
             Command::ViewTree(ref view) if *view == self.tree => Some(strings::TREE_AS_IT_IS),
+            Command::Method(method) => self.cannot_choose(method),
             Command::Share => self.command_line().err(),
             Command::NextLesson => self.neighbour(Neighbour::Next).err(),
             Command::PreviousLesson => self.neighbour(Neighbour::Previous).err(),
