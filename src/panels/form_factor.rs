@@ -27,6 +27,8 @@ const EXACT: Message = Message("form-factor-exact");
 const ERROR: Message = Message("common-error");
 const HITS: Message = Message("form-factor-hits");
 const FREE: Message = Message("form-factor-free");
+const STANDARD_ERROR: Message = Message("form-factor-standard-error");
+const AFTER: Message = Message("form-factor-after");
 
 /// All that is drawn.
 struct Layout<'a> {
@@ -129,6 +131,14 @@ impl Layout<'_> {
         self.state.running_values(self.room.patches[self.i].area)
     }
 
+    /// What is drawn as it settles, with its symbol: the share that nothing blocks, where lines of sight are tested, and F_ij.
+    fn settling(&self) -> (Vec<(f64, usize)>, &'static str) {
+        match self.state.shares.is_empty() {
+            true => (self.running(), "F_i_j"),
+            false => (self.state.shares.iter().copied().collect(), "V_i_j"),
+        }
+    }
+
     /// What the value runs against; it would give away where the value ends, and is hidden while a question waits.
     fn reference(&self) -> Option<f64> {
         let reference = self.state.reference.filter(|_| !self.input.is_pending());
@@ -172,6 +182,15 @@ impl Layout<'_> {
                 let error = percent((f - exact) / exact, language);
                 lines.push((labelled(localize(ERROR), &error, language), quiet));
             }
+        }
+        if let Some(batch) = self.state.batches.iter().last() {
+            let after = AFTER.format(language, &[("count", &batch.samples.to_string())]);
+            let error = language.significant(batch.error, 3);
+            let formula = match self.state.shares.is_empty() {
+                true => "√(F (1 − F) / n) = ",
+                false => "",
+            };
+            lines.push((format!("s = {formula}{error}, {after}"), quiet));
         }
         let rays = self.state.running.len();
         if let Some((Running::Hits(hits), _)) = self.state.running.iter().last() {

@@ -26,10 +26,23 @@ pub struct State {
     open: Option<[DVec3; 2]>,
     /// A_i F_ij, or F_ij itself, as it runs: value and step.
     pub running: CowVec<(Running, usize)>,
+    /// The share that nothing blocks by the lines of sight so far, with the step of each.
+    pub shares: CowVec<(f64, usize)>,
+    /// The value and its standard error after each batch of samples.
+    pub batches: CowVec<Batch>,
     /// The share that nothing blocks, and of how many rays.
     pub visible: Option<(f64, usize)>,
     /// F_ij at last, and the step.
     pub found: Option<(f64, usize)>,
+}
+
+/// What so many samples say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Batch {
+    pub samples: u32,
+    pub value: f64,
+    pub error: f64,
+    pub step: usize,
 }
 
 /// A running value.
@@ -90,6 +103,12 @@ impl State {
             .collect()
     }
 
+    /// Whether samples are taken: rays, or lines of sight.
+    pub fn is_sampled(&self) -> bool {
+        let is_hits = |&(running, _): &(Running, usize)| matches!(running, Running::Hits(_));
+        !self.shares.is_empty() || self.running.get(0).is_some_and(is_hits)
+    }
+
     /// Whether the running value is a mean, which can be compared with the reference, and not an unfinished sum.
     pub fn runs_as_mean(&self) -> bool {
         let running = self.running.iter();
@@ -140,9 +159,31 @@ impl Fold<Event> for State {
             Event::HemicubeSeen { mean, .. } => {
                 self.running.push((Running::FormFactor(mean), step));
             }
-            Event::Sight { x, y, blocked, .. } => {
+            Event::Sight {
+                x,
+                y,
+                blocked,
+                share,
+            } => {
                 self.add(x, Way::Sight { to: y, blocked }, step);
+                self.shares.push((share, step));
             }
+            Event::Rays { .. } | Event::Sights { .. } => {}
+            Event::RaysCast {
+                rays: samples,
+                f: value,
+                error,
+            }
+            | Event::SightsTaken {
+                rays: samples,
+                share: value,
+                error,
+            } => self.batches.push(Batch {
+                samples,
+                value,
+                error,
+                step,
+            }),
             Event::Seen { x, .. } => self.points.push((x, step)),
             Event::Visible { share, .. } => self.visible = Some((share, step)),
             Event::FormFactorFound { f, .. } => self.found = Some((f, step)),
@@ -155,5 +196,7 @@ impl Fold<Event> for State {
             + self.points.bytes_beyond(&before.points)
             + self.pixels.bytes_beyond(&before.pixels)
             + self.running.bytes_beyond(&before.running)
+            + self.shares.bytes_beyond(&before.shares)
+            + self.batches.bytes_beyond(&before.batches)
     }
 }

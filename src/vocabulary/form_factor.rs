@@ -164,6 +164,29 @@ vocabulary! {
             only(When::Is("way", "on one line"), "event-edge-pair-on-one-line", EDGES),
             entry("event-edge-pair", EDGES),
         ];
+    Event::Rays { first, last } => "Rays" at "rays" number "first", "last" scope "scope-rays"
+        {
+            "first" = first,
+            "last" = last,
+        }
+        [
+            entry("event-rays", &[]),
+        ];
+    Event::RaysCast { rays, f, error } => "RaysCast" at "rays-cast"
+        {
+            "rays" = rays,
+            "F_mean" = f,
+            "s" = error,
+        }
+        [
+            entry(
+                "event-rays-cast",
+                &[
+                    is("{F_{ij}=F_mean} = [{hits<}; {n=rays}]"),
+                    is("s = √[{F_{ij}=F_mean} (1 − {F_{ij}=F_mean}); {n=rays}]"),
+                ],
+            ),
+        ];
     Event::Ray { x, direction, met, hits } => "Ray" at "ray"
         {
             "x" = x,
@@ -230,6 +253,30 @@ vocabulary! {
                     ],
             ),
         ];
+    Event::Sights { first, last } => "Sights" at "sights" number "first", "last" scope "scope-sights"
+        {
+            "first" = first,
+            "last" = last,
+        }
+        [
+            entry("event-sights", &[]),
+        ];
+    Event::SightsTaken { rays, share, error } => "SightsTaken" at "sights-taken"
+        {
+            "rays" = rays,
+            "share" = share,
+            "s" = error,
+        }
+        [
+            entry(
+                "event-sights-taken",
+                &[
+                    is("{V_{ij}=share}"),
+                    is("s = [√'Σ (v_k − V_{ij} w_k)^2'; 'Σ w_k']")
+                        .unevaluated("what single points would exchange is not recorded"),
+                ],
+            ),
+        ];
     Event::Sight { x, y, blocked, share } => "Sight" at "sight"
         {
             "x" = x,
@@ -268,7 +315,7 @@ vocabulary! {
             only(
                 When::Is("method", "monte-carlo"),
                 "event-form-factor-found-monte-carlo",
-                &[is("F_ij = [hits; ray_count]"), is("A_i_F_ij = area_of_i · F_ij")],
+                &[is("F_ij = {F_mean<}"), is("A_i_F_ij = area_of_i · F_ij")],
             ),
             only(
                 When::Is("method", "hemicube"),

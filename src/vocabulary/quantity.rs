@@ -61,7 +61,7 @@ const fn equal(a: &str, b: &str) -> bool {
     i == a.len() && i == b.len()
 }
 
-pub(super) const QUANTITIES: [(&str, &str, Unit); 241] = [
+pub(super) const QUANTITIES: [(&str, &str, Unit); 243] = [
     ("width", "width", Unit::Pixels),
     ("height", "height", Unit::Pixels),
     ("A", "A", Unit::None),
@@ -109,6 +109,7 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 241] = [
     ("upper", "upper", Unit::None),
     ("lower", "lower", Unit::None),
     ("first", "first", Unit::None),
+    ("last", "last", Unit::None),
     ("end", "end", Unit::None),
     ("dx_dy", "Δx/Δy", Unit::None),
     ("dI_dy", "ΔI/Δy", Unit::None),
@@ -272,6 +273,7 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 241] = [
     ("pixel_x", "pixel x", Unit::None),
     ("pixel_y", "pixel y", Unit::None),
     ("delta_F", "ΔF", Unit::None),
+    ("s", "s", Unit::None),
     ("F_mean", "F_{mean}", Unit::None),
     ("F_visible", "F_{visible}", Unit::None),
     ("share", "share", Unit::None),

@@ -57,6 +57,10 @@ pub enum Event {
         integral: f64,
         sum: f64,
     },
+    /// Opens a batch of rays, which are counted from 1.
+    Rays { first: u32, last: u32 },
+    /// Closes `Rays`: F_ij by all rays so far, and its standard error, if they were independent.
+    RaysCast { rays: u32, f: f64, error: f64 },
     /// A ray from `x`; `hits` counts those that met `j` so far.
     Ray {
         x: DVec3,
@@ -80,6 +84,10 @@ pub enum Event {
     },
     /// Closes `Hemicube`; `mean` is over the points so far.
     HemicubeSeen { f: f64, mean: f64 },
+    /// Opens a batch of lines of sight, which are counted from 1.
+    Sights { first: u32, last: u32 },
+    /// Closes `Sights`: the share that passes by all so far, and its standard error.
+    SightsTaken { rays: u32, share: f64, error: f64 },
     /// Between two points something stands, or nothing. `share` is that of what passes so far.
     Sight {
         x: DVec3,

@@ -14,6 +14,7 @@
 
 pub mod area_to_area;
 pub mod auto;
+mod batches;
 pub mod closed;
 pub mod closure;
 mod coincident;

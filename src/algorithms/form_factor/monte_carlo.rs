@@ -4,6 +4,7 @@
 //! Global Illumination, §4.3). The error falls with the number of rays alone, be the patches near or far.
 
 use super::Event;
+use super::batches::batches;
 use super::sample::{self, Sample};
 use super::sobol::Sobol;
 use super::visibility::Blockers;
@@ -16,7 +17,10 @@ pub static PSEUDOCODE: Listing = Listing {
     name: "Monte Carlo",
     lines: &[
         ("", "monteCarlo(i, j)"),
-        ("", "  {for-each-of-n-points-s-t-u-v-of-a-sobol-sequence}"),
+        (
+            "rays",
+            "  {for-each-of-n-points-s-t-u-v-of-a-sobol-sequence}",
+        ),
         ("", "    x ← {the-point-of-i-at-s-t}"),
         (
             "",
@@ -25,6 +29,10 @@ pub static PSEUDOCODE: Listing = Listing {
         (
             "ray",
             "    {if-the-ray-meets-the-front-of-j-and-nothing-before} hits ← hits + 1",
+        ),
+        (
+            "rays-cast",
+            "    {after-16-64-256-samples} F ← hits / n;  s ← √(F (1 − F) / n)",
         ),
         ("", "  {return} hits / n"),
     ],
@@ -41,27 +49,39 @@ pub fn form_factor<R: Recorder<Event>>(
 ) -> f64 {
     let sobol = Sobol::new(seed ^ ((i as u64) << 32));
     let mut hits = 0;
-    for index in 0..rays {
-        let [s, t, u, v] = sobol.point(index);
-        let sample = sample::at(patches, i, [s, t]);
-        let (across, along) = sample.normal.any_orthonormal_pair();
-        let (sin, cos) = (TAU * v).sin_cos();
-        let direction = (u.sqrt() * (cos * across + sin * along)
-            + (1.0 - u).sqrt() * sample.normal)
-            .normalize();
-        let met = meets(patches, j, sample.point, direction).is_some_and(|y| {
-            blockers.is_none_or(|blockers| {
-                blockers.is_exposed(patches, i, sample.point)
-                    && blockers.is_exposed(patches, j, y.point)
-                    && !blockers.stand_between(&sample, &y)
-            })
-        });
-        hits += u32::from(met);
-        recorder.step(|| Event::Ray {
-            x: sample.point,
-            direction,
-            met,
-            hits,
+    for batch in batches(rays) {
+        let [first, last] = [batch.start + 1, batch.end];
+        recorder.enter(|| Event::Rays { first, last });
+        for index in batch {
+            let [s, t, u, v] = sobol.point(index);
+            let sample = sample::at(patches, i, [s, t]);
+            let (across, along) = sample.normal.any_orthonormal_pair();
+            let (sin, cos) = (TAU * v).sin_cos();
+            let direction = (u.sqrt() * (cos * across + sin * along)
+                + (1.0 - u).sqrt() * sample.normal)
+                .normalize();
+            let met = meets(patches, j, sample.point, direction).is_some_and(|y| {
+                blockers.is_none_or(|blockers| {
+                    blockers.is_exposed(patches, i, sample.point)
+                        && blockers.is_exposed(patches, j, y.point)
+                        && !blockers.stand_between(&sample, &y)
+                })
+            });
+            hits += u32::from(met);
+            recorder.step(|| Event::Ray {
+                x: sample.point,
+                direction,
+                met,
+                hits,
+            });
+        }
+        recorder.leave(|| {
+            let f = f64::from(hits) / f64::from(last);
+            Event::RaysCast {
+                rays: last,
+                f,
+                error: (f * (1.0 - f) / f64::from(last)).sqrt(),
+            }
         });
     }
     f64::from(hits) / f64::from(rays)

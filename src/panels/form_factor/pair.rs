@@ -3,13 +3,15 @@
 use super::Layout;
 use super::view::view;
 use crate::figure::{Labels, Projection, cross, elided, within};
-use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag};
+use crate::picture::{Ink, Paint, Picture, Rect, Stroke, Style, Tag};
 use crate::record::Value;
 use crate::replay::form_factor::{Segment, Way};
 use glam::{DVec3, Vec2};
 
-/// Segments that are drawn, the latest: one for so many square points of the view.
-const POINTS_A_SEGMENT: f32 = 250.0;
+/// Segments that are drawn, the latest; the older one is, the fainter, so that what stands between the patches stays visible.
+const SEGMENTS: usize = 120;
+/// Of the oldest segment.
+const FAINTEST: f32 = 0.05;
 /// Outlines of the scene that are drawn around the two.
 const MOST_POLYGONS: usize = 1500;
 const TITLE: f32 = 18.0;
@@ -32,10 +34,14 @@ pub fn draw(picture: &mut Picture, layout: &Layout, area: Rect) {
     };
     let mut labels = Labels::new(inner.grown(-1.0));
     picture.clipped(inner, |picture| {
-        pair.around(picture);
         pair.patch(picture, layout.i, Ink::This, Ink::ThisTint);
         pair.patch(picture, layout.j, Ink::Linked, Ink::LinkedTint);
-        pair.segments(picture);
+        let newest = pair.segments(picture);
+        pair.around(picture);
+        if let Some(newest) = newest {
+            pair.segment(picture, newest, None);
+        }
+        pair.open_ends(picture);
         pair.points(picture, &mut labels);
         pair.edges(picture);
         pair.letters(picture, &mut labels);
@@ -59,13 +65,13 @@ impl Pair<'_> {
         }
     }
 
-    fn dot(&self, picture: &mut Picture, at: Vec2, radius: f32, ink: Ink) {
+    fn dot(&self, picture: &mut Picture, at: Vec2, radius: f32, paint: impl Into<Paint>) {
         if self.area.grown(-radius).contains(at) {
-            picture.circle(at, radius, ink);
+            picture.circle(at, radius, paint);
         }
     }
 
-    /// The scene around the two, faint.
+    /// The scene around the two, over old segments.
     fn around(&self, picture: &mut Picture) {
         let prepared = self.layout.prepared;
         for number in 0..prepared.tessellation.polygon_count().min(MOST_POLYGONS) {
@@ -77,7 +83,7 @@ impl Pair<'_> {
                 .map(|(vertex, _)| self.view.place(polygon.mesh.position(vertex)))
                 .collect();
             for (from, to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
-                self.line(picture, *from, *to, Ink::Rule.stroke(1.0));
+                self.line(picture, *from, *to, Ink::Muted.stroke(1.0));
             }
         }
     }
@@ -92,21 +98,26 @@ impl Pair<'_> {
         });
     }
 
-    /// Segments so far, the newest last, in the accent and with its ends.
-    fn segments(&self, picture: &mut Picture) {
+    /// Segments so far, and the newest of them where the step is about it, which is left to be drawn over what follows.
+    fn segments(&self, picture: &mut Picture) -> Option<&Segment> {
         let segments = &self.layout.state.segments;
         let step = self.layout.input.run.walk().position();
-        let most = (self.area.width * self.area.height / POINTS_A_SEGMENT) as usize;
-        for at in segments.len().saturating_sub(most)..segments.len() {
-            let Some(segment) = segments.get(at) else {
-                continue;
-            };
-            // What was recorded at an earlier step is no longer current where another part of the work has begun.
-            let newest = at + 1 == segments.len() && segment.step == step;
-            picture.tagged(Tag::Step(segment.step), |picture| {
-                self.segment(picture, segment, newest);
-            });
+        let count = segments.len();
+        // What was recorded at an earlier step is no longer current where another part of the work has begun.
+        let newest = segments.get(count.wrapping_sub(1));
+        let newest = newest.filter(|segment| segment.step == step);
+        let old = count - usize::from(newest.is_some());
+        for at in old.saturating_sub(SEGMENTS)..old {
+            if let Some(segment) = segments.get(at) {
+                let age = (old - at) as f32 / SEGMENTS as f32;
+                self.segment(picture, segment, Some(age));
+            }
         }
+        newest
+    }
+
+    fn open_ends(&self, picture: &mut Picture) {
+        let step = self.layout.input.run.walk().position();
         if let Some([x, y]) = self.open(step) {
             let [from, to] = [x, y].map(|end| self.view.place(end));
             self.line(picture, from, to, Ink::This.stroke(1.5).dashed());
@@ -125,7 +136,16 @@ impl Pair<'_> {
         }
     }
 
-    fn segment(&self, picture: &mut Picture, segment: &Segment, newest: bool) {
+    /// In the accent, and with its ends; an old one by its age, from 0 to 1, faint.
+    fn segment(&self, picture: &mut Picture, segment: &Segment, age: Option<f32>) {
+        picture.tagged(Tag::Step(segment.step), |picture| {
+            self.draw_segment(picture, segment, age);
+        });
+    }
+
+    fn draw_segment(&self, picture: &mut Picture, segment: &Segment, age: Option<f32>) {
+        let newest = age.is_none();
+        let left = age.map_or(1.0, |age| (1.0 - age).powi(2).max(FAINTEST));
         let from = self.view.place(segment.from);
         let (to, reaches) = match segment.way {
             Way::To(to) => (to, true),
@@ -136,8 +156,8 @@ impl Pair<'_> {
         let ink = if newest { Ink::This } else { Ink::Muted };
         let stroke = match (newest, reaches) {
             (true, _) => ink.stroke(2.25),
-            (false, true) => ink.stroke(1.0).opacity(0.6),
-            (false, false) => ink.stroke(0.9).opacity(0.45),
+            (false, true) => ink.stroke(1.0).opacity(0.6 * left),
+            (false, false) => ink.stroke(0.9).opacity(0.45 * left),
         };
         let is_ray = matches!(segment.way, Way::Ray { .. });
         let stroke = match (reaches, is_ray) {
@@ -147,10 +167,14 @@ impl Pair<'_> {
         };
         self.line(picture, from, to, stroke);
         let radius = if newest { 3.5 } else { 1.75 };
-        self.dot(picture, from, radius, ink);
+        let paint = ink.fill().opacity(left);
+        self.dot(picture, from, radius, paint);
         match (reaches, is_ray) {
-            (true, _) => self.dot(picture, to, radius, ink),
-            (false, false) => self.barred(picture, 0.5 * (from + to), newest),
+            (true, _) => self.dot(picture, to, radius, paint),
+            (false, false) if newest || left > 0.5 => {
+                self.barred(picture, 0.5 * (from + to), newest);
+            }
+            (false, false) => {}
             (false, true) => {}
         }
     }

@@ -200,6 +200,9 @@ pub fn scope_number(walk: &dyn Walk, scope: usize, language: Language) -> Option
     match &numbers[..] {
         [] => None,
         [number] => Some(number.clone()),
+        [first, last] if walk.declared(scope).numbers == ["first", "last"] => {
+            Some(format!("{first}–{last}"))
+        }
         _ => Some(format!("({})", numbers.join(", "))),
     }
 }
