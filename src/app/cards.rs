@@ -232,8 +232,11 @@ fn way_to_selected(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) 
 
 /// What a panel lets be changed.
 fn controls(session: &Session, panel: Panel, commands: &mut Vec<Command>, ui: &mut Ui) {
-    if panel == Panel::Image {
+    if matches!(panel, Panel::Image | Panel::Comparison | Panel::Difference) {
         image_controls::buttons(session, commands, ui);
+    }
+    if panel == Panel::Image {
+        image_controls::menu(session, commands, ui);
     }
     if panel == Panel::Space {
         space_controls::buttons(session, commands, ui);
@@ -354,8 +357,10 @@ pub fn panel_on(
     if panel == Panel::Inspector {
         command = inspector_drawer::pointed(session, &response, ui).or(command);
     }
+    if matches!(panel, Panel::Image | Panel::Comparison | Panel::Difference) {
+        command = image_controls::pointed(session, panel, &response, ui).or(command);
+    }
     if panel == Panel::Image {
-        command = image_controls::pointed(session, &response, ui).or(command);
         // The menu is about the place where it was opened, not where the pointer went since.
         let id = response.id.with("menu");
         if response.secondary_clicked() {

@@ -5,7 +5,9 @@ use super::session::{Command, Session};
 use super::strings;
 use super::tree_controls::looked_at;
 use crate::figure::View;
-use crate::panels::{ImageView, PixelLayer, image_middle, image_place};
+use crate::panels::{
+    ImageView, Panel, PixelLayer, comparison_place, difference_place, image_middle, image_place,
+};
 use egui::{Key, Response, RichText, Ui};
 use glam::Vec2;
 
@@ -14,7 +16,7 @@ const PRESS: f32 = 2.0;
 /// Points that a key moves it.
 const MOVE: f32 = 40.0;
 
-/// The menu of what is shown, the whole picture, larger and smaller.
+/// The whole picture, larger and smaller; pictures that are compared are enlarged together.
 pub fn buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.x = 4.0;
     let view = session.image();
@@ -34,6 +36,11 @@ pub fn buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         let command = Command::ViewImage(ImageView { shown, ..view });
         button::sign(session, sign, name, command, commands, ui);
     }
+}
+
+/// The menu of what is shown.
+pub fn menu(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let view = session.image();
     let title = session.localize(view.layer.title());
     ui.menu_button(RichText::new(format!("{title} ▾")).size(13.0), |ui| {
         for layer in layers(session) {
@@ -70,11 +77,20 @@ fn layers(session: &Session) -> impl Iterator<Item = PixelLayer> {
 }
 
 /// What the pointer and the keys do in the picture: the wheel, a pinch, + and − enlarge it; dragging, and Alt with the arrows, move it.
-pub fn pointed(session: &Session, response: &Response, ui: &Ui) -> Option<Command> {
+pub fn pointed(session: &Session, panel: Panel, response: &Response, ui: &Ui) -> Option<Command> {
     let input = session.panel_input();
     let view = session.image();
     let size = Vec2::new(response.rect.width(), response.rect.height());
-    let (middle, place) = (|| image_middle(&input), image_place(&input, size));
+    let at = response.hover_pos().map_or(0.5 * size, |at| {
+        let at = at - response.rect.min;
+        Vec2::new(at.x, at.y)
+    });
+    let place = match panel {
+        Panel::Comparison => comparison_place(&input, size, at)?,
+        Panel::Difference => difference_place(&input, size, at)?,
+        _ => image_place(&input, size),
+    };
+    let middle = || image_middle(&input);
     let shown = match response.has_focus() {
         true => by_keys(view.shown, middle, Vec2::new(place.width, place.height), ui),
         false => None,

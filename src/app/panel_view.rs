@@ -82,7 +82,13 @@ impl PanelView {
         let sense = if scale == Scale::Full
             && matches!(
                 panel,
-                Panel::TimeLine | Panel::RayTree | Panel::Space | Panel::Vectors | Panel::Image
+                Panel::TimeLine
+                    | Panel::RayTree
+                    | Panel::Space
+                    | Panel::Vectors
+                    | Panel::Image
+                    | Panel::Comparison
+                    | Panel::Difference
             ) {
             Sense::click_and_drag()
         } else {
@@ -118,7 +124,7 @@ impl Key {
                 .panel_input()
                 .channel
                 .filter(|_| panel == Panel::Formula),
-            image: (panel == Panel::Image).then(|| session.image()),
+            image: (panel == Panel::Image || panel.compares()).then(|| session.image()),
             space: (panel == Panel::Space).then(|| (session.space(), session.fan().version())),
             smooth: matches!(panel, Panel::Radiosity | Panel::Image) && session.look.smooth,
             unshot: panel == Panel::Radiosity && session.look.unshot,
@@ -147,6 +153,9 @@ fn meaning(session: &Session, panel: Panel, tag: Tag) -> Option<String> {
         Tag::FormFactor { i, j } => panels::form_factor_values(&session.panel_input(), [i, j]),
         Tag::Field(name) => {
             panels::meaning(session.walk(), session.step(), name, session.look.language)
+        }
+        Tag::Pixel { x, y } if panel.compares() => {
+            panels::compared_values(&session.panel_input(), x, y)
         }
         Tag::Pixel { x, y } if panel == Panel::Image => {
             let input = session.panel_input();

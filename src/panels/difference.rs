@@ -2,9 +2,9 @@
 
 use super::comparison::cells::{ROW, cells};
 use super::comparison::cursor::Cursor;
+use super::comparison::{nearest, titles};
 use super::horizon::{UNKNOWN, hatched};
 use super::message::{NOT_COMPARED, labelled, message};
-use super::names;
 use super::values::step_as_sentence;
 use super::{PanelInput, Properties};
 use crate::figure::{color_strip, diverging, elided};
@@ -15,6 +15,8 @@ use glam::Vec2;
 
 const TEXT: f32 = 11.0;
 const SCALE: f32 = 18.0;
+/// Of text under a picture.
+const LINES: usize = 2;
 
 const AGAINST: Message = Message("difference-against");
 const RMS: Message = Message("difference-rms");
@@ -43,16 +45,14 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
     let against = against(reference, input.language);
     let mut alt = format!("{} {against}.", step_as_sentence(input));
-    let room = Vec2::new(size.x, size.y - SCALE - ROW);
-    let cells = cells(&reference.frame, differences.len(), 2, room);
-    for (((_, compared), difference), cell) in others.zip(differences).zip(cells) {
-        let name = names::method(compared.method, input.language);
-        cell.title(&mut picture, &name, (compared.method, input.run.method()));
-        picture.pixels(
-            cell.image,
-            image(compared, difference, most, hidden.as_deref()),
-            (0, 0),
-        );
+    let others: Vec<&Compared> = others.map(|(_, compared)| compared).collect();
+    let titles = titles(others.iter().copied(), input.language);
+    let cells = cells(input, &reference.frame, &titles, LINES, room(size));
+    let all = others.into_iter().zip(&titles).zip(differences);
+    for (((compared, name), difference), cell) in all.zip(cells) {
+        cell.title(&mut picture, name, (compared.method, input.run.method()));
+        let image = image(compared, difference, most, hidden.as_deref());
+        cell.pixels(&mut picture, image);
         cell.frame(&mut picture, &cursor, input.answered);
         let width = compared.frame.width as usize;
         let here = match (cursor.x, cursor.y) {
@@ -80,12 +80,27 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         lines.push(&here);
         let lines = lines.into_iter().map(|line| (line, Ink::Text));
         cell.lines(&mut picture, lines);
-        let figures = labelled(&name, &figures, input.language);
+        let figures = labelled(name, &figures, input.language);
         alt = format!("{alt} {figures}.");
     }
     scale(&mut picture, most, &against, input, size);
     picture.alt = alt;
     picture
+}
+
+/// Where the picture nearest to a place of the panel stands: what zooming and dragging are reckoned by. None where there is none.
+pub fn place(input: &PanelInput, size: Vec2, at: Vec2) -> Option<Rect> {
+    let compared = &input.finished.compared;
+    let mut others = compared.shaded();
+    let (_, reference) = others.next_back()?;
+    let titles = titles(others.map(|(_, compared)| compared), input.language);
+    let cells = cells(input, &reference.frame, &titles, LINES, room(size));
+    nearest(&cells, at)
+}
+
+/// Of a panel, what is for the pictures: the scale is below them.
+fn room(size: Vec2) -> Vec2 {
+    Vec2::new(size.x, size.y - SCALE - ROW)
 }
 
 fn image(
@@ -105,7 +120,7 @@ fn image(
 }
 
 fn against(reference: &Compared, language: Language) -> String {
-    let method = names::method(reference.method, language);
+    let method = super::names::method(reference.method, language);
     AGAINST.format(language, &[("method", &method)])
 }
 

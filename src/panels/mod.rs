@@ -4,6 +4,8 @@
 
 mod shared;
 
+pub use list::comparison::{place as comparison_place, values as compared_values};
+pub use list::difference::place as difference_place;
 pub use list::formula::{
     Evaluated, evaluated, least_height as formula_height, said,
     whole_height as whole_formula_height,

@@ -17,6 +17,10 @@ use std::ops::Range;
 const MARGIN: f32 = 8.0;
 const TEXT: f32 = 11.0;
 const ROW: f32 = 16.0;
+/// A strip is at least so high, or there are fewer of them, the first ones: in a lower one no slope can be read.
+const STRIP: f32 = 56.0;
+/// In a panel lower than this the axis of the pixels has no name.
+const LOW: f32 = 300.0;
 /// Pixels to the left and right of what is drawn.
 const AROUND: u32 = 4;
 /// With more points the least and the most of several stand for all.
@@ -81,8 +85,15 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         (SLOPE, |profile| &profile.slope, |profile| &profile.gentle),
         (SEEN, |profile| &profile.seen, |profile| &profile.seen),
     ];
-    let height = (whole.bottom() - top - 2.0 * ROW) / fields.len() as f32 - ROW;
-    let axes = fields.map(|(name, _, room)| {
+    // Under the last strip its numbers and, where there is much room, the name of the axis.
+    let is_low = size.y < LOW;
+    let below = if is_low { ROW + 2.0 } else { 2.0 * ROW };
+    let height = |count: usize| (whole.bottom() - top - below) / count as f32 - ROW;
+    let count = (1..=fields.len()).rfind(|&count| height(count) >= STRIP);
+    let count = count.unwrap_or(1);
+    let height = height(count);
+    let fields = &fields[..count];
+    let axes = fields.iter().map(|&(name, _, room)| {
         let values = profiles.iter().flat_map(|profile| {
             let values = room(profile);
             let end = (columns.end as usize).min(values.len());
@@ -94,14 +105,16 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             input.language,
         )
     });
+    let axes: Vec<Axis> = axes.collect();
     // One margin for all, so that the same column stands above itself.
     let widths = axes.iter().map(|axis| axis.width(height));
     let left = whole.x + widths.fold(0.0, f32::max);
     let pixels = Scale::whole(columns.start.into(), columns.end.into());
-    for (strip, ((_, values, _), up)) in fields.into_iter().zip(axes).enumerate() {
+    let across = if is_low { "" } else { "x" };
+    for (strip, (&(_, values, _), up)) in fields.iter().zip(axes).enumerate() {
         let y = top + ROW + (height + ROW) * strip as f32;
         let place = Rect::between((left, y), (whole.right() - 4.0, y + height.max(1.0)));
-        let plot = Plot::in_field(Axis::new(pixels, "x", input.language), up, place);
+        let plot = Plot::in_field(Axis::new(pixels, across, input.language), up, place);
         plot.draw_field(&mut picture);
         hidden_columns(&mut picture, &plot, input, &columns, &is_hidden, strip == 0);
         if let Some(x) = cursor.x.filter(|x| columns.contains(x)) {
@@ -111,7 +124,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         for profile in &profiles {
             profile.curve(&mut picture, &plot, &columns, values(profile));
         }
-        if strip + 1 == 3 {
+        if strip + 1 == count {
             plot.draw_below(&mut picture);
         }
     }
