@@ -775,7 +775,7 @@ event-shot-done = The shot of patch { $i } is over: what it shot belongs to its 
 event-updated-chebyshev = Patch { $i }, changed with all others at once: B″ is its radiosity one iteration earlier, r the residual.
 event-updated-direct = Patch { $i }: d solves the system for the residual, by elimination.
 event-updated-along-direction = Patch { $i }, changed with all others at once, along the direction p.
-event-iteration-done = The iteration is over: how large the residual is against the emission. ε_B bounds the error of every radiosity, where a bound is known.
+event-iteration-done = Iteration { $k } is over: how large the residual is against the emission. ε_B bounds the error of every radiosity, where a bound is known.
 event-converged = Converged after { $iterations } iterations: the residual is small enough.
 event-not-converged = Not converged after { $iterations } iterations: this is no solution.
 

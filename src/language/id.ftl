@@ -772,7 +772,7 @@ event-shot-done = Tembakan patch { $i } selesai: yang ditembakkannya kini termas
 event-updated-chebyshev = Patch { $i }, diubah bersama semua patch lain: B″ radiositasnya satu iterasi sebelumnya, r residunya.
 event-updated-direct = Patch { $i }: d menyelesaikan sistem untuk residu, dengan eliminasi.
 event-updated-along-direction = Patch { $i }, diubah bersama semua patch lain, sepanjang arah p.
-event-iteration-done = Iterasi selesai: seberapa besar residu dibandingkan emisi. ε_B membatasi galat setiap radiositas, bila batasnya diketahui.
+event-iteration-done = Iterasi { $k } selesai: seberapa besar residu dibandingkan emisi. ε_B membatasi galat setiap radiositas, bila batasnya diketahui.
 event-converged = Konvergen setelah { $iterations } iterasi: residunya cukup kecil.
 event-not-converged = Tidak konvergen setelah { $iterations } iterasi: ini bukan solusi.
 
