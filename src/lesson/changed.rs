@@ -183,6 +183,22 @@ fn moved_parameters_make_no_verdict_wrong() {
 }
 
 #[test]
+fn every_lesson_has_two_parameters_that_may_have_any_value_of_their_ranges() {
+    let mut faults = Vec::new();
+    for builtin in builtins() {
+        let lesson = builtin.read().unwrap();
+        if lesson.parameters.len() < 2 {
+            faults.push(format!("{}: {}", lesson.id, lesson.parameters.len()));
+        }
+        if let Err(error) = lesson.check_parameters() {
+            faults.push(format!("{}: {error}", lesson.id));
+        }
+    }
+    assert_eq!(faults, Vec::<String>::new());
+}
+
+/// Whole numbers count or name things: they are no limits.
+#[test]
 fn a_typed_limit_is_one_that_the_option_says() {
     let mut faults = BTreeSet::new();
     for lesson in lessons() {

@@ -168,7 +168,7 @@ impl ByPath {
                 let shares = [0.0, 0.15, 0.4, 0.7, 1.0].into_iter();
                 let mut values: Vec<f64> = shares
                     .map(|share| match logarithmic {
-                        true if share == 1.0 => to,
+                        _ if share == 1.0 => to,
                         true => from * (to / from).powf(share),
                         false => from + share * (to - from),
                     })
