@@ -51,7 +51,8 @@ pub enum Operand {
     Number(f64),
     Truth(bool),
     Word(String),
-    Multiple(Multiple),
+    /// Their sum.
+    Multiples(Vec<Multiple>),
 }
 
 /// Two real numbers are equal within this part of the larger one: a user types fewer digits than a run computes with.
@@ -118,9 +119,10 @@ impl Query {
                 let (name, part) = split_part(&condition.field);
                 let value = known(walk, step, name, fields);
                 match &condition.value {
-                    Operand::Multiple(multiple) => value.is_some_and(|value| {
-                        let number = multiple.value(walk, step);
-                        number.is_some_and(|number| condition.compares(value, part, number))
+                    Operand::Multiples(multiples) => value.is_some_and(|value| {
+                        let numbers = multiples.iter().map(|one| one.value(walk, step));
+                        let sum: Option<f64> = numbers.sum();
+                        sum.is_some_and(|sum| condition.compares(value, part, sum))
                     }),
                     _ => value.is_some_and(|value| condition.holds(value, part)),
                 }
@@ -169,7 +171,7 @@ impl Condition {
                 (Value::Word(word), None) => self.same(word == operand),
                 _ => false,
             },
-            Operand::Multiple(_) => false,
+            Operand::Multiples(_) => false,
         }
     }
 
@@ -313,7 +315,7 @@ mod tests {
         }
 
         #[test]
-        fn a_multiple_is_that_of_the_same_step_or_of_the_last_one_of_a_kind_before(trace in trace()) {
+        fn a_multiple_is_that_of_the_same_step_or_of_the_last_one_found_before(trace in trace()) {
             let replay = Replay::new(Timeline::new(trace.recording(), History::default()));
             let number = |step: usize, name: &str| number_of(&Walk::fields(&replay, step), name);
             let found = |query: &str| {
@@ -332,6 +334,12 @@ mod tests {
             prop_assert_eq!(found("b>=2*a"), expected(&|step| number(step, "a")));
             let red = |step: usize| (0..step).rev().find(|&before| replay.kind(before) == "Red");
             prop_assert_eq!(found("b>=2*a@Red"), expected(&|step| number(red(step)?, "a")));
+            prop_assert_eq!(
+                found("b>=4*a@Red-2*a"),
+                expected(&|step| Some(2.0 * number(red(step)?, "a")? - number(step, "a")?))
+            );
+            let large = |step: usize| (0..step).rev().find(|&before| number(before, "a") > Some(9.0));
+            prop_assert_eq!(found("b>=2*a@(a>9)"), expected(&|step| number(large(step)?, "a")));
         }
 
         #[test]

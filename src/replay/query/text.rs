@@ -65,7 +65,8 @@ impl FromStr for Query {
 
 const KIND_OR_CONDITION: &str = "a kind of event or a condition, such as y=15";
 
-const A_MULTIPLE: &str = "a multiple of a field, such as 0.5*I or 0.5*I@Illuminated";
+const MULTIPLES: &str =
+    "multiples of fields, such as 0.5*I, 0.5*I@Illuminated or 2*I-1*I@(Illuminated light=0)";
 
 struct Scanner<'a> {
     text: &'a str,
@@ -85,6 +86,19 @@ impl<'a> Scanner<'a> {
     fn word(&mut self) -> &'a str {
         let rest = self.rest();
         let end = rest.find(ends_word).unwrap_or(rest.len());
+        self.at += end;
+        &rest[..end]
+    }
+
+    /// As a word, in which there may be spaces and signs in parentheses.
+    fn sum(&mut self) -> &'a str {
+        let rest = self.rest();
+        let mut inside = false;
+        let end = rest.find(|c| {
+            inside = c == '(' || inside && c != ')';
+            !inside && ends_word(c)
+        });
+        let end = end.unwrap_or(rest.len());
         self.at += end;
         &rest[..end]
     }
@@ -110,10 +124,11 @@ impl<'a> Scanner<'a> {
                 "true" => Operand::Truth(true),
                 "false" => Operand::Truth(false),
                 word if is_name(word) => Operand::Word(word.to_owned()),
-                word if word.contains('*') => match Multiple::parse(word) {
-                    Some(multiple) => Operand::Multiple(multiple),
-                    None => return Err(self.error(start, A_MULTIPLE)),
-                },
+                word if word.contains('*') => {
+                    self.at = start;
+                    let multiples = Multiple::parse_sum(self.sum());
+                    Operand::Multiples(multiples.ok_or_else(|| self.error(start, MULTIPLES))?)
+                }
                 word => match word.parse::<f64>() {
                     Ok(number) if number.is_finite() && !word.ends_with(char::is_alphabetic) => {
                         Operand::Number(number)
@@ -125,7 +140,7 @@ impl<'a> Scanner<'a> {
             }
         };
         let ordered = !matches!(comparison, Comparison::Equal | Comparison::NotEqual);
-        if ordered && !matches!(operand, Operand::Number(_) | Operand::Multiple(_)) {
+        if ordered && !matches!(operand, Operand::Number(_) | Operand::Multiples(_)) {
             return Err(self.error(start, "a number after <, <=, > or >="));
         }
         Ok(operand)
@@ -198,7 +213,13 @@ impl fmt::Display for Operand {
                 f.write_str(word)
             }
             Operand::Word(word) => write!(f, "\"{word}\""),
-            Operand::Multiple(multiple) => write!(f, "{multiple}"),
+            Operand::Multiples(multiples) => {
+                for (index, multiple) in multiples.iter().enumerate() {
+                    let plus = index > 0 && multiple.factor.is_sign_positive();
+                    write!(f, "{}{multiple}", if plus { "+" } else { "" })?;
+                }
+                Ok(())
+            }
         }
     }
 }
@@ -307,11 +328,15 @@ mod tests {
             ),
             (
                 "I>2*",
-                "column 3: expected a multiple of a field, such as 0.5*I or 0.5*I@Illuminated, found `2*`",
+                "column 3: expected multiples of fields, such as 0.5*I, 0.5*I@Illuminated or 2*I-1*I@(Illuminated light=0), found `2*`",
             ),
             (
                 "I>2*I@3",
-                "column 3: expected a multiple of a field, such as 0.5*I or 0.5*I@Illuminated, found `2*I@3`",
+                "column 3: expected multiples of fields, such as 0.5*I, 0.5*I@Illuminated or 2*I-1*I@(Illuminated light=0), found `2*I@3`",
+            ),
+            (
+                "I>2*I@(Ray I>1*I@(Ray))",
+                "column 3: expected multiples of fields, such as 0.5*I, 0.5*I@Illuminated or 2*I-1*I@(Illuminated light=0), found `2*I@(Ray`",
             ),
             (
                 "why=\"no",
@@ -366,16 +391,15 @@ mod tests {
             prop::num::f64::NORMAL.prop_map(Operand::Number),
             any::<bool>().prop_map(Operand::Truth),
             "[^\"]{0,8}".prop_map(Operand::Word),
-            (
-                prop::num::f64::NORMAL,
-                "[a-z_]{1,4}(\\.[rgb])?",
-                prop::option::of("[A-Z]{1,4}")
-            )
-                .prop_map(|(factor, field, at)| Operand::Multiple(Multiple {
-                    factor,
-                    field,
-                    at
-                })),
+            prop::collection::vec(multiple(), 1..3).prop_map(Operand::Multiples),
         ]
+    }
+
+    fn multiple() -> impl Strategy<Value = Multiple> {
+        let at = prop::option::of("[A-Z]{1,4}( [a-z]{1,4}(=|>=)[0-9])?");
+        (prop::num::f64::NORMAL, "[a-z_]{1,4}(\\.[rgb])?", at).prop_map(|(factor, field, at)| {
+            let at = at.map(|at| at.parse().expect(&at));
+            Multiple { factor, field, at }
+        })
     }
 }
