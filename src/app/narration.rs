@@ -148,6 +148,10 @@ fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui
         if let Some(slide) = said.slide(language) {
             slide_note(session, slide, ui);
         }
+        if said.types_numbers && session.is_changed() {
+            let note = RichText::new(session.localize(strings::TYPED_NUMBERS));
+            ui.label(note.size(12.5).color(muted));
+        }
         for (title, otherwise) in session.not_happening_here() {
             let title = [("title", title.unwrap_or("…"))];
             let text = strings::NOT_HAPPENING.format(language, &title);

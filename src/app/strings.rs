@@ -122,6 +122,7 @@ pub const METHOD: Message = Message("app-method");
 pub const METHOD_OF_THE_LESSON: Message = Message("app-method-of-the-lesson");
 pub const METHOD_AS_IT_IS: Message = Message("app-method-as-it-is");
 pub const READ_AGAIN: Message = Message("app-read-again");
+pub const TYPED_NUMBERS: Message = Message("app-typed-numbers");
 pub const UNSAID: Message = Message("app-unsaid");
 pub const PUT_BACK: Message = Message("app-put-back");
 

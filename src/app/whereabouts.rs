@@ -10,7 +10,9 @@ const WORDS: f32 = 262.0;
 
 pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let place = place(session);
-    let narrates = session.follows_lesson() && !session.is_silent();
+    // A walk through a scene has one explanation, and no end.
+    let narrates =
+        session.follows_lesson() && !session.is_silent() && !session.lesson().is_free_walk();
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(4.0, 4.0);
         ui.spacing_mut().button_padding.x = 7.0;

@@ -4,11 +4,13 @@
 
 mod encode;
 mod files;
+mod read;
 
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, Mul, Sub};
 
 pub use files::{pfm, png_rgb8, png_rgba8};
+pub use read::{StoredImage, read_image};
 
 /// A linear RGB triple: intensity, coefficient or radiant exitance, one number a channel.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]

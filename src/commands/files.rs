@@ -92,6 +92,12 @@ pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
     })
 }
 
+/// Reads the bytes of a picture.
+pub fn picture(path: &Path) -> Result<Vec<u8>, Failure> {
+    read(path, MAX_MESH_BYTES)
+        .map_err(|reason| wrong(&path.display(), &format!("cannot be read: {reason}")))
+}
+
 /// Reads a scene file, or the scene of a lesson file with its settings.
 pub fn scene(path: &Path, limits: &Limits) -> Result<(Scene, Settings), Failure> {
     match document(path, limits)? {

@@ -5,6 +5,7 @@
 mod accuracy;
 mod arguments;
 mod check;
+mod compare;
 mod failure;
 mod files;
 mod form_factors;
@@ -44,6 +45,8 @@ enum Command {
     Check(check::Arguments),
     /// Renders a scene to an image file
     Render(render::Arguments),
+    /// Compares a picture of your own program with ours, and names the mistakes that explain the difference
+    Compare(compare::Arguments),
     /// Finds the form factors of a scene's patches
     FormFactors(form_factors::Arguments),
     /// Solves for the light that a scene's patches exchange
@@ -78,6 +81,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::List(arguments) => list::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::Render(arguments) => render::run(arguments),
+        Command::Compare(arguments) => compare::run(arguments),
         Command::FormFactors(arguments) => form_factors::run(arguments),
         Command::Radiosity(arguments) => radiosity::run(arguments),
         Command::Needs(arguments) => needs::run(arguments),

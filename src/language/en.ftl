@@ -129,6 +129,7 @@ app-method-of-the-lesson = A lesson has a method of its own; open a scene to cho
 app-method-as-it-is = The scene is already drawn by this method.
 app-read-again = The file was saved and is shown anew.
 free-walk-say = Your own scene: choose a method in the bar, double click a pixel, and step through how its colour comes about. The scene is read again whenever it is saved.
+app-typed-numbers = You have changed a value: numbers in this text that are not of the run hold for the lesson’s own values.
 app-unsaid = With these values, some of what this lesson explains does not happen.
 app-put-back = Start again with the lesson's own values
 app-slide = As on the slide

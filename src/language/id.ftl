@@ -129,6 +129,7 @@ app-method-of-the-lesson = Pelajaran mempunyai metodenya sendiri; buka sebuah ad
 app-method-as-it-is = Adegan sudah digambar dengan metode ini.
 app-read-again = Berkas telah disimpan dan ditampilkan kembali.
 free-walk-say = Adegan Anda sendiri: pilih metode di bilah atas, klik ganda sebuah piksel, lalu ikuti langkah demi langkah terbentuknya warna piksel itu. Adegan dibaca ulang setiap kali disimpan.
+app-typed-numbers = Anda telah mengubah suatu nilai: angka dalam teks ini yang bukan dari perhitungan berlaku untuk nilai-nilai pelajaran sendiri.
 app-unsaid = Dengan nilai-nilai ini, sebagian dari yang dijelaskan pelajaran ini tidak terjadi.
 app-put-back = Mulai lagi dengan nilai-nilai pelajaran
 app-slide = Seperti pada slide

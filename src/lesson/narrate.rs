@@ -4,7 +4,7 @@ use super::answer::{Answer, arrow, order, pick};
 use super::error::{LessonError, problem};
 use super::file::{AnswerFile, QuestionFile, StepFile, Text};
 use super::narrated::{Narrated, Question};
-use super::template::fill;
+use super::template::{fill, types_numbers};
 use crate::panels::{Hidden, Panel, named_by};
 use crate::record::{Fields, Value};
 use crate::replay::{Query, Run, Walk, query};
@@ -75,6 +75,7 @@ impl Search<'_> {
             step: at,
             title: step.title.clone(),
             key: step.key.as_deref().and_then(Panel::called),
+            types_numbers: types_numbers(&step.say.en),
             say: self.fill(&step.say, at, &format!("{place}.say")),
             slide: slide.map(|slide| self.fill(slide, at, &format!("{place}.slide"))),
             question: step.question.as_ref().and_then(|Keyed(question)| {

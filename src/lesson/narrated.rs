@@ -18,6 +18,8 @@ pub struct Narrated {
     /// By language, with the values of the run filled in.
     pub(super) say: [String; 2],
     pub(super) slide: Option<[String; 2]>,
+    /// Whether the text has numbers that were typed, which need not hold after a change.
+    pub types_numbers: bool,
     pub question: Option<Question>,
     /// Explanations of what does not happen after a change: those that would follow, and before the first those that would come before.
     pub(super) not_happening: Vec<StepFile>,

@@ -53,6 +53,22 @@ fn field(inside: &str) -> Result<Piece<'_>, String> {
     }
 }
 
+/// Whether a text has numbers of its own, which are not those of the run: digits that are no part of a name.
+pub fn types_numbers(text: &str) -> bool {
+    let pieces = pieces(text).unwrap_or_default();
+    pieces.iter().any(|piece| {
+        let Piece::Plain(plain) = piece else {
+            return false;
+        };
+        let mut before = ' ';
+        plain.chars().any(|c| {
+            let starts = c.is_ascii_digit() && !(before.is_alphanumeric() || before == '_');
+            before = c;
+            starts
+        })
+    })
+}
+
 /// The text with its values; `called` gives the names of things of the scene by field and value. Errors: what [`pieces`] refuses,
 /// fields that were not recorded, and numbers that are of no thing.
 pub fn fill<'a>(

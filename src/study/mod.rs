@@ -8,6 +8,7 @@
 //! All times are of one thread. Nothing here touches a file.
 
 pub mod ablation;
+pub mod against;
 pub mod count;
 pub mod errors;
 pub mod families;
@@ -16,6 +17,7 @@ pub mod form;
 pub mod harness;
 pub mod label;
 pub mod machine;
+pub mod mistakes;
 pub mod pareto;
 pub mod plot;
 pub mod report;

@@ -1,0 +1,144 @@
+//! `lightwalk compare`: a picture of another program against ours.
+
+use super::arguments::{LimitArguments, RayArguments, method, method_names};
+use super::failure::Failure;
+use super::files;
+use crate::algorithms::enclosure;
+use crate::color::{Rgb, StoredImage, png_rgb8, read_image};
+use crate::figure::diverging;
+use crate::methods::{Method, Settings, Setup};
+use crate::study::against::{Comparison, compare};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// A scene file
+    scene: PathBuf,
+    /// How it was drawn
+    #[arg(long, value_parser = method_names(), value_name = "METHOD")]
+    method: String,
+    /// Your picture: PNG, PPM or PFM
+    #[arg(long, value_name = "IMAGE")]
+    with: PathBuf,
+    /// How far a channel may be off, in the numbers of the file: 1/255 unless given
+    #[arg(long, value_name = "T", default_value_t = 1.0 / 255.0, allow_negative_numbers = true)]
+    tolerance: f64,
+    /// Prints one JSON object
+    #[arg(long)]
+    json: bool,
+    /// A folder for the pictures: reference.png and difference.png
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    rays: RayArguments,
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+pub fn run(arguments: Arguments) -> Result<(), Failure> {
+    let method = method(&arguments.method)?;
+    let tolerance = arguments.tolerance;
+    if !(0.0..=1e6).contains(&tolerance) {
+        return Err(Failure::Wrong(format!(
+            "--tolerance {tolerance}: allowed are numbers from 0 to 1e6"
+        )));
+    }
+    if let Some(folder) = &arguments.out {
+        files::check_output_folder(folder)?;
+    }
+    let image = &arguments.with;
+    let wrong = |error: &str| files::wrong(&image.display(), &error);
+    let bytes = files::picture(image)?;
+    let mine = read_image(&bytes).map_err(|error| wrong(&error))?;
+    let setup = setup(&arguments, method, &mine)?;
+    let threads = std::thread::available_parallelism().unwrap_or(std::num::NonZeroUsize::MIN);
+    let found = compare(&mine, &setup, method, tolerance, threads);
+    if let Some(folder) = &arguments.out {
+        write(folder, &mine, &found)?;
+    }
+    let mut out = std::io::stdout();
+    match arguments.json {
+        true => {
+            let json = serde_json::to_string(&found).map_err(|error| wrong(&error.to_string()))?;
+            writeln!(out, "{json}")?;
+        }
+        false => write!(out, "{}", in_words(&found))?,
+    }
+    match found.off {
+        0 => Ok(()),
+        off => Err(Failure::Failed(format!(
+            "{off} of {} pixels differ by more than {tolerance}",
+            found.pixels
+        ))),
+    }
+}
+
+/// The scene before a picture of the size of the other.
+fn setup(arguments: &Arguments, method: Method, mine: &StoredImage) -> Result<Setup, Failure> {
+    let scene = &arguments.scene;
+    let (read, settings) = files::scene(scene, &arguments.limits.into())?;
+    let settings = Settings::from(arguments.rays.or(settings.get()))
+        .with(settings.get::<enclosure::Settings>());
+    let size = [mine.width, mine.height];
+    let prepared = files::prepared(read, size, method, &scene.display())?;
+    let setup = Setup::new(prepared, settings);
+    let checked = setup.check_for(method).map_err(|error| error.to_string());
+    checked.map_err(|error| files::wrong(&scene.display(), &error))?;
+    Ok(setup)
+}
+
+fn in_words(found: &Comparison) -> String {
+    let [width, height] = found.size;
+    let mut lines = vec![
+        format!("{width} × {height} pixels, fits {} better", found.encoding),
+        format!(
+            "{} of {} pixels differ; largest difference {:.4}, rms {:.2e}",
+            found.off, found.pixels, found.largest, found.rms
+        ),
+    ];
+    for worst in &found.worst {
+        let [mine, reference] = [worst.mine, worst.reference]
+            .map(|channels| channels.map(|channel| format!("{channel:.3}")).join(" "));
+        lines.push(format!(
+            "  pixel ({}, {}): yours {mine}, reference {reference}",
+            worst.x, worst.y
+        ));
+    }
+    for mistake in &found.mistakes {
+        lines.push(format!(
+            "{}: explains {} of {} differing pixels",
+            mistake.name, mistake.explains, mistake.of
+        ));
+    }
+    if found.off > 0 && found.mistakes.is_empty() {
+        lines.push("no classic mistake explains a tenth of them".into());
+    }
+    lines.join("\n") + "\n"
+}
+
+/// The reference as it would be stored, and the signed difference of the channels' mean: orange where yours is brighter.
+fn write(folder: &Path, mine: &StoredImage, found: &Comparison) -> Result<(), Failure> {
+    std::fs::create_dir_all(folder).map_err(|error| {
+        Failure::Failed(format!(
+            "cannot make the folder {}: {error}",
+            folder.display()
+        ))
+    })?;
+    let byte = |channel: f64| (255.0 * channel.clamp(0.0, 1.0)).round() as u8;
+    let reference: Vec<u8> = found.reference.iter().flatten().map(|&c| byte(c)).collect();
+    let largest = found.largest.max(f64::MIN_POSITIVE);
+    let mean = |pixel: &[f64; 3]| pixel.iter().sum::<f64>() / 3.0;
+    let difference = mine.pixels.iter().zip(&found.reference);
+    let difference: Vec<u8> = difference
+        .flat_map(|(mine, reference)| -> [u8; 3] {
+            let color: Rgb = diverging((mean(mine) - mean(reference)) / largest);
+            color.to_srgb8()
+        })
+        .collect();
+    for (name, bytes) in [("reference.png", reference), ("difference.png", difference)] {
+        let png = png_rgb8(mine.width, mine.height, &bytes);
+        files::write_whole(&folder.join(name), |writer| writer.write_all(&png))?;
+    }
+    Ok(())
+}

@@ -1,0 +1,189 @@
+//! A picture of another program against the reference: how far off it is, and which classic mistakes explain the difference.
+
+use super::mistakes::{Encoding, Mistake};
+use crate::algorithms::frame::Frame;
+use crate::color::{Rgb, StoredImage};
+use crate::methods::{Method, Setup};
+use crate::render::render;
+use serde::Serialize;
+use std::num::NonZeroUsize;
+
+/// Pixels that are named as the worst.
+const WORST: usize = 5;
+/// A mistake that explains a smaller share of the differing pixels is not named.
+const EXPLAINED: f64 = 0.1;
+
+/// What was found. Differences are in the numbers of the file, from 0 to 1 where those are integers.
+#[derive(Clone, Debug, Serialize)]
+pub struct Comparison {
+    pub size: [u32; 2],
+    /// That which fits better: `linear` or `srgb`.
+    pub encoding: &'static str,
+    /// The largest difference of a channel.
+    pub largest: f64,
+    /// Over all channels.
+    pub rms: f64,
+    /// How many pixels have a channel that is off by more than the tolerance.
+    pub off: usize,
+    pub pixels: usize,
+    /// The worst first.
+    pub worst: Vec<Worst>,
+    /// The one that explains most first.
+    pub mistakes: Vec<Explanation>,
+    #[serde(skip)]
+    pub reference: Vec<[f64; 3]>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+pub struct Worst {
+    pub x: u32,
+    pub y: u32,
+    pub mine: [f64; 3],
+    pub reference: [f64; 3],
+}
+
+/// A mistake that would make the picture what it is, at some of its pixels.
+#[derive(Clone, Debug, Serialize)]
+pub struct Explanation {
+    pub name: &'static str,
+    /// How many of the differing pixels are then as in the reference with the mistake.
+    pub explains: usize,
+    pub of: usize,
+    pub rms_after: f64,
+}
+
+/// Compares a picture, of the size of the set-up's view, with what `method` draws of it.
+pub fn compare(
+    mine: &StoredImage,
+    setup: &Setup,
+    method: Method,
+    tolerance: f64,
+    threads: NonZeroUsize,
+) -> Comparison {
+    let frame = render(setup, method, threads, &|_, _| {});
+    // Integers are for the screen, floats are light.
+    let right = match mine.is_float {
+        true => Encoding::Linear,
+        false => Encoding::Srgb,
+    };
+    let reference = encoded(&frame, right, mine.is_float);
+    let other = match right {
+        Encoding::Linear => Encoding::Srgb,
+        _ => Encoding::Linear,
+    };
+    let fits = |encoding| rms(&mine.pixels, &encoded(&frame, encoding, mine.is_float));
+    let encoding = if fits(other) < fits(right) {
+        other
+    } else {
+        right
+    };
+    let differs = differing(&mine.pixels, &reference, tolerance);
+    let mut worst: Vec<usize> = (0..mine.pixels.len()).filter(|&at| differs[at]).collect();
+    let by = |at: &usize| distance(mine.pixels[*at], reference[*at]);
+    worst.sort_by(|a, b| by(b).total_cmp(&by(a)));
+    let off = worst.len();
+    let mistakes = match off {
+        0 => Vec::new(),
+        _ => explanations(
+            mine,
+            setup,
+            method,
+            &frame,
+            (right, tolerance, &differs),
+            threads,
+        ),
+    };
+    let all = 0..mine.pixels.len();
+    Comparison {
+        size: [mine.width, mine.height],
+        encoding: encoding.name(),
+        largest: all.map(|at| by(&at)).fold(0.0, f64::max),
+        rms: rms(&mine.pixels, &reference),
+        off,
+        pixels: mine.pixels.len(),
+        worst: worst
+            .into_iter()
+            .take(WORST)
+            .map(|at| Worst {
+                x: at as u32 % mine.width,
+                y: at as u32 / mine.width,
+                mine: mine.pixels[at],
+                reference: reference[at],
+            })
+            .collect(),
+        mistakes,
+        reference,
+    }
+}
+
+fn explanations(
+    mine: &StoredImage,
+    setup: &Setup,
+    method: Method,
+    frame: &Frame,
+    (right, tolerance, differs): (Encoding, f64, &[bool]),
+    threads: NonZeroUsize,
+) -> Vec<Explanation> {
+    let of = differs.iter().filter(|&&differs| differs).count();
+    let possible = Mistake::ALL
+        .into_iter()
+        .filter(|mistake| mistake.concerns(method));
+    let mut found: Vec<Explanation> = possible
+        .filter_map(|mistake| {
+            let (wrong, encoding) = mistake.picture(setup, method, frame, right, threads)?;
+            let wrong = encoded(&wrong, encoding, mine.is_float);
+            let still = differing(&mine.pixels, &wrong, tolerance);
+            let explained = differs.iter().zip(&still);
+            let explains = explained.filter(|&(&was, &is)| was && !is).count();
+            Some(Explanation {
+                name: mistake.name(),
+                explains,
+                of,
+                rms_after: rms(&mine.pixels, &wrong),
+            })
+        })
+        .filter(|found| found.explains as f64 >= EXPLAINED * of as f64)
+        .collect();
+    found.sort_by(|a, b| {
+        let most = b.explains.cmp(&a.explains);
+        most.then(a.rms_after.total_cmp(&b.rms_after))
+    });
+    found
+}
+
+/// The numbers that a file would have; integers are rounded to 8 bits.
+fn encoded(frame: &Frame, encoding: Encoding, is_float: bool) -> Vec<[f64; 3]> {
+    let byte = |byte: u8| f64::from(byte) / 255.0;
+    let one = |color: &Rgb| match (encoding, is_float) {
+        (Encoding::Linear, true) => color.channels(),
+        (Encoding::Linear, false) => color
+            .channels()
+            .map(|channel| byte((255.0 * channel.clamp(0.0, 1.0)).round() as u8)),
+        (Encoding::Srgb, _) => color.to_srgb8().map(byte),
+        (Encoding::SrgbTwice, _) => Rgb::from(color.to_srgb8().map(byte)).to_srgb8().map(byte),
+    };
+    frame.color.iter().map(one).collect()
+}
+
+/// The largest difference of a channel.
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|c| (a[c] - b[c]).abs()).fold(0.0, f64::max)
+}
+
+/// Where a channel is off by more; half a thousandth of the tolerance is rounding.
+fn differing(mine: &[[f64; 3]], reference: &[[f64; 3]], tolerance: f64) -> Vec<bool> {
+    let off = |(&a, &b): (&[f64; 3], &[f64; 3])| distance(a, b) > tolerance * 1.0005;
+    mine.iter().zip(reference).map(off).collect()
+}
+
+fn rms(mine: &[[f64; 3]], reference: &[[f64; 3]]) -> f64 {
+    let squares = mine
+        .iter()
+        .zip(reference)
+        .flat_map(|(a, b)| (0..3).map(move |c| (a[c] - b[c]).powi(2)));
+    let count = 3 * mine.len().max(1);
+    (squares.sum::<f64>() / count as f64).sqrt()
+}
+
+#[cfg(test)]
+mod tests;
