@@ -346,8 +346,7 @@ difference-here = here: { $value }
 
 form-factor-no-pair = This run solves for the light of all patches. Look at one form factor to see how it is found.
 form-factor-exact = reference
-form-factor-standard-error = ± standard error s
-form-factor-after = n = { $count }
+form-factor-standard-error = standard error s after n = { $count }
 form-factor-hits = met j: { $part } of { $all }
 form-factor-free = unblocked: { $part } of { $all }
 

@@ -346,8 +346,7 @@ difference-here = di sini: { $value }
 
 form-factor-no-pair = Proses ini mencari cahaya semua patch. Pilih satu faktor bentuk untuk melihat cara mencarinya.
 form-factor-exact = acuan
-form-factor-standard-error = ± galat baku s
-form-factor-after = n = { $count }
+form-factor-standard-error = galat baku s setelah n = { $count }
 form-factor-hits = mengenai j: { $part } dari { $all }
 form-factor-free = tak terhalang: { $part } dari { $all }
 

@@ -28,7 +28,6 @@ const ERROR: Message = Message("common-error");
 const HITS: Message = Message("form-factor-hits");
 const FREE: Message = Message("form-factor-free");
 const STANDARD_ERROR: Message = Message("form-factor-standard-error");
-const AFTER: Message = Message("form-factor-after");
 
 /// All that is drawn.
 struct Layout<'a> {
@@ -184,13 +183,15 @@ impl Layout<'_> {
             }
         }
         if let Some(batch) = self.state.batches.iter().last() {
-            let after = AFTER.format(language, &[("count", &batch.samples.to_string())]);
+            let count = batch.samples.to_string();
+            let named = STANDARD_ERROR.format(language, &[("count", &count)]);
             let error = language.significant(batch.error, 3);
             let formula = match self.state.shares.is_empty() {
                 true => "√(F (1 − F) / n) = ",
                 false => "",
             };
-            lines.push((format!("s = {formula}{error}, {after}"), quiet));
+            lines.push((named, quiet));
+            lines.push((format!("s = {formula}{error}"), quiet));
         }
         let rays = self.state.running.len();
         if let Some((Running::Hits(hits), _)) = self.state.running.iter().last() {

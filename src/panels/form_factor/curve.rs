@@ -1,6 +1,6 @@
 //! The value as it runs, against the reference; of samples with the band of its standard error, which narrows as the value settles.
 
-use super::{EXACT, Layout, STANDARD_ERROR};
+use super::{EXACT, Layout};
 use crate::figure::{Axis, LEGEND_SAMPLE, Plot, Scale, legend};
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::form_factor::Batch;
@@ -60,7 +60,7 @@ pub fn draw(picture: &mut Picture, layout: &Layout, place: Rect) {
     }
     if !batches.is_empty() {
         let stroke = Ink::Linked.stroke(7.0).opacity(BAND);
-        entries.push((stroke, STANDARD_ERROR.text(layout.input.language)));
+        entries.push((stroke, "± s"));
     }
     let row = plot.beside_name();
     let width = |name: &str| LEGEND_SAMPLE + Style::Body.size(TEXT).width(name) + GAP;
