@@ -38,8 +38,8 @@ pub struct Key {
     unshot: bool,
     /// Of the room and the scene in space.
     pair: Option<[usize; 2]>,
-    /// Whether a question waits.
-    pending: bool,
+    /// Whether a question waits, and the last step that is not hidden by one.
+    pending: (bool, usize),
     answered: Answered,
     /// Of the inspector alone.
     selected: Option<usize>,
@@ -131,7 +131,10 @@ impl Key {
             pair: session
                 .pair()
                 .filter(|_| matches!(panel, Panel::Radiosity | Panel::Space)),
-            pending: session.panel_input().is_pending(),
+            pending: {
+                let input = session.panel_input();
+                (input.is_pending(), input.last_known())
+            },
             answered: session.panel_input().answered,
             selected: session
                 .selected_step()

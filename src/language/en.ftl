@@ -562,6 +562,7 @@ scan-line-difference = difference
 ## vectors
 
 vectors-not-yet = This ray has met no surface yet. Go on until the nearest object is found.
+vectors-normal-next = This ray meets { $object }, at t { $t }. Go on for the normal there.
 vectors-no-point = While a point is being lit, this panel shows its vectors. At this step none is.
 vectors-no-surface = This ray meets no surface: it takes the colour of the background, or of a light. Double-click an object in the image.
 vectors-angles = { $surface } · angle with N

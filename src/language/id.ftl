@@ -559,6 +559,7 @@ scan-line-difference = selisih
 ## vectors
 
 vectors-not-yet = Sinar ini belum mengenai permukaan. Lanjutkan sampai objek terdekat ditemukan.
+vectors-normal-next = Sinar ini mengenai { $object }, di t { $t }. Lanjutkan untuk melihat normalnya.
 vectors-no-point = Saat sebuah titik diberi pencahayaan, panel ini menampilkan vektor-vektornya. Pada langkah ini tidak ada.
 vectors-no-surface = Sinar ini tidak mengenai permukaan: mendapat warna latar belakang atau cahaya. Klik dua kali sebuah objek pada gambar.
 vectors-angles = { $surface } · sudut dengan N

@@ -26,7 +26,7 @@ pub use shared::names::word as word_name;
 pub use shared::names::{
     kind as kind_name, meaning, meaning_and_origin, method as method_name, object as object_name,
     of_field as named_by, patch as patch_name, quantity as quantity_name,
-    ray_kind as ray_kind_name, scope as scope_names,
+    ray_kind as ray_kind_name, scope_known_at as scope_names,
 };
 pub use shared::patches::{form_factor, form_factor_values, patch_values};
 pub use shared::strings;
@@ -143,6 +143,8 @@ pub struct PanelInput<'a> {
     pub smooth: Option<DrawPatches>,
     /// While a question waits at the step, what it hides beside all that is ahead of the step; none where no question waits.
     pub pending: Option<&'a [Hidden]>,
+    /// The next step at which a question waits, this one or one ahead; none where none does.
+    pub waiting: Option<usize>,
     /// What was answered to the question at the step, as far as pictures show it.
     pub answered: Answered,
     /// The step of what is selected, whose values the inspector shows in place of those of the step.
@@ -171,6 +173,7 @@ impl<'a> PanelInput<'a> {
             fan: &[],
             smooth: None,
             pending: None,
+            waiting: None,
             answered: Answered::default(),
             selected: None,
             unshot: false,

@@ -13,11 +13,12 @@ pub(super) mod point;
 
 pub use plane::{Held, PlaneGrip};
 
-use super::message::{NO_STEPS, message};
+use super::message::{NO_STEPS, centered, message};
+use super::names;
 use super::values::step_as_sentence;
 use super::{PanelInput, Properties};
 use crate::algorithms::visible::Intersection;
-use crate::language::Message;
+use crate::language::{Language, Message};
 use crate::picture::{Picture, Rect};
 use crate::replay::rays::State;
 use crate::scene::Scene;
@@ -27,6 +28,7 @@ use met::SurfaceInSight;
 use plane::{Plane, Tip};
 
 const NOT_YET: Message = Message("vectors-not-yet");
+const NORMAL_NEXT: Message = Message("vectors-normal-next");
 const NO_POINT: Message = Message("vectors-no-point");
 const NO_SURFACE: Message = Message("vectors-no-surface");
 
@@ -40,8 +42,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         return at_point(input, size);
     };
     let Some(surface) = SurfaceInSight::of(state) else {
-        let strings = if over(state) { NO_SURFACE } else { NOT_YET };
-        return message(strings, input.language, size);
+        return centered(&no_surface(state, input.language), size);
     };
     let walk = input.run.walk();
     let kind = walk.kind(walk.position());
@@ -101,13 +102,17 @@ fn plane_and_tips(input: &PanelInput, size: Vec2) -> Option<(Plane, Vec<Tip>)> {
     Some((arrows::plane(&surface, text, drawing), surface.tips()))
 }
 
-/// Whether the current ray has found out that it meets no surface.
-fn over(state: &State) -> bool {
-    let met = state.ray().and_then(|ray| ray.met);
-    matches!(
-        met,
-        Some(Intersection::Nothing | Intersection::Light { .. })
-    )
+/// Why the current ray has no surface in sight.
+fn no_surface(state: &State, language: Language) -> String {
+    match state.ray().and_then(|ray| ray.met) {
+        None => NOT_YET.text(language).to_owned(),
+        Some(Intersection::Object(hit)) => {
+            let object = names::object(&state.prepared, hit.object, language);
+            let t = language.number(hit.t);
+            NORMAL_NEXT.format(language, &[("object", object), ("t", &t)])
+        }
+        Some(_) => NO_SURFACE.text(language).to_owned(),
+    }
 }
 
 /// Size of the text of the list.

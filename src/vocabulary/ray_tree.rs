@@ -39,13 +39,13 @@ vocabulary! {
                 &[
                     is("L = [light_position − P; |light_position − P|]"),
                     is("d = |light_position − P|"),
-                    LEFT_OF_POINT,
-                    LEFT_POINT,
+                    SHADOW_OFFSET,
+                    SHADOW_ORIGIN,
                     ],
             ),
             entry(
                 "event-shadow-ray-infinitely-far",
-                &[is("L = −light_toward"), LEFT_OF_POINT, LEFT_POINT],
+                &[is("L = −light_toward"), SHADOW_OFFSET, SHADOW_ORIGIN],
             ),
         ];
     Event::Shadow { light, blocked, by } => "Shadow" at "shadow"
@@ -211,13 +211,13 @@ vocabulary! {
         ];
 }
 
-const MIRRORED: &[Formula] = &[is("u = {R<}"), LEFT_OF, LEFT];
-const REFRACTED: &[Formula] = &[is("u = {T<}"), LEFT_OF, LEFT];
+const MIRRORED: &[Formula] = &[is("u = {R<}"), RAY_OFFSET, RAY_ORIGIN];
+const REFRACTED: &[Formula] = &[is("u = {T<}"), RAY_OFFSET, RAY_ORIGIN];
 /// A ray starts a little off the surface, so that it does not meet it where it stands.
-const LEFT_OF: Formula = is("{ε=offset} := O − {P<}");
-const LEFT: Formula = is("O = {P<} + {ε=offset}").noted(Message("note-offset"));
-const LEFT_OF_POINT: Formula = is("{ε=offset} := O − P");
-const LEFT_POINT: Formula = is("O = P + {ε=offset}").noted(Message("note-offset"));
+const RAY_OFFSET: Formula = is("{ε=offset} := O − {P<}");
+const RAY_ORIGIN: Formula = is("O = {P<} + {ε=offset}").noted(Message("note-offset"));
+const SHADOW_OFFSET: Formula = is("{ε=offset} := O − P");
+const SHADOW_ORIGIN: Formula = is("O = P + {ε=offset}").noted(Message("note-offset"));
 /// The light of the ray as it came back, not attenuated.
 const AS_RETURNED: When = When::Same("carried", "{I<}");
 const COSINE: &str = "cos2_theta_r = 1 − ([eta_i; eta_r])^2 (1 − (cos_theta_i)^2)";

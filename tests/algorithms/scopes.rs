@@ -27,7 +27,7 @@ fn check(run: &Run, what: &str) -> usize {
         names.resize_with(depth + 1, HashSet::new);
         kinds.resize_with(depth + 1, HashSet::new);
         let kind = walk.declared(step);
-        let name = scope_names(run, step, Language::English).swap_remove(0);
+        let name = scope_names(run, step, usize::MAX, Language::English).swap_remove(0);
         assert!(
             !name.is_empty(),
             "{what}, step {step}: {} has no name",

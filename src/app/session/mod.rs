@@ -362,6 +362,7 @@ impl Session {
             fan: self.fan.rays(),
             smooth: self.look.smooth.then_some(smooth_patches),
             pending: self.pending(),
+            waiting: self.question_between(self.step(), usize::MAX),
             answered: self.answered(),
             selected: self.selected_step(),
             unshot: self.look.unshot,

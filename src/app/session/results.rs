@@ -78,9 +78,10 @@ impl Session {
         let title = explained.and_then(|index| self.open.narrated[index].title.as_ref());
         let title = title.map(|title| plain(title.in_language(language)));
         let outline = run.walk().outline();
+        let known = self.panel_input().last_known();
         let mut scopes: Vec<String> = outline
             .scopes(step)
-            .map(|scope| scope_names(run, scope, language).swap_remove(0))
+            .map(|scope| scope_names(run, scope, known, language).swap_remove(0))
             .collect();
         scopes.reverse();
         Found {

@@ -34,11 +34,11 @@ impl PanelInput<'_> {
         self.pending.is_some()
     }
 
-    /// The last step whose values may be shown.
+    /// The last step whose values may be shown: that of the next question.
     pub fn last_known(&self) -> usize {
         match self.is_pending() {
             true => self.run.walk().position(),
-            false => usize::MAX,
+            false => self.waiting.unwrap_or(usize::MAX),
         }
     }
 

@@ -26,8 +26,12 @@ pub fn labelled(name: &str, what: &str, language: Language) -> String {
 
 /// A picture of one friendly sentence, centred.
 pub fn message(strings: Message, language: Language, size: Vec2) -> Picture {
+    centered(strings.text(language), size)
+}
+
+/// A picture of a text, centred.
+pub fn centered(text: &str, size: Vec2) -> Picture {
     const LINE: f32 = 18.0;
-    let text = strings.text(language);
     let mut picture = Picture::new(size.x, size.y);
     picture.alt = text.to_string();
     let style = Style::Body.size(13.0).ink(Ink::Muted).middle();

@@ -164,13 +164,8 @@ pub fn scope_kind(kind: &Kind, language: Language) -> String {
     }
 }
 
-/// What the scope is called that `step` opens, from the longest form to the shortest: of a ray, its kind and what it meets; of
-/// others, their kind with their number, and the number alone.
-pub fn scope(run: &Run, step: usize, language: Language) -> Vec<String> {
-    scope_known_at(run, step, usize::MAX, language)
-}
-
-/// The same as far as it is known at the step `now`.
+/// What the scope is called that `step` opens, as far as it is known at the step `now`, from the longest form to the shortest: of a
+/// ray, its kind and what it meets; of others, their kind with their number, and the number alone.
 pub fn scope_known_at(run: &Run, step: usize, now: usize, language: Language) -> Vec<String> {
     let walk = run.walk();
     if let Some(ray) = ray(run, step, now, language) {

@@ -1,4 +1,4 @@
-use super::super::fixture::Fixture;
+use super::super::fixture::{self, Fixture};
 use super::super::fixtures::{self, SIZES, assert_legible, texts};
 use super::rows::{NARROWEST, bars};
 use super::*;
@@ -28,6 +28,31 @@ fn every_step_is_legible_and_bars_never_overlap() {
             }
         }
     }
+}
+
+#[test]
+fn what_rays_meet_is_not_named_beyond_the_next_question() {
+    let mut fixture = Fixture::rays(Method::RayTracing, fixture::FLOOR, 2);
+    let found = fixture.first("Found");
+    fixture.go_to("Through", 0);
+    let named = |waiting| {
+        let input = PanelInput {
+            waiting,
+            ..fixture.input()
+        };
+        let picture = draw(&input, Vec2::new(1400.0, 120.0));
+        let said = texts(&picture).into_iter().map(|(text, _)| text.to_owned());
+        let said: Vec<String> = said.filter(|text| text.contains('→')).collect();
+        said
+    };
+    assert!(!named(None).is_empty(), "nothing hides what is ahead");
+    assert_eq!(named(Some(found - 1)), Vec::<String>::new());
+    let first = named(Some(found));
+    assert!(
+        first.iter().all(|text| text.contains("→ floor")),
+        "{first:?}"
+    );
+    assert!(!first.is_empty());
 }
 
 #[test]
@@ -85,7 +110,8 @@ fn the_current_scope_of_each_row_is_named_and_no_two_bars_of_a_scope_read_the_sa
                         // A long word may be shortened to the left of the bars.
                         let begins = text.trim_end_matches('…');
                         named |= row.current.is_some_and(|current| {
-                            let names = names::scope(&fixture.run, current, language);
+                            let names =
+                                names::scope_known_at(&fixture.run, current, usize::MAX, language);
                             scope.is_none_or(|scope| scope == current)
                                 && names.iter().any(|name| name.starts_with(begins))
                         });

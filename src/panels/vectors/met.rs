@@ -143,6 +143,7 @@ impl<'a> SurfaceInSight<'a> {
                 } else {
                     (beyond, incoming)
                 };
+                let [up, down] = [up, down].map(|eta| language.number(eta));
                 [format!("{above}  η {up}"), format!("{below}  η {down}")]
             }
             None => [above, below],

@@ -36,6 +36,35 @@ fn every_step_is_legible_at_every_size() {
 }
 
 #[test]
+fn what_the_ray_tree_names_is_met_here_too() {
+    let mut fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
+    let found = fixture.first("Found");
+    let words = |fixture: &Fixture| printed(&draw(&fixture.input(), LARGE)).join(" ");
+    assert!(words(fixture.seek(found - 1)).contains("has met no surface yet"));
+    let said = words(fixture.seek(found));
+    let hit = fixture.run.rays().unwrap().ray().unwrap().met.unwrap();
+    let t = Language::English.number(hit.t());
+    assert!(
+        said.contains(&format!("meets glass ball, at t {t}.")),
+        "{said}"
+    );
+}
+
+#[test]
+fn indices_of_refraction_have_the_decimal_sign_of_the_language() {
+    let mut fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
+    fixture.go_to("Refraction", 0);
+    for (language, index) in [
+        (Language::English, "η 1.5"),
+        (Language::Indonesian, "η 1,5"),
+    ] {
+        let picture = draw(&fixture.show_in(language), LARGE);
+        let said = printed(&picture);
+        assert!(said.iter().any(|text| text.ends_with(index)), "{said:?}");
+    }
+}
+
+#[test]
 fn angles_are_those_that_the_steps_tell() {
     let mut fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
     for (kind, n, name) in [

@@ -296,3 +296,21 @@ fn the_right_arrow_is_the_one_that_the_run_draws() {
         assert!(told.distance(drawn) < 40.0, "{id}: {told}, drawn {drawn}");
     }
 }
+
+#[test]
+fn nothing_beyond_the_next_question_is_known() {
+    let mut session = asked("ray-tree", |_| true);
+    let question = session.step();
+    session.update(Command::Start).unwrap();
+    assert_eq!(session.panel_input().last_known(), question);
+    go(&mut session, Command::NextNarrated);
+    while session.step() < question {
+        go(&mut session, Command::NextNarrated);
+    }
+    go(&mut session, Command::Skip);
+    let next = session.panel_input().last_known();
+    assert!(next > question, "{next} after {question}");
+    // Who asks for no questions sees everything.
+    go(&mut session, Command::Questions);
+    assert_eq!(session.panel_input().last_known(), usize::MAX);
+}
