@@ -251,6 +251,13 @@ pub const BINDINGS: &[Binding] = &[
         || Command::Parameters,
         "app-parameters",
     ),
+    bind(
+        Key::P,
+        Shift,
+        "Shift p",
+        || Command::Pin,
+        "keys-pin-the-tree",
+    ),
     bind(Key::Z, Nothing, "z", || Command::Fill, "keys-fill"),
     bind(
         Key::I,

@@ -24,7 +24,7 @@ pub struct Key {
     language: Language,
     breakpoints: Vec<usize>,
     /// Of the ray tree alone.
-    tree: Option<TreeView>,
+    tree: Option<(TreeView, u64)>,
     /// Of the inspector alone.
     inspector: Option<InspectorView>,
     /// Of formulas alone.
@@ -118,7 +118,7 @@ impl Key {
             step: session.step(),
             language: session.look.language,
             breakpoints: session.breakpoints().to_vec(),
-            tree: (panel == Panel::RayTree).then(|| session.tree().clone()),
+            tree: (panel == Panel::RayTree).then(|| (session.tree().clone(), session.pins())),
             inspector: (panel == Panel::Inspector).then(|| session.inspector().clone()),
             channel: session
                 .panel_input()

@@ -14,9 +14,15 @@ const PRESS: f32 = 1.5;
 /// Points of the wheel that zoom to e times the size.
 const WHEEL: f32 = 200.0;
 
-/// Fit, larger and smaller.
+/// Pin or unpin, fit, larger and smaller.
 pub fn buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.x = 4.0;
+    let (sign, name) = match session.pinned() {
+        Some(_) => (strings::UNPIN, strings::UNPIN_TREE),
+        None => (strings::PIN, strings::PIN_TREE),
+    };
+    let pin = session.localize(sign);
+    button::sign(session, pin, name, Command::Pin, commands, ui);
     let tree = session.tree();
     for (sign, view, name) in [
         (

@@ -35,6 +35,7 @@ use crate::algorithms::focus::Focus;
 use crate::language::Message;
 use crate::picture::Picture;
 use crate::render::{DrawPatches, Finished};
+use crate::replay::rays::State;
 use crate::replay::{FanRay, Run};
 use glam::Vec2;
 #[cfg(test)]
@@ -129,6 +130,8 @@ pub struct PanelInput<'a> {
     pub breakpoints: &'a [usize],
     /// Which part of the ray tree is shown.
     pub tree: &'a TreeView,
+    /// The ray tree of another pixel, as far as it was traced, which is shown beside that of the run; none where none is pinned.
+    pub pinned: Option<&'a State>,
     /// Which values the inspector shows.
     pub inspector: &'a InspectorView,
     /// The channel that formulas are worked out in; none where it is the largest of their results.
@@ -166,6 +169,7 @@ impl<'a> PanelInput<'a> {
             narrated: &[],
             breakpoints: &[],
             tree: TreeView::whole(),
+            pinned: None,
             inspector: InspectorView::whole(),
             channel: None,
             image: ImageView::WHOLE,

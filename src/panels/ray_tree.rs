@@ -2,7 +2,9 @@
 //! the reason why it ended; and the light that comes back up, sum by sum.
 
 mod arrange;
+mod beside;
 mod card;
+mod drawn;
 mod edges;
 mod levels;
 mod lines;
@@ -26,11 +28,12 @@ use crate::algorithms::ray_tree::RayKind;
 use crate::figure::elided;
 use crate::language::Message;
 use crate::methods::Method;
-use crate::picture::{Ink, Picture, Rect, Style, Tag};
+use crate::picture::{Ink, Picture, Rect, Style};
 use crate::replay::rays::{Outcome, RayState, State};
-use arrange::Arrangement;
+use arrange::{Arrangement, arrange};
+use drawn::ShownTree;
 use glam::Vec2;
-use node::{Describer, Standing, letter, line};
+use node::{Describer, letter, line};
 use pick::Rays;
 use places::{CardPlace, Places};
 use strings::*;
@@ -47,6 +50,9 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         picture.alt = format!("{}. {}", step_in_words(input), picture.alt);
         return picture;
     };
+    if let Some(pinned) = beside::pinned(input, size) {
+        return beside::draw(input, [pinned, state], size);
+    }
     let describer = Describer {
         state,
         language: input.language,
@@ -56,21 +62,19 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let (rising, returning) = rising(input, state);
 
     let mut picture = Picture::new(size.x, size.y);
-    edges::draw(
-        &mut picture,
-        &rays,
-        &arrangement,
+    let shown = ShownTree {
+        rays: &rays,
+        arrangement: &arrangement,
         rising,
-        input.language,
-        places.tree,
-    );
-    nodes(&mut picture, &describer, &rays, &arrangement, places.tree);
+        is_now: true,
+    };
+    shown.draw(&mut picture, &describer, places.tree);
     let levels = input.run.method() == Method::RayTracing;
     let said = said_of_tree(&describer, &rays, &arrangement, levels);
     let branches = arrangement.tree.nodes.len() > 1;
     head(&mut picture, &said, branches, places.head);
     if let Some(row) = places.levels {
-        levels::draw(&mut picture, &describer, row);
+        levels::draw(&mut picture, &describer, &levels::Scale::of(&[state]), row);
     }
     match places.card {
         CardPlace::Whole { rect, rule } => {
@@ -95,7 +99,16 @@ pub fn node_near(input: &PanelInput, size: Vec2, at: Vec2) -> Option<HeldNode> {
     let state = input.run.rays()?;
     state.ray()?;
     let rays = Rays::new(state);
-    let (places, arrangement) = Places::new(&rays, input.tree, size);
+    let (area, arrangement) = match beside::pinned(input, size) {
+        Some(pinned) => {
+            let area = beside::tree_area([pinned, state], size);
+            (area, arrange(&rays, input.tree, area))
+        }
+        None => {
+            let (places, arrangement) = Places::new(&rays, input.tree, size);
+            (places.tree, arrangement)
+        }
+    };
     let nodes = arrangement.tree.nodes.iter().zip(&arrangement.rects);
     let distance = |rect: &Rect| rect.center().distance_squared(at);
     let (node, rect) = nodes
@@ -103,7 +116,7 @@ pub fn node_near(input: &PanelInput, size: Vec2, at: Vec2) -> Option<HeldNode> {
         .min_by(|(_, a), (_, b)| distance(a).total_cmp(&distance(b)))?;
     Some(HeldNode {
         ray: rays.ray(node)?.step,
-        at: rect.center() - places.tree.center(),
+        at: rect.center() - area.center(),
     })
 }
 
@@ -129,51 +142,6 @@ fn rising(input: &PanelInput, state: &State) -> (Option<usize>, bool) {
     let now = last.filter(|index| added || returned(index).is_some_and(|(_, at)| at == step));
     let over = current.filter(|index| returned(index).is_some());
     (now, now.is_some() || over.is_some())
-}
-
-fn nodes(
-    picture: &mut Picture,
-    describer: &Describer,
-    rays: &Rays,
-    arrangement: &Arrangement,
-    area: Rect,
-) {
-    let current = arrangement.tree.current;
-    // The current node lies on top.
-    let order = (0..arrangement.rects.len()).filter(|&node| node != current);
-    for index in order.chain([current]) {
-        let node = &arrangement.tree.nodes[index];
-        let (whole, detail) = (arrangement.rects[index], arrangement.details[index]);
-        if whole.intersection(&area).is_empty() {
-            continue;
-        }
-        let ray = rays.ray(node);
-        let standing = match ray {
-            _ if index == current => Standing::Current,
-            None => Standing::Asked,
-            Some(ray) if ray.returned.is_some() => Standing::Returned,
-            Some(_) => Standing::Open,
-        };
-        let add = |picture: &mut Picture| {
-            let write = |picture: &mut Picture| {
-                node::frame(picture, whole, standing, ray, detail);
-                lines::write(picture, describer, whole, ray, detail, arrangement.scale);
-            };
-            match area.grown(0.5).encloses(&whole) {
-                true => write(picture),
-                false => drop(picture.clipped(area, write)),
-            }
-        };
-        match ray {
-            Some(ray) => {
-                picture.tagged(Tag::Scope(ray.step), add);
-            }
-            None => add(picture),
-        }
-        if let Some(ray) = ray {
-            sign::draw(picture, describer, ray, node, (whole, detail), area);
-        }
-    }
 }
 
 /// How large the tree is.

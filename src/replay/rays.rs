@@ -1,10 +1,12 @@
 //! The state of ray casting and of ray tracing at one step: the picture so far, and the tree of rays of the current pixel, with what
 //! is known of each.
 
+mod difference;
 mod levels;
 mod media;
 mod ray;
 
+pub use difference::{Difference, Differs, first_difference};
 pub use ray::{
     CurrentBranch, CurrentRefraction, CurrentSearch, CurrentShadow, CurrentSurface, Outcome,
     RayState, Target, Tested, Verdict,

@@ -69,6 +69,8 @@ pub enum Command {
     ViewSpace(SpaceView),
     /// Another part of the ray tree, or at another size.
     ViewTree(TreeView),
+    /// Pins the ray tree, so that those of other pixels are shown beside it, or takes it away.
+    Pin,
     /// Other values in the inspector.
     ViewInspector(InspectorView),
     Answer(Guess),

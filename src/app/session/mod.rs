@@ -11,6 +11,7 @@ mod key_panel;
 mod lessons;
 mod outline;
 mod pick;
+mod pin;
 mod play;
 mod playing;
 mod preview;
@@ -45,6 +46,7 @@ use crate::panels::{ImageView, InspectorView, Panel, PanelInput, PixelLayer, Spa
 use crate::picture::{Tag, Theme};
 use crate::render::smooth_patches;
 use crate::replay::Walk;
+use crate::replay::rays::State;
 use fan::Fan;
 use playing::{Loop, Play};
 use preview::{Methods, Preview};
@@ -172,6 +174,9 @@ pub struct Session {
     tree: TreeView,
     /// Which values the inspector shows.
     inspector: InspectorView,
+    /// The ray tree that others are compared with, and how often one was pinned or taken away.
+    pinned: Option<State>,
+    pins: u64,
     /// The channel chosen for formulas.
     channel: Option<usize>,
     pub look: Look,
@@ -216,6 +221,8 @@ impl Session {
             space: SpaceView::default(),
             fan: Fan::default(),
             tree: TreeView::WHOLE,
+            pinned: None,
+            pins: 0,
             inspector: InspectorView::WHOLE,
             channel: None,
             look: Look::new(),
@@ -267,6 +274,7 @@ impl Session {
         self.space = SpaceView::default();
         self.channel = None;
         self.tree = TreeView::WHOLE;
+        self.pinned = None;
         self.inspector = InspectorView::WHOLE;
         self.hovered = None;
         self.selected = None;
@@ -355,6 +363,7 @@ impl Session {
             narrated: &self.narrated,
             breakpoints: self.breakpoints(),
             tree: &self.tree,
+            pinned: self.pinned.as_ref(),
             inspector: &self.inspector,
             channel: self.channel,
             image: self.image,

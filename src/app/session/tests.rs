@@ -262,3 +262,21 @@ fn a_picture_of_the_lesson_before_never_shows() {
     alone.wait_for_picture();
     assert!(session.panel_input().finished.picture == alone.panel_input().finished.picture);
 }
+
+#[test]
+fn a_pinned_tree_stays_as_it_was_until_the_lesson_starts_over() {
+    let mut session = session("ray-tree");
+    session.start_at(session.last_step());
+    go(&mut session, Command::Pin);
+    let light = session.pinned().unwrap().light_so_far();
+    go(&mut session, Command::Back(100));
+    let focus = Focus::Pixel { x: 10, y: 10 };
+    go(&mut session, Command::Focus(focus));
+    let pinned = session.panel_input().pinned.unwrap();
+    assert_eq!(
+        (pinned.pixel, pinned.light_so_far()),
+        (Some((284, 149)), light)
+    );
+    go(&mut session, Command::Reset);
+    assert!(session.pinned().is_none());
+}

@@ -57,6 +57,10 @@ impl Session {
             Command::ViewImage(view) => self.image = view,
             Command::ViewSpace(view) => self.space = view,
             Command::ViewTree(view) => self.tree = view,
+            Command::Pin => match self.cannot_pin() {
+                Some(why) => return Err(why.into()),
+                None => self.toggle_pin(),
+            },
             Command::ViewInspector(view) => self.inspector = view,
             Command::Answer(guess) => return self.answer(&guess),
             Command::Turn(degrees) => return self.turn(degrees),
@@ -131,6 +135,7 @@ impl Session {
             Command::ViewSpace(view) if view == self.space => Some(strings::SPACE_AS_IT_IS),
             Command::ViewTree(ref view) if *view == self.tree => Some(strings::TREE_AS_IT_IS),
             Command::Method(method) => self.cannot_choose(method),
+            Command::Pin => self.cannot_pin(),
             Command::Share => self.command_line().err(),
             Command::NextLesson => self.neighbour(Neighbour::Next).err(),
             Command::PreviousLesson => self.neighbour(Neighbour::Previous).err(),

@@ -1,10 +1,12 @@
 //! The ray tree in the window: zoomed, dragged, collapsed, and followed.
 
 use super::{Screen, screen, strings};
+use crate::algorithms::focus::Focus;
 use crate::app::session::Command;
 use crate::language::Language;
-use crate::panels::{Panel, TreeView};
+use crate::panels::{Panel, TreeView, draw};
 use crate::picture::Tag;
+use egui::{Key, Modifiers};
 
 /// The lesson of the ray tree at its end, without questions in the way.
 fn tree_screen() -> Screen {
@@ -95,4 +97,39 @@ fn a_click_on_the_sign_collapses_and_one_on_a_node_selects_it() {
     let way = strings::SHOW_THE_STEP.format(Language::English, &[("step", &rays[1].to_string())]);
     screen.click(&way);
     assert!(rays[1] < before && screen.session().step() == rays[1]);
+}
+
+#[test]
+fn a_pinned_tree_stands_beside_that_of_another_pixel_until_it_is_taken_away() {
+    let mut screen = tree_screen();
+    screen.click(strings::PIN_TREE.text(Language::English));
+    let pinned = screen.session().pinned().expect("it is pinned");
+    assert_eq!(pinned.pixel, Some((284, 149)));
+    let focus = Focus::Pixel { x: 140, y: 170 };
+    screen.session_mut().update(Command::Focus(focus)).unwrap();
+    screen
+        .session_mut()
+        .update(Command::Key(Panel::RayTree))
+        .unwrap();
+    screen.harness.run();
+    let alt = |screen: &Screen| {
+        let input = screen.session().panel_input();
+        draw(Panel::RayTree, &input, glam::Vec2::new(700.0, 560.0)).alt
+    };
+    let said = alt(&screen);
+    for part in [
+        "pinned: pixel (284, 149)",
+        "here: pixel (140, 170)",
+        "First difference",
+    ] {
+        assert!(said.contains(part), "{part} in {said}");
+    }
+    screen.keep("ray-tree-pinned");
+    screen.press(Modifiers::SHIFT, Key::P);
+    assert!(screen.session().pinned().is_none());
+    assert!(!alt(&screen).contains("pinned"));
+    // Before there is a ray, there is no tree to pin.
+    screen.session_mut().update(Command::Start).unwrap();
+    let refused = screen.session().allows(&Command::Pin);
+    assert_eq!(refused, Err(strings::NOTHING_TO_PIN.into()));
 }

@@ -27,45 +27,41 @@ struct Share {
     light: Option<Rgb>,
 }
 
-/// The levels as they fit, and the sum.
-struct Levels {
-    shares: Vec<Share>,
-    sum: Rgb,
-    /// Of a level.
-    width: f32,
+/// What rows beside each other have in common.
+pub(super) struct Scale {
+    /// So many levels.
+    levels: usize,
+    /// What a bar of full width stands for.
+    largest: f64,
     /// Whether the bars are one a channel.
     colored: bool,
 }
 
-impl Levels {
-    /// None where there is one level alone, or no ray yet.
-    fn new(state: &State, room: f32) -> Option<Self> {
-        let lights = state.light_by_level();
-        if lights.len() < 2 {
-            return None;
+impl Scale {
+    pub fn of(states: &[&State]) -> Self {
+        let levels: Vec<_> = states.iter().map(|state| state.light_by_level()).collect();
+        let largest = states
+            .iter()
+            .map(|state| state.light_so_far().max_channel());
+        Scale {
+            levels: levels.iter().map(Vec::len).max().unwrap_or(0),
+            largest: largest.fold(0.0, f64::max),
+            colored: levels
+                .iter()
+                .flatten()
+                .flatten()
+                .any(|light| !light.is_grey()),
         }
-        let room = room - name_width(room);
-        let most = ((room / NARROWEST) as usize).saturating_sub(1).max(1);
-        let count = lights.len().min(most);
-        let shares = (0..count).map(|index| {
-            let below = match index + 1 < count {
-                true => index + 1,
-                false => lights.len(),
-            };
-            let name = match below - index {
-                1 => below.to_string(),
-                _ => format!("{}–{below}", index + 1),
-            };
-            let light = lights[index..below].iter().flatten().copied();
-            let light = light.reduce(|a, b| a + b);
-            Share { name, light }
-        });
-        Some(Levels {
-            shares: shares.collect(),
-            sum: lights.iter().flatten().copied().sum(),
-            width: room / (count + 1) as f32,
-            colored: lights.iter().flatten().any(|light| !light.is_grey()),
-        })
+    }
+
+    /// So many levels and the sum have room.
+    fn columns(&self, room: f32) -> usize {
+        let most = ((room - name_width(room)) / NARROWEST) as usize;
+        self.levels.min(most.saturating_sub(1).max(1)) + 1
+    }
+
+    fn column_width(&self, room: f32) -> f32 {
+        (room - name_width(room)) / self.columns(room) as f32
     }
 
     fn bars(&self) -> usize {
@@ -76,8 +72,8 @@ impl Levels {
         }
     }
 
-    fn lines(&self) -> usize {
-        if self.width >= IN_LINE {
+    fn lines(&self, room: f32) -> usize {
+        if self.column_width(room) >= IN_LINE {
             1
         } else {
             self.bars()
@@ -89,41 +85,70 @@ fn name_width(room: f32) -> f32 {
     if room >= WIDE { NAME } else { 0.0 }
 }
 
-/// How high the row is in a panel so wide; 0 where there is none.
-pub(super) fn height(state: &State, width: f32) -> f32 {
-    Levels::new(state, width).map_or(0.0, |levels| {
-        LINE * (1 + levels.lines()) as f32 + BAR * levels.bars() as f32
-    })
+/// How high the row is in a panel so wide; 0 where there is one level alone, or no ray yet.
+pub(super) fn height(scale: &Scale, width: f32) -> f32 {
+    if scale.levels < 2 {
+        return 0.0;
+    }
+    LINE * (1 + scale.lines(width)) as f32 + BAR * scale.bars() as f32
 }
 
-pub(super) fn draw(picture: &mut Picture, describer: &Describer, area: Rect) {
-    let Some(levels) = Levels::new(describer.state, area.width) else {
+pub(super) fn draw(picture: &mut Picture, describer: &Describer, scale: &Scale, area: Rect) {
+    if scale.levels < 2 {
         return;
-    };
+    }
     let name = name_width(area.width);
-    let place = Rect::new(area.x, area.y, name - GAP, LINE);
     if name > 0.0 {
+        let place = Rect::new(area.x, area.y, name - GAP, LINE);
         let muted = Style::Body.size(11.0).ink(Ink::Muted);
         elided(picture, place, FROM_LEVEL.text(describer.language), muted);
     }
+    let width = scale.column_width(area.width);
     let cell = |index: usize| {
-        let x = area.x + name + levels.width * index as f32;
-        Rect::new(x, area.y, levels.width - GAP, area.height)
+        let x = area.x + name + width * index as f32;
+        Rect::new(x, area.y, width - GAP, area.height)
     };
-    for (index, share) in levels.shares.iter().enumerate() {
-        write(picture, describer, &levels, share, cell(index));
+    let lines = scale.lines(area.width);
+    let last = scale.columns(area.width) - 1;
+    for (index, share) in shares(describer.state, last).iter().enumerate() {
+        write(picture, describer, (scale, lines), share, cell(index));
     }
-    let last = cell(levels.shares.len());
-    let rule = last.x - 0.5 * GAP;
-    picture.line((rule, last.y), (rule, last.bottom()), Ink::Rule.stroke(1.0));
+    let rule = cell(last).x - 0.5 * GAP;
+    picture.line((rule, area.y), (rule, area.bottom()), Ink::Rule.stroke(1.0));
     let sum = Share {
         name: format!("= {}", sum_symbol(describer.state.rays.get(0))),
-        light: Some(levels.sum),
+        light: Some(describer.state.light_so_far()),
     };
-    write(picture, describer, &levels, &sum, last);
+    write(picture, describer, (scale, lines), &sum, cell(last));
 }
 
-fn write(picture: &mut Picture, describer: &Describer, levels: &Levels, share: &Share, area: Rect) {
+/// The levels as at most so many shares.
+fn shares(state: &State, most: usize) -> Vec<Share> {
+    let lights = state.light_by_level();
+    let count = lights.len().min(most);
+    let share = |index: usize| {
+        let below = match index + 1 < count {
+            true => index + 1,
+            false => lights.len(),
+        };
+        let name = match below - index {
+            1 => below.to_string(),
+            _ => format!("{}–{below}", index + 1),
+        };
+        let light = lights[index..below].iter().flatten().copied();
+        let light = light.reduce(|a, b| a + b);
+        Share { name, light }
+    };
+    (0..count).map(share).collect()
+}
+
+fn write(
+    picture: &mut Picture,
+    describer: &Describer,
+    (scale, lines): (&Scale, usize),
+    share: &Share,
+    area: Rect,
+) {
     let set = Style::Label.size(11.0);
     let line = |index: usize| Rect::new(area.x, area.y + LINE * index as f32, area.width, LINE);
     elided(picture, line(0), &share.name, Style::LabelBold.size(11.0));
@@ -131,26 +156,24 @@ fn write(picture: &mut Picture, describer: &Describer, levels: &Levels, share: &
         elided(picture, line(1), NOT_KNOWN, set.ink(Ink::Muted));
         return;
     };
-    let values: Vec<f64> = light.channels().into_iter().take(levels.bars()).collect();
     let text = color(light, describer.language);
-    if levels.lines() == 1 {
+    if lines == 1 {
         elided(picture, line(1), &text, set);
     } else {
         for (index, number) in text.split(' ').enumerate() {
             elided(picture, line(1 + index), number, set);
         }
     }
-    let largest = levels.sum.max_channel();
-    let top = area.y + LINE * (1 + levels.lines()) as f32;
-    for (index, value) in values.into_iter().enumerate() {
-        let ink = match levels.colored {
+    if scale.largest <= 0.0 {
+        return;
+    }
+    let top = area.y + LINE * (1 + lines) as f32;
+    for (index, value) in light.channels().into_iter().take(scale.bars()).enumerate() {
+        let ink = match scale.colored {
             true => channels::DRAWN[index].ink,
             false => Ink::Muted,
         };
-        let width = match largest > 0.0 {
-            true => area.width * (value / largest) as f32,
-            false => 0.0,
-        };
+        let width = area.width * (value / scale.largest) as f32;
         let bar = Rect::new(area.x, top + BAR * index as f32, width, BAR - 1.5);
         picture.rect(bar, ink);
     }

@@ -52,7 +52,7 @@ impl Places {
         let head = Rect::new(whole.x, whole.y - 2.0, whole.width, HEAD);
         let body = Rect::between((whole.x, head.bottom()), whole.max());
         if body.height >= HIGH {
-            let row = levels::height(rays.state, body.width);
+            let row = levels::height(&levels::Scale::of(&[rays.state]), body.width - 8.0);
             let card = if body.width >= 620.0 {
                 (0.3 * body.height).clamp(124.0, 180.0)
             } else {

@@ -40,3 +40,10 @@ pub(super) const MISSED: Message = Message("ray-tree-missed");
 pub(super) const FROM_LEVEL: Message = Message("ray-tree-from-level");
 /// In the place of light that has not come back.
 pub(super) const NOT_KNOWN: &str = "—";
+
+pub(super) const PINNED: Message = Message("ray-tree-pinned");
+pub(super) const HERE: Message = Message("ray-tree-here");
+pub(super) const BEFORE_CHANGE: Message = Message("ray-tree-before-change");
+pub(super) const SAME: Message = Message("ray-tree-same");
+pub(super) const DIFFERS: Message = Message("ray-tree-differs");
+pub(super) const GOES_ON: Message = Message("ray-tree-goes-on");

@@ -2,7 +2,7 @@ use super::super::fixture::{BALL, FLOOR, Fixture, SKY, SPARK, rays_scene};
 use super::super::fixtures::{SIZES, assert_legible, fixtures, nothing, texts};
 use super::super::strings::Language;
 use super::*;
-use crate::picture::Shape;
+use crate::picture::{Shape, Tag};
 use crate::record::Value;
 use crate::render::Method;
 

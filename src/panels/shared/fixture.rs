@@ -70,15 +70,28 @@ impl Fixture {
     }
 
     /// As [`Fixture::rays`], of another scene.
-    pub fn rays_of(scene: Scene, method: Method, (x, y): (u32, u32), depth: u32) -> Self {
+    pub fn rays_of(scene: Scene, method: Method, pixel: (u32, u32), depth: u32) -> Self {
+        let [fixture] = Fixture::pixels_of(scene, method, [pixel], depth);
+        fixture
+    }
+
+    /// Several pixels of one scene.
+    pub fn pixels_of<const N: usize>(
+        scene: Scene,
+        method: Method,
+        pixels: [(u32, u32); N],
+        depth: u32,
+    ) -> [Self; N] {
         let settings = Settings {
             depth: NonZeroU32::new(depth).expect("a depth is at least 1"),
             ..Settings::default()
         };
         let setup = Setup::new(prepared(scene, (640, 480)), settings);
-        let focus = Focus::Pixel { x, y };
-        let picture = setup.prepared.empty_frame();
-        Fixture::recorded(setup, picture, method, focus)
+        pixels.map(|(x, y)| {
+            let focus = Focus::Pixel { x, y };
+            let picture = setup.prepared.empty_frame();
+            Fixture::recorded(setup.clone(), picture, method, focus)
+        })
     }
 
     /// A red ball over a white floor under a lamp, 64 patches, whose light `solver` finds; 640×480 pixels, none finished.

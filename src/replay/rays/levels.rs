@@ -4,6 +4,13 @@ use super::{Outcome, RayState, State};
 use crate::color::Rgb;
 
 impl State {
+    /// The light that the primary ray has gathered so far, or brought back; black before there is any.
+    pub fn light_so_far(&self) -> Rgb {
+        let primary = self.rays.get(0);
+        let light = primary.and_then(|ray| ray.returned.map(|(light, _)| light).or(ray.sum));
+        light.unwrap_or(Rgb::BLACK)
+    }
+
     /// The light that has come up to the primary ray so far, by the level of the rays that met it: the first is level 1. What a
     /// ray met arrives times the coefficients on its way, and divided by the attenuations there. None of a level from which
     /// nothing has come up yet.
