@@ -2,7 +2,7 @@ use super::super::fixture::Fixture;
 use super::super::fixtures::{
     SIZES, WALLS, assert_legible, crowded, form_factors, nothing, open_room, texts,
 };
-use super::super::names::scope as scope_names;
+use super::super::names::scope_known_at;
 use super::super::strings::Language;
 use super::*;
 use crate::algorithms::enclosure;
@@ -79,7 +79,8 @@ fn batches_of_samples_have_scopes_of_their_own() {
     for (fixture, kind) in [(rays(100), "rays"), (crowded(), "lines of sight")] {
         let walk = fixture.walk();
         let scopes = (0..walk.len()).filter(|&step| matches!(walk.kind(step), "Rays" | "Sights"));
-        let named = scopes.map(|step| scope_names(&fixture.run, step, Language::English));
+        let named =
+            scopes.map(|step| scope_known_at(&fixture.run, step, usize::MAX, Language::English));
         let named: Vec<String> = named.map(|mut names| names.swap_remove(0)).collect();
         assert_eq!(
             named[..2],
