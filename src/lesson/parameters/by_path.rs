@@ -248,7 +248,7 @@ impl Source {
         Some(Source {
             document,
             files,
-            limits: limits.clone(),
+            limits: *limits,
         })
     }
 

@@ -28,7 +28,7 @@ pub fn draw(picture: &mut Picture, layout: &Layout, place: Rect) {
         true => layout.state.found,
         false => layout.state.visible,
     };
-    let ends = batches.iter().flat_map(|batch| band(batch));
+    let ends = batches.iter().flat_map(band);
     let values = running.iter().map(|&(value, _)| value);
     let values = values.chain(exact).chain(end.map(|(value, _)| value));
     let last = running.len().max(1) as f64;
