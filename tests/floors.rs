@@ -195,6 +195,8 @@ const DRAWN: [&str; 24] = [
     "render::falloff::Sample",
     "render::DrawPatches",
     "render::Finished",
+    "render::Layer",
+    "render::Layers",
 ];
 
 /// Calls on those values that would compute.
