@@ -108,7 +108,9 @@ fn a_focused_slider_keeps_its_arrows_and_the_picture_follows() {
 
 #[test]
 fn where_nothing_can_be_changed_no_drawer_opens() {
-    let mut screen = triangle([]);
+    let mut lesson = builtin("gouraud-triangle").unwrap().read().unwrap();
+    lesson.parameters.clear();
+    let mut screen = screen_of(lesson, [1280, 800], 1.0, []);
     screen.press(Modifiers::NONE, Key::P);
     assert_eq!(screen.session().look.drawer, None);
     let why = strings::NO_PARAMETERS.text(Language::English);

@@ -91,7 +91,8 @@ impl Sides {
         let mut taken = Taken::default();
         for column in in_order(layout.n, current) {
             let [from, to] = grid.columns(column..column + 1);
-            let x = 0.5 * (from + to - self.number);
+            // The last number may be wider than what is left beside the matrix.
+            let x = (0.5 * (from + to - self.number)).min(picture.width - self.number);
             let place = Rect::new(x, grid.area.y - LINE - 1.0, self.number, LINE);
             if taken.takes(place) {
                 let set = small().ink(ink(current == Some(column))).middle();

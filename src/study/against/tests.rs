@@ -29,7 +29,7 @@ fn setup(scene: &str, size: [u32; 2]) -> Setup {
     .unwrap();
     let view = View::new(&scene.camera.unwrap(), size[0], size[1]);
     // Few levels, so that one more is seen.
-    let depth = NonZeroU32::new(2).unwrap();
+    let depth = NonZeroU32::new(3).unwrap();
     let settings = Settings {
         depth,
         ..Settings::default()

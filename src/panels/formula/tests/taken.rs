@@ -59,6 +59,7 @@ const TAKEN: &[(&str, &[&str])] = &[
     ("Reference", &["F_exact"]),
     ("Seen", &["F_visible", "F_x", "x"]),
     ("Sight", &["x", "y"]),
+    ("SightsTaken", &["share"]),
     ("Visible", &["share"]),
     // A place on a texture, and the nearest point of a true surface.
     ("Textured", &["texture", "u_texture", "v_texture"]),
