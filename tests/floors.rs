@@ -170,7 +170,7 @@ fn only_the_shell_knows_the_window_and_touches_files() {
 }
 
 /// What drawing may name of the floors that compute: events and other values that come in with the panels' input.
-const DRAWN: [&str; 24] = [
+const DRAWN: [&str; 26] = [
     "algorithms::enclosure::CHANNELS",
     "algorithms::enclosure::Enclosure",
     "algorithms::focus::Focus",
