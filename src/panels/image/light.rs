@@ -6,7 +6,6 @@ use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Region;
 use crate::color::Rgb;
 use crate::language::Message;
-use crate::methods::Setup;
 use crate::panels::PanelInput;
 use crate::picture::Image;
 use crate::replay::Run;
@@ -33,7 +32,7 @@ impl Light {
         let state = replay.state();
         let view = &setup.prepared.view;
         let (colors, exposure) = match has_begun(state) {
-            false => (flat(setup, &surfaces(room, view.eye)), 1.0),
+            false => (flat(setup.seen_patches(), &surfaces(room, view.eye)), 1.0),
             true => {
                 let light = state.light(room);
                 let all: Vec<usize> = (0..room.patches.len()).collect();
@@ -44,7 +43,10 @@ impl Light {
                 let smooth = input.smooth;
                 let smooth = smooth.map(|draw| draw(room, &all, view, &whole, &light).color);
                 let exposure = state.solved.as_ref().map_or(1.0, |solved| solved.exposure);
-                (smooth.unwrap_or_else(|| flat(setup, &light)), exposure)
+                (
+                    smooth.unwrap_or_else(|| flat(setup.seen_patches(), &light)),
+                    exposure,
+                )
             }
         };
         Some(Light {
@@ -101,9 +103,9 @@ fn surfaces(room: &Enclosure, eye: DVec3) -> Vec<Rgb> {
     (0..room.patches.len()).map(surface).collect()
 }
 
-/// Each pixel in the colour of the patch in its middle.
-fn flat(setup: &Setup, patches: &[Rgb]) -> Vec<Rgb> {
-    let seen = setup.seen_patches().iter();
+/// Each pixel in the colour of the patch that is seen in its middle.
+fn flat(seen: &[Option<u32>], patches: &[Rgb]) -> Vec<Rgb> {
+    let seen = seen.iter();
     seen.map(|patch| patch.map_or(Rgb::BLACK, |patch| patches[patch as usize]))
         .collect()
 }
@@ -116,6 +118,7 @@ mod tests {
     use crate::algorithms::focus::Focus;
     use crate::algorithms::radiosity::Solver;
     use crate::language::Language;
+    use crate::methods::Setup;
     use crate::render::{Method, render, smooth_patches};
     use std::num::NonZeroUsize;
 
