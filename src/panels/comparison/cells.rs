@@ -11,9 +11,9 @@ use glam::Vec2;
 
 /// Height of a line of text.
 pub const ROW: f32 = 15.0;
-const TITLE: f32 = 18.0;
+const TITLE: f32 = 14.0;
 /// Of the largest possible images: so large they are with lines of text under them, or they have fewer lines.
-const WITH_TEXT: f32 = 0.9;
+const WITH_TEXT: f32 = 0.85;
 /// Around all cells, and between two.
 const EDGE: f32 = 2.0;
 const GAP: f32 = 3.0;
