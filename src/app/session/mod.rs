@@ -9,6 +9,7 @@ mod forced;
 mod kept;
 mod key_panel;
 mod lessons;
+mod look;
 mod outline;
 mod pick;
 mod pin;
@@ -31,6 +32,7 @@ mod tests;
 pub use command::{Command, PointAt, Refused, StudyCommand};
 pub use kept::{Kept, Progress};
 pub use lessons::{Listed, listed};
+pub use look::Look;
 pub use outline::{Entry, Sheet};
 pub use playing::Direction;
 pub use results::Results;
@@ -39,72 +41,20 @@ pub use study::{Outcome, Studying};
 use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::language::{Language, Message};
+use crate::language::Message;
 use crate::lesson::{Guess, Lesson, LessonError, Narrated, OpenLesson};
 use crate::methods::Setup;
 use crate::panels::{ImageView, InspectorView, Panel, PanelInput, PixelLayer, SpaceView, TreeView};
-use crate::picture::{Tag, Theme};
+use crate::picture::Tag;
 use crate::render::smooth_patches;
 use crate::replay::Walk;
 use crate::replay::rays::State;
 use fan::Fan;
+use look::TEXT_SIZES;
 use playing::{Loop, Play};
 use preview::{Methods, Preview};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
-
-/// Text sizes, relative to the normal one.
-const TEXT_SIZES: [f32; 8] = [0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.75, 2.0];
-
-/// How things are shown.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
-    pub language: Language,
-    pub theme: Theme,
-    /// An index into the text sizes.
-    text: usize,
-    pub presenting: bool,
-    /// The theme to return to after presenting.
-    before_presenting: Theme,
-    pub keys: bool,
-    /// The page of all lessons, in place of the lesson.
-    pub home: bool,
-    /// What lies over the lesson.
-    pub sheet: Option<Sheet>,
-    /// The view of what is left out.
-    pub skipped: bool,
-    pub drawer: Option<Drawer>,
-    /// Whether rooms are shown smooth, not patch by patch.
-    pub smooth: bool,
-    /// Whether rooms are shown with what is unshot, in place of their light.
-    pub unshot: bool,
-    pub questions: bool,
-}
-
-impl Look {
-    fn new() -> Self {
-        Look {
-            language: Language::English,
-            theme: Theme::Light,
-            text: 2,
-            presenting: false,
-            before_presenting: Theme::Light,
-            keys: false,
-            home: false,
-            sheet: None,
-            skipped: false,
-            drawer: None,
-            smooth: false,
-            unshot: false,
-            questions: true,
-        }
-    }
-
-    /// How much larger than normal everything is drawn.
-    pub fn zoom(&self) -> f32 {
-        TEXT_SIZES[self.text] * self.theme.text_scale()
-    }
-}
 
 /// The methods whose pictures are rendered in the background.
 fn methods(open: &OpenLesson) -> Methods {
