@@ -68,15 +68,15 @@ impl Solid {
 
     /// The corners of the box around it, unless it is infinite.
     pub fn bounds(&self) -> Option<[DVec3; 2]> {
+        let a_step_outward =
+            |low: DVec3, high: DVec3| Some([low.map(f64::next_down), high.map(f64::next_up)]);
         match self {
-            // A step outward, where the radius is lost against the centre's coordinates
-            &Solid::Sphere { center, radius } => Some([
-                (center - radius).map(f64::next_down),
-                (center + radius).map(f64::next_up),
-            ]),
+            // The radius may be lost against the centre's coordinates.
+            &Solid::Sphere { center, radius } => a_step_outward(center - radius, center + radius),
             Solid::Plane(_) => None,
             Solid::Cylinder(cylinder) => Some(cylinder.bounds()),
-            Solid::Faces { faces, .. } => Some([faces.low, faces.high]),
+            // The origin of a ray that is moved near the faces is rounded to their coordinates.
+            Solid::Faces { faces, .. } => a_step_outward(faces.low, faces.high),
         }
     }
 }

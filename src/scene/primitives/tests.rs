@@ -172,6 +172,38 @@ proptest! {
     }
 }
 
+/// The sides of this polygon cross in a point that rounding puts above the others, and a ray from far away is moved near it.
+#[test]
+fn a_polygon_as_thin_as_the_rounding_of_its_coordinates_is_met() {
+    let height = 1.094_536_230_521_690_4e27;
+    let at = |x: f64, z: f64| DVec3::new(x * 1e7, height, z * 1e7);
+    let polygon = Shape::Polygon {
+        vertices: vec![
+            at(-1.062_435_430_015_392_9, -0.328_888_727_114_880_65),
+            at(-1.0, 0.774_149_972_894_277_2),
+            at(-0.581_654_735_901_973_6, -1.040_568_558_244_471_5),
+            at(1.5, 0.0),
+            at(1.055_504_877_428_429, 0.276_856_145_651_442_73),
+        ],
+    };
+    let cylinder = Shape::Cylinder {
+        base: at(0.0, 0.0),
+        axis: DVec3::Y,
+        radius: 2.5e6,
+        height: 1e7,
+        capped: false,
+    };
+    let primitives = primitives([polygon, cylinder]);
+    let direction = DVec3::new(0.0, -0.287_151_136_120_031_07, -0.957_885_288_030_344_1);
+    let ray = Ray {
+        origin: at(0.0, 0.0) - 1e27 * direction,
+        direction,
+    };
+    let nearest = primitives.nearest(&ray);
+    assert!(nearest.is_some_and(|hit| hit.object == 0), "{nearest:?}");
+    assert_eq!(nearest, primitives.nearest_by_brute_force(&ray));
+}
+
 /// Directions to either side of a surface: anywhere, mirrored, straight on, and grazing down to a slope of 10⁻¹⁷.
 fn departures(random: &mut Random, surface: &Surface, incoming: DVec3) -> [DVec3; 8] {
     let n = surface.normal;
