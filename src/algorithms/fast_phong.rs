@@ -105,16 +105,17 @@ pub fn fast_phong<R: Recorder<Event>>(
                 None => {
                     let corners = piece.map(|corner| corner.map(|_| ()));
                     plain.fill(corners, frame, recorder, |recorder, pixel, ()| {
-                        expansion.shade(pixel, &powers, recorder).whole
+                        let [rest, diffuse] = expansion.shade(pixel, &powers, recorder);
+                        rest + diffuse
                     });
                 }
                 Some(texture) => {
                     let corners = piece.map(|corner| corner.map(|(_, uv)| uv));
                     textured.fill(corners, frame, recorder, |recorder, pixel, uv| {
-                        let intensity = expansion.shade(pixel, &powers, recorder);
+                        let parts = expansion.shade(pixel, &powers, recorder);
                         let position = pixel.position(view);
                         recorder.step(|| shading::Event::PixelPoint { position }.into());
-                        texture.applied(intensity, position, uv, recorder)
+                        texture.applied(parts, position, uv, recorder)
                     });
                 }
             }

@@ -66,7 +66,7 @@ pub fn flat<R: Recorder<Event>>(
                 let corners = corners(&polygon, texture.corners().iter().copied());
                 textured.fill(corners, frame, recorder, |recorder, pixel, uv| {
                     let position = pixel_point(prepared, &pixel, recorder);
-                    texture.applied(intensity, position, uv, recorder)
+                    texture.applied(intensity.parts(), position, uv, recorder)
                 });
             }
         }

@@ -86,7 +86,7 @@ pub fn gouraud<R: Recorder<Event>>(
                     recorder,
                     |recorder, pixel, (i_p, uv)| {
                         let position = pixel_point(prepared, &pixel, recorder);
-                        texture.applied(i_p, position, uv, recorder)
+                        texture.applied(i_p.parts(), position, uv, recorder)
                     },
                 );
             }

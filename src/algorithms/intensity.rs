@@ -14,9 +14,9 @@ pub struct Intensity {
 }
 
 impl Intensity {
-    /// I where a texture of the colour T multiplies k_d: I − I_d + T·I_d.
-    pub fn textured(self, color: Rgb) -> Rgb {
-        self.whole - self.diffuse + color * self.diffuse
+    /// I − I_d, which a texture leaves as it is, and I_d.
+    pub fn parts(self) -> [Rgb; 2] {
+        [self.whole - self.diffuse, self.diffuse]
     }
 }
 

@@ -5,7 +5,6 @@
 //! the depth changes along a polygon that is visibly wrong (Heckbert & Moreton, "Interpolation for polygon texture mapping and
 //! shading", 1991): it is recorded beside the right one, and drawn with [`Mapping::Linear`].
 
-use super::intensity::Intensity;
 use super::prepared_scene::Polygon;
 use crate::color::Rgb;
 use crate::record::{Listing, Recorder};
@@ -101,22 +100,16 @@ impl<'a> PolygonTexture<'a> {
         color
     }
 
-    /// Applies the texture to an intensity computed without it.
+    /// I where the texture multiplies k_d, given I_d and the rest of the intensity without it: I − I_d + T·I_d.
     pub fn applied<E: From<Event>>(
         &self,
-        intensity: Intensity,
+        [rest, diffuse]: [Rgb; 2],
         position: DVec3,
         linear: DVec2,
         recorder: &mut impl Recorder<E>,
     ) -> Rgb {
-        let textured = intensity.textured(self.color_at(position, linear, recorder));
-        recorder.step(|| {
-            Event::TextureApplied {
-                diffuse: intensity.diffuse,
-                textured,
-            }
-            .into()
-        });
+        let textured = rest + self.color_at(position, linear, recorder) * diffuse;
+        recorder.step(|| Event::TextureApplied { diffuse, textured }.into());
         textured
     }
 }

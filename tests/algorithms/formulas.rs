@@ -3,6 +3,7 @@
 
 use super::rays::scenes::scene;
 use super::runs;
+use crate::common;
 use lightwalk::algorithms::radiosity::Solver;
 use lightwalk::panels::evaluated;
 use lightwalk::render::Method;
@@ -49,6 +50,37 @@ fn in_every_lesson_both_sides_of_every_formula_agree() {
     for (lesson, run) in runs::lessons() {
         let count = check(&run, lesson, &mut faults);
         assert!(count > 10, "{lesson}: {count} formulas");
+    }
+    assert!(faults.is_empty(), "{faults:#?}");
+}
+
+/// What the texture leaves is far less than what it takes away, so the rounding of I_d remains in I.
+#[test]
+fn under_a_nearly_black_texture_both_sides_of_every_formula_agree() {
+    let scene = common::prepared(
+        r#"{
+            "schema": 1,
+            "camera": { "eye": [0, 0, 4], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 40 },
+            "lights": [{ "point": { "position": [1, 2, 3], "color": [0.9, 0.7, 0.3] } }],
+            "materials": {
+                "soot": {
+                    "diffuse": [1, 0.9, 0.8],
+                    "specular": [1e-9, 1e-9, 1e-9],
+                    "shininess": 5,
+                    "texture": { "checker": { "colors": [[1e-9, 1e-8, 0], [1e-9, 1e-8, 0]], "scale": 1 } }
+                }
+            },
+            "objects": [{ "name": "ball", "material": "soot", "sphere": { "center": [0, 0, 0], "radius": 1 } }]
+        }"#,
+        1,
+        1,
+    )
+    .scene
+    .clone();
+    let mut faults = BTreeMap::new();
+    for method in Method::ALL {
+        let run = runs::recorded(scene.clone(), method, Solver::Shooting);
+        check(&run, method.name(), &mut faults);
     }
     assert!(faults.is_empty(), "{faults:#?}");
 }

@@ -3,7 +3,6 @@
 use super::event::{Cosine, Event};
 use crate::algorithms::illumination;
 use crate::algorithms::incidence::Incidence;
-use crate::algorithms::intensity::Intensity;
 use crate::algorithms::prepared_scene::{Polygon, PreparedScene};
 use crate::algorithms::scan_line::{Corner, Pixel};
 use crate::color::Rgb;
@@ -137,14 +136,14 @@ impl Expansion {
         recorder.leave(|| Event::Expanded);
     }
 
-    /// The intensity of a pixel. Pixels of a triangle come row by row, from left to right.
+    /// The intensity of a pixel, but for I_d, and I_d: apart, so that a texture does not take away what was added. Pixels of a triangle come row by row, from left to right.
     #[inline]
     pub fn shade<R: Recorder<Event>>(
         &mut self,
         pixel: Pixel,
         powers: &PowerTable,
         recorder: &mut R,
-    ) -> Intensity {
+    ) -> [Rgb; 2] {
         let Pixel { x, y, first, .. } = pixel;
         let on_screen = |x: u32| DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5) - self.middle;
         let steps = match self.at {
@@ -163,10 +162,7 @@ impl Expansion {
         self.at = Some((x, y));
 
         let place = on_screen(x);
-        let mut intensity = Intensity {
-            whole: self.ambient,
-            diffuse: Rgb::BLACK,
-        };
+        let (mut rest, mut diffuse_sum) = (self.ambient, Rgb::BLACK);
         for (light, [diffuse, specular]) in self.lights.iter_mut().enumerate() {
             for term in [&mut *diffuse, &mut *specular] {
                 (0..steps).for_each(|_| term.running.advance());
@@ -177,11 +173,11 @@ impl Expansion {
                 let i_d = diffuse.factor * diffuse.running.value;
                 let i_s = specular.factor * power;
                 recorder.step(|| Event::LightSummed { power, i_d, i_s });
-                intensity.whole += i_d + i_s;
-                intensity.diffuse += i_d;
+                rest += i_s;
+                diffuse_sum += i_d;
             }
         }
-        intensity
+        [rest, diffuse_sum]
     }
 }
 

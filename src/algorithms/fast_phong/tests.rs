@@ -327,7 +327,8 @@ fn vertex_normals_that_cancel_out_give_way_to_the_normal_of_the_face() {
         };
         expansion
             .shade(pixel, &PowerTable::new(40.0), &mut Unrecorded)
-            .whole
+            .into_iter()
+            .sum::<Rgb>()
     };
     let (found, flat) = (color(cancelling), color(triangle));
     assert!(
