@@ -95,6 +95,7 @@ fn quoted() -> BTreeMap<String, bool> {
                 *quoted.entry(text.to_string()).or_insert(false) |= named;
             }
             for space in [
+                "mistake",
                 "kind",
                 "method",
                 "object",

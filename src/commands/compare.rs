@@ -6,7 +6,9 @@ use super::files;
 use crate::algorithms::enclosure;
 use crate::color::{Rgb, StoredImage, png_rgb8, read_image};
 use crate::figure::diverging;
+use crate::language::Language;
 use crate::methods::{Method, Settings, Setup};
+use crate::picture::plain;
 use crate::study::against::{Comparison, compare};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -18,7 +20,7 @@ pub struct Arguments {
     /// How it was drawn
     #[arg(long, value_parser = method_names(), value_name = "METHOD")]
     method: String,
-    /// Your picture: PNG, PPM or PFM
+    /// Your picture: PNG, PPM or PFM; of a folder the newest of them
     #[arg(long, value_name = "IMAGE")]
     with: PathBuf,
     /// How far a channel may be off, in the numbers of the file: 1/255 unless given
@@ -47,7 +49,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     if let Some(folder) = &arguments.out {
         files::check_output_folder(folder)?;
     }
-    let image = &arguments.with;
+    let image = &newest(&arguments.with)?;
     let wrong = |error: &str| files::wrong(&image.display(), &error);
     let bytes = files::picture(image)?;
     let mine = read_image(&bytes).map_err(|error| wrong(&error))?;
@@ -63,7 +65,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             let json = serde_json::to_string(&found).map_err(|error| wrong(&error.to_string()))?;
             writeln!(out, "{json}")?;
         }
-        false => write!(out, "{}", in_words(&found))?,
+        false => write!(out, "{}", in_words(&found, &arguments))?,
     }
     match found.off {
         0 => Ok(()),
@@ -88,7 +90,29 @@ fn setup(arguments: &Arguments, method: Method, mine: &StoredImage) -> Result<Se
     Ok(setup)
 }
 
-fn in_words(found: &Comparison) -> String {
+/// The picture itself, or the newest one of a folder.
+fn newest(path: &Path) -> Result<PathBuf, Failure> {
+    if !path.is_dir() {
+        return Ok(path.to_owned());
+    }
+    let cannot = |reason: &str| files::wrong(&path.display(), &reason);
+    let entries = std::fs::read_dir(path).map_err(|error| cannot(&error.to_string()))?;
+    let pictures = entries.filter_map(|entry| {
+        let path = entry.ok()?.path();
+        let extension = path.extension()?.to_ascii_lowercase();
+        let is_picture = ["png", "ppm", "pfm"]
+            .iter()
+            .any(|known| extension == *known);
+        let saved = path.metadata().ok()?.modified().ok()?;
+        is_picture.then_some((saved, path))
+    });
+    let newest = pictures.max();
+    newest
+        .map(|(_, path)| path)
+        .ok_or_else(|| cannot("no picture is in this folder (.png, .ppm or .pfm)"))
+}
+
+fn in_words(found: &Comparison, arguments: &Arguments) -> String {
     let [width, height] = found.size;
     let mut lines = vec![
         format!("{width} × {height} pixels, fits {} better", found.encoding),
@@ -105,10 +129,22 @@ fn in_words(found: &Comparison) -> String {
             worst.x, worst.y
         ));
     }
+    if let Some(worst) = found.worst.first() {
+        lines.push(format!(
+            "how the worst one comes about: lightwalk steps {} --method {} --size {width}x{height} --pixel {},{}",
+            arguments.scene.display(),
+            arguments.method,
+            worst.x,
+            worst.y
+        ));
+    }
     for mistake in &found.mistakes {
         lines.push(format!(
-            "{}: explains {} of {} differing pixels",
-            mistake.name, mistake.explains, mistake.of
+            "{}: ours with {} explains {} of {} differing pixels",
+            mistake.name,
+            plain(&mistake.mistake.in_words(Language::English)),
+            mistake.explains,
+            mistake.of
         ));
     }
     if found.off > 0 && found.mistakes.is_empty() {

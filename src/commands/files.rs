@@ -92,6 +92,13 @@ pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
     })
 }
 
+/// Reads a text, of at most as many bytes as a scene.
+pub fn text(path: &Path) -> Result<String, Failure> {
+    let cannot = |reason: &str| wrong(&path.display(), &format!("cannot be read: {reason}"));
+    let bytes = read(path, document::MAX_BYTES as u64).map_err(|reason| cannot(&reason))?;
+    String::from_utf8(bytes).map_err(|_| cannot("it is not a text in UTF-8"))
+}
+
 /// Reads the bytes of a picture.
 pub fn picture(path: &Path) -> Result<Vec<u8>, Failure> {
     read(path, MAX_MESH_BYTES)

@@ -11,9 +11,11 @@ use crate::render;
 use crate::scene::Parts;
 use crate::scene::Scene;
 use crate::scene::patches::Patches;
+use crate::study::matrix;
 use clap::builder::PossibleValuesParser;
 use serde_json::{Value as Json, json};
 use std::convert::Infallible;
+use std::io::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
@@ -33,8 +35,21 @@ pub struct Arguments {
     visibility: VisibilityArgument,
     #[command(flatten)]
     memory: MemoryArgument,
-    #[arg(long, value_name = "FILE.json")]
-    out: PathBuf,
+    /// Where the matrix goes
+    #[arg(long, value_name = "FILE.json", required_unless_present = "with")]
+    out: Option<PathBuf>,
+    /// A matrix of your own program to compare: JSON, or rows of numbers
+    #[arg(long, value_name = "MATRIX")]
+    with: Option<PathBuf>,
+    /// How far an entry of yours may be off
+    #[arg(
+        long,
+        value_name = "T",
+        default_value_t = 1e-4,
+        requires = "with",
+        allow_negative_numbers = true
+    )]
+    tolerance: f64,
     #[command(flatten)]
     limits: LimitArguments,
 }
@@ -99,7 +114,7 @@ pub fn enclosure(scene: &Scene, path: &Path, settings: Settings) -> Result<Enclo
 }
 
 /// The matrix of a room, with progress.
-pub fn matrix(enclosure: &Enclosure) -> &[f64] {
+pub fn matrix_of(enclosure: &Enclosure) -> &[f64] {
     let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
     let progress = Progress::new("form factors");
     let show = |done, all| {
@@ -111,7 +126,15 @@ pub fn matrix(enclosure: &Enclosure) -> &[f64] {
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    files::check_output(&arguments.out)?;
+    if let Some(out) = &arguments.out {
+        files::check_output(out)?;
+    }
+    let tolerance = arguments.tolerance;
+    if !(0.0..=1.0).contains(&tolerance) {
+        return Err(Failure::Wrong(format!(
+            "--tolerance {tolerance}: allowed are numbers from 0 to 1"
+        )));
+    }
     let unless = Settings {
         max_patches: arguments.limits.max_patches,
         closure: false,
@@ -124,17 +147,40 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         return Err(files::wrong(&arguments.scene.display(), &refusal));
     }
     notes::print(&arguments.scene.display(), &scene.notes);
+    let mine = match &arguments.with {
+        None => None,
+        Some(path) => {
+            let read = matrix::read(&files::text(path)?, enclosure.patches.len());
+            Some(read.map_err(|error| files::wrong(&path.display(), &error))?)
+        }
+    };
     let start = Instant::now();
-    let matrix = matrix(&enclosure);
+    let matrix = matrix_of(&enclosure);
     let seconds = start.elapsed().as_secs_f64();
+    if let Some(out) = &arguments.out {
+        write(out, &scene, &enclosure, matrix, seconds)?;
+    }
+    match mine {
+        None => Ok(()),
+        Some(mine) => compare(&scene, &enclosure, &mine, matrix, tolerance),
+    }
+}
+
+fn write(
+    out: &Path,
+    scene: &Scene,
+    enclosure: &Enclosure,
+    matrix: &[f64],
+    seconds: f64,
+) -> Result<(), Failure> {
     let areas = enclosure.patches.areas();
     let Report {
         row_sums,
         reciprocity_defect,
         closure_defect,
     } = Report::of(&areas, matrix, &vec![true; areas.len()]);
-    files::write_whole(&arguments.out, |out| {
-        let patches = serde_json::to_string(&patches(&scene, &enclosure.patches))?;
+    files::write_whole(out, |out| {
+        let patches = serde_json::to_string(&patches(scene, &enclosure.patches))?;
         write!(out, "{{\"patches\":{patches},\"matrix\":[")?;
         let n = enclosure.patches.len();
         for (i, row) in matrix.chunks(n.max(1)).enumerate() {
@@ -142,7 +188,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             serde_json::to_writer(&mut *out, row)?;
         }
         let rest = json!({
-            "method": settings.form_factors.name(),
+            "method": enclosure.settings.form_factors.name(),
             "seconds": seconds,
             "row_sums": row_sums,
             "reciprocity_defect": reciprocity_defect,
@@ -152,6 +198,62 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         // The rest of the one object
         writeln!(out, "],{}", rest.to_string().trim_start_matches('{'))
     })
+}
+
+/// Says how a matrix of another program differs from ours.
+fn compare(
+    scene: &Scene,
+    enclosure: &Enclosure,
+    mine: &[f64],
+    reference: &[f64],
+    tolerance: f64,
+) -> Result<(), Failure> {
+    let unblocked = || {
+        let settings = Settings {
+            visibility: false,
+            ..enclosure.settings
+        };
+        let unblocked = Enclosure::of(scene, settings, Parts::NONE).ok()?;
+        Some(matrix_of(&unblocked).to_vec())
+    };
+    let areas = enclosure.patches.areas();
+    let found = matrix::compare(mine, reference, &areas, tolerance, unblocked);
+    let mut out = std::io::stdout();
+    let (n, all) = (areas.len(), mine.len());
+    writeln!(
+        out,
+        "{n} × {n} entries: {} differ by more than {tolerance}, the largest difference is {:.3e}",
+        found.off, found.largest
+    )?;
+    if let Some(entry) = found.first {
+        let [row, column] = [entry.row, entry.column].map(|patch| {
+            let patch_of = &enclosure.patches[patch];
+            let [i, j] = patch_of.cell;
+            let object = &scene.objects[patch_of.object as usize].name;
+            format!("{patch} (\"{object}\" {i},{j})")
+        });
+        writeln!(
+            out,
+            "first row that differs: patch {row}; from it to patch {column} yours is {}, and the reference {}",
+            entry.mine, entry.reference
+        )?;
+    }
+    if let Some(looks) = found.looks {
+        writeln!(out, "{}", looks.in_words())?;
+    }
+    if let Some(&(row, mine, reference)) = found.sums.first() {
+        writeln!(
+            out,
+            "{} rows sum to something else: row {row} to {mine:.6}, that of the reference to {reference:.6}",
+            found.sums.len()
+        )?;
+    }
+    match found.off {
+        0 => Ok(()),
+        off => Err(Failure::Failed(format!(
+            "{off} of {all} entries differ by more than {tolerance}"
+        ))),
+    }
 }
 
 /// Every patch by its object and cell, with its area.

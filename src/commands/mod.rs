@@ -8,6 +8,7 @@ mod check;
 mod compare;
 mod failure;
 mod files;
+mod follow;
 mod form_factors;
 mod frames;
 mod interrupt;
@@ -47,6 +48,8 @@ enum Command {
     Render(render::Arguments),
     /// Compares a picture of your own program with ours, and names the mistakes that explain the difference
     Compare(compare::Arguments),
+    /// Holds the trace of your own program against the steps of ours, up to the first that differs
+    Follow(follow::Arguments),
     /// Finds the form factors of a scene's patches
     FormFactors(form_factors::Arguments),
     /// Solves for the light that a scene's patches exchange
@@ -82,6 +85,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Check(arguments) => check::run(arguments),
         Command::Render(arguments) => render::run(arguments),
         Command::Compare(arguments) => compare::run(arguments),
+        Command::Follow(arguments) => follow::run(arguments),
         Command::FormFactors(arguments) => form_factors::run(arguments),
         Command::Radiosity(arguments) => radiosity::run(arguments),
         Command::Needs(arguments) => needs::run(arguments),

@@ -4,7 +4,7 @@ use super::accuracy;
 use super::arguments::LimitArguments;
 use super::failure::{Failure, note};
 use super::files;
-use super::form_factors::{MemoryArgument, VisibilityArgument, enclosure, matrix, settings};
+use super::form_factors::{MemoryArgument, VisibilityArgument, enclosure, matrix_of, settings};
 use super::notes;
 use super::progress::named;
 use crate::algorithms::enclosure::{Enclosure, Light, Settings};
@@ -35,6 +35,23 @@ pub struct Arguments {
 /// How the light of a room is found.
 #[derive(clap::Args, Clone)]
 pub struct SolutionArguments {
+    #[command(flatten)]
+    system: SystemArguments,
+    #[command(flatten)]
+    tolerance: ToleranceArgument,
+}
+
+/// When a solver has done enough.
+#[derive(clap::Args, Clone, Copy, Default)]
+pub struct ToleranceArgument {
+    /// The relative residual that is small enough [default: 1e-6]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    tolerance: Option<f64>,
+}
+
+/// Which system is solved, and how.
+#[derive(clap::Args, Clone)]
+pub struct SystemArguments {
     /// How the system of equations is solved [default: auto]
     #[arg(long, value_name = "SOLVER", value_parser = PossibleValuesParser::new(Solver::ALL.map(Solver::name)))]
     solver: Option<String>,
@@ -46,21 +63,42 @@ pub struct SolutionArguments {
     /// Whether the form factors of a closed scene are changed, as little as it takes, so that those from a patch sum to 1 [default: auto]
     #[arg(long, value_name = "auto,off", value_parser = PossibleValuesParser::new(["auto", "off"]))]
     closure: Option<String>,
-    /// The relative residual that is small enough [default: 1e-6]
-    #[arg(long, value_name = "T", allow_negative_numbers = true)]
-    tolerance: Option<f64>,
     /// The most iterations, or shots of one patch [default: 1000000]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     max_iterations: Option<u32>,
 }
 
 impl SolutionArguments {
+    /// The options given, and for the rest those of `unless`.
+    pub fn or(&self, unless: Settings, limits: LimitArguments) -> Result<Settings, Failure> {
+        self.tolerance.or(self.system.or(unless, limits)?)
+    }
+}
+
+impl ToleranceArgument {
+    pub fn is_given(self) -> bool {
+        self.tolerance.is_some()
+    }
+
+    /// The tolerance given, or that of `settings`.
+    pub fn or(self, mut settings: Settings) -> Result<Settings, Failure> {
+        let tolerance = self.tolerance.unwrap_or(settings.stop.tolerance);
+        if !(tolerance > 0.0 && tolerance < 1.0) {
+            return Err(Failure::Wrong(format!(
+                "--tolerance {tolerance}: allowed are numbers above 0 and below 1"
+            )));
+        }
+        settings.stop.tolerance = tolerance;
+        Ok(settings)
+    }
+}
+
+impl SystemArguments {
     pub fn is_given(&self) -> bool {
         self.solver.is_some()
             || self.form_factors.is_some()
             || self.visibility.is_given()
             || self.closure.is_some()
-            || self.tolerance.is_some()
             || self.max_iterations.is_some()
     }
 
@@ -75,14 +113,7 @@ impl SolutionArguments {
         if let Some(closure) = &self.closure {
             settings.closure = closure == "auto";
         }
-        settings.stop.tolerance = self.tolerance.unwrap_or(settings.stop.tolerance);
         settings.stop.max_iterations = self.max_iterations.unwrap_or(settings.stop.max_iterations);
-        let tolerance = settings.stop.tolerance;
-        if !(tolerance > 0.0 && tolerance < 1.0) {
-            return Err(Failure::Wrong(format!(
-                "--tolerance {tolerance}: allowed are numbers above 0 and below 1"
-            )));
-        }
         Ok(settings)
     }
 }
@@ -102,7 +133,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let shot: Light;
     let (exchanged, light) = match arguments.memory.refusal(&enclosure) {
         None => {
-            matrix(&enclosure);
+            matrix_of(&enclosure);
             (start.elapsed(), light(&scene, &enclosure)?)
         }
         Some(refusal) if enclosure.settings.solver.shoots() => {
@@ -150,7 +181,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 
 /// The light of a room, or a failure of the work: what did not converge is no result.
 pub fn light<'a>(scene: &Scene, enclosure: &'a Enclosure) -> Result<&'a Light, Failure> {
-    let matrix = matrix(enclosure);
+    let matrix = matrix_of(enclosure);
     named("solving", || enclosure.light(matrix)).map_err(|why| unsolved(scene, enclosure, why))
 }
 

@@ -7,7 +7,7 @@ use super::failure::{Failure, note};
 use super::files::{self, Document};
 use super::notes;
 use super::progress::{self, Progress};
-use super::radiosity::SolutionArguments;
+use super::radiosity::{SystemArguments, ToleranceArgument};
 use crate::algorithms::focus::Focus;
 use crate::methods::{Method, Settings, Setup};
 use crate::record::{RecordingLimit, Value};
@@ -21,6 +21,18 @@ use std::sync::Arc;
 
 #[derive(clap::Args)]
 pub struct Arguments {
+    #[command(flatten)]
+    recorded: Recorded,
+    #[command(flatten)]
+    tolerance: ToleranceArgument,
+    /// Standard output unless given
+    #[arg(long, value_name = "FILE.jsonl")]
+    out: Option<PathBuf>,
+}
+
+/// What is recorded, and how.
+#[derive(clap::Args)]
+pub struct Recorded {
     /// The id of a lesson, a lesson file, or a scene file
     #[arg(value_name = "LESSON_OR_SCENE")]
     name: String,
@@ -32,13 +44,10 @@ pub struct Arguments {
     size: Option<[u32; 2]>,
     #[command(flatten)]
     focus: FocusArguments,
-    /// Standard output unless given
-    #[arg(long, value_name = "FILE.jsonl")]
-    out: Option<PathBuf>,
     #[command(flatten)]
     rays: RayArguments,
     #[command(flatten)]
-    solution: SolutionArguments,
+    system: SystemArguments,
     #[command(flatten)]
     limits: LimitArguments,
 }
@@ -119,7 +128,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     if let Some(out) = &arguments.out {
         files::check_output(out)?;
     }
-    let run = record(&arguments)?;
+    let Recording { run, .. } = arguments.recorded.record(arguments.tolerance)?;
     if run.walk().truncated() {
         const TOLD: &str = "the recording met its memory limit, and tells only the beginning; choose --polygon, --scan-line or --pixel";
         // A file appears whole or not at all.
@@ -138,62 +147,80 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     }
 }
 
-impl Arguments {
-    fn settings(&self, unless: Settings) -> Result<Settings, Failure> {
+/// A run, and what it is a run of.
+pub struct Recording {
+    pub run: Run,
+    pub setup: Arc<Setup>,
+    pub method: Method,
+    pub focus: Focus,
+}
+
+impl Recorded {
+    fn settings(
+        &self,
+        unless: Settings,
+        tolerance: ToleranceArgument,
+    ) -> Result<Settings, Failure> {
         let rays = self.rays.or(unless.get());
-        let radiosity = self.solution.or(unless.get(), self.limits)?;
+        let radiosity = tolerance.or(self.system.or(unless.get(), self.limits)?)?;
         Ok(unless.with(rays).with(radiosity))
     }
-}
 
-fn record(arguments: &Arguments) -> Result<Run, Failure> {
-    let wrong = |message: &str| Failure::Wrong(message.to_owned());
-    let focus = arguments.focus.focus();
-    let method = arguments.method.as_deref().map(method).transpose()?;
-    match files::lesson_or_scene(&arguments.name, &arguments.limits.into())? {
-        Document::Lesson(lesson)
-            if method.is_none()
-                && focus.is_none()
-                && arguments.size.is_none()
-                && !arguments.rays.is_given()
-                && !arguments.solution.is_given() =>
-        {
-            let open = lesson
-                .open()
-                .map_err(|error| files::wrong(&arguments.name, &error))?;
-            notes::print(&arguments.name, &open.setup.notes(open.lesson.method));
-            Ok(open.run)
-        }
-        Document::Lesson(lesson) => {
-            let method = method.unwrap_or(lesson.method);
-            let size = arguments.size.unwrap_or(lesson.size);
-            let settings = arguments.settings(lesson.settings)?;
-            let prepared = files::prepared(lesson.scene, size, method, &arguments.name)?;
-            record_on(
-                Setup::new(prepared, settings),
-                method,
-                focus.unwrap_or(lesson.focus),
-                &arguments.name,
-            )
-        }
-        Document::Scene(scene) => {
-            let method = method.ok_or_else(|| {
-                wrong("--method is missing: a scene can be drawn in several ways")
-            })?;
-            let size = arguments.size.unwrap_or([640, 480]);
-            let settings = arguments.settings(Settings::default())?;
-            let prepared = files::prepared(*scene, size, method, &arguments.name)?;
-            record_on(
-                Setup::new(prepared, settings),
-                method,
-                focus.unwrap_or(Focus::Frame),
-                &arguments.name,
-            )
+    pub fn record(&self, tolerance: ToleranceArgument) -> Result<Recording, Failure> {
+        let wrong = |message: &str| Failure::Wrong(message.to_owned());
+        let focus = self.focus.focus();
+        let method = self.method.as_deref().map(method).transpose()?;
+        match files::lesson_or_scene(&self.name, &self.limits.into())? {
+            Document::Lesson(lesson)
+                if method.is_none()
+                    && focus.is_none()
+                    && self.size.is_none()
+                    && !self.rays.is_given()
+                    && !self.system.is_given()
+                    && !tolerance.is_given() =>
+            {
+                let open = lesson
+                    .open()
+                    .map_err(|error| files::wrong(&self.name, &error))?;
+                notes::print(&self.name, &open.setup.notes(open.lesson.method));
+                Ok(Recording {
+                    method: open.lesson.method,
+                    focus: open.lesson.focus,
+                    setup: open.setup,
+                    run: open.run,
+                })
+            }
+            Document::Lesson(lesson) => {
+                let method = method.unwrap_or(lesson.method);
+                let size = self.size.unwrap_or(lesson.size);
+                let settings = self.settings(lesson.settings, tolerance)?;
+                let prepared = files::prepared(lesson.scene, size, method, &self.name)?;
+                record_on(
+                    Setup::new(prepared, settings),
+                    method,
+                    focus.unwrap_or(lesson.focus),
+                    &self.name,
+                )
+            }
+            Document::Scene(scene) => {
+                let method = method.ok_or_else(|| {
+                    wrong("--method is missing: a scene can be drawn in several ways")
+                })?;
+                let size = self.size.unwrap_or([640, 480]);
+                let settings = self.settings(Settings::default(), tolerance)?;
+                let prepared = files::prepared(*scene, size, method, &self.name)?;
+                record_on(
+                    Setup::new(prepared, settings),
+                    method,
+                    focus.unwrap_or(Focus::Frame),
+                    &self.name,
+                )
+            }
         }
     }
 }
 
-fn record_on(setup: Setup, method: Method, focus: Focus, name: &str) -> Result<Run, Failure> {
+fn record_on(setup: Setup, method: Method, focus: Focus, name: &str) -> Result<Recording, Failure> {
     setup
         .check_for(method)
         .map_err(|error| files::wrong(&name, error))?;
@@ -223,9 +250,16 @@ fn record_on(setup: Setup, method: Method, focus: Focus, name: &str) -> Result<R
         .check(focus)
         .map_err(|outside| Failure::Wrong(format!("{option} {outside}")))?;
     notes::print(&name, &setup.notes(method));
-    Ok(progress::named("recording", || {
-        Run::record(Arc::new(setup), method, focus, RecordingLimit::default())
-    }))
+    let setup = Arc::new(setup);
+    let run = progress::named("recording", || {
+        Run::record(setup.clone(), method, focus, RecordingLimit::default())
+    });
+    Ok(Recording {
+        run,
+        setup,
+        method,
+        focus,
+    })
 }
 
 fn write_steps(walk: &dyn Walk, out: &mut dyn Write) -> std::io::Result<()> {

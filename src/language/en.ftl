@@ -1744,3 +1744,33 @@ study-heading-front = Reference: { $reference }. Bars: quartiles. Ringed, on the
 study-point-error = { $setting } error { $error } in { $time }
 study-point-time = { $setting } { $time }
 study-no-result = No setting has a result.
+
+## classic mistakes, as `compare` and `follow` name them
+mistake-eta-inverted = η taken for 1/η
+mistake-shadow-ignores-light-distance = shadows also from what lies behind a light
+mistake-fov-vertical = the camera's angle taken for that of the height
+mistake-fov-half-angle = the camera's angle taken for half of it
+mistake-flip-y = the picture upside down
+mistake-mirror-x = left and right exchanged
+mistake-half-pixel-off = rays through the corners of pixels, not their centres
+mistake-no-srgb = linear numbers written without sRGB
+mistake-srgb-twice = sRGB applied twice
+mistake-ambient-per-light = the ambient term added once a light
+mistake-no-attenuation = light that does not fade with distance
+mistake-depth-minus-one = one level of rays too few
+mistake-depth-plus-one = one level of rays too many
+mistake-reflection-forgotten = reflected rays left out
+mistake-normal-not-flipped = N not turned toward the ray
+mistake-normal-not-normalized = N not of unit length
+mistake-eta-not-swapped-on-leaving = η_i and η_r not exchanged where the ray leaves the glass
+mistake-no-shadow-offset = shadow rays that meet the surface they start from
+mistake-cos-not-clamped = N·L below 0 that takes light away
+mistake-specular-without-ndotl = highlights where N·L ≤ 0
+mistake-reflect-sign = R = u + 2(u·N)N, with the wrong sign
+mistake-light-to-point = L from the light to the point
+mistake-tir-black = nothing where reflection is total
+mistake-vertex-normals-by-area = vertex normals weighted by the areas of the faces
+mistake-form-factor-transposed = F_ji in place of F_ij
+mistake-reflectance-forgotten = ρ left out
+mistake-pi-twice = form factors divided by π once more
+mistake-channels-swapped = red and blue exchanged

@@ -1735,3 +1735,33 @@ study-heading-front = Acuan: { $reference }. Batang: kuartil. Berlingkar, pada g
 study-point-error = { $setting } galat { $error } dalam { $time }
 study-point-time = { $setting } { $time }
 study-no-result = Tidak ada pengaturan yang memberi hasil.
+
+## classic mistakes, as `compare` and `follow` name them
+mistake-eta-inverted = η dipakai sebagai 1/η
+mistake-shadow-ignores-light-distance = bayangan juga dari benda di belakang lampu
+mistake-fov-vertical = sudut kamera dipakai sebagai sudut tinggi
+mistake-fov-half-angle = sudut kamera dipakai sebagai setengahnya
+mistake-flip-y = gambar terbalik atas-bawah
+mistake-mirror-x = kiri dan kanan tertukar
+mistake-half-pixel-off = sinar lewat sudut piksel, bukan pusatnya
+mistake-no-srgb = bilangan linear ditulis tanpa sRGB
+mistake-srgb-twice = sRGB diterapkan dua kali
+mistake-ambient-per-light = suku ambien ditambahkan sekali per lampu
+mistake-no-attenuation = cahaya tidak meredup dengan jarak
+mistake-depth-minus-one = satu tingkat sinar terlalu sedikit
+mistake-depth-plus-one = satu tingkat sinar terlalu banyak
+mistake-reflection-forgotten = sinar pantul tidak dihitung
+mistake-normal-not-flipped = N tidak dibalik ke arah sinar
+mistake-normal-not-normalized = N tidak sepanjang satu satuan
+mistake-eta-not-swapped-on-leaving = η_i dan η_r tidak ditukar saat sinar keluar dari kaca
+mistake-no-shadow-offset = sinar bayangan mengenai permukaan asalnya sendiri
+mistake-cos-not-clamped = N·L di bawah 0 mengurangi cahaya
+mistake-specular-without-ndotl = sorotan di tempat N·L ≤ 0
+mistake-reflect-sign = R = u + 2(u·N)N, tandanya salah
+mistake-light-to-point = L dari lampu ke titik
+mistake-tir-black = hitam saat pemantulan sempurna
+mistake-vertex-normals-by-area = normal titik sudut berbobot luas muka
+mistake-form-factor-transposed = F_ji dipakai sebagai F_ij
+mistake-reflectance-forgotten = ρ tidak dipakai
+mistake-pi-twice = faktor bentuk dibagi π sekali lagi
+mistake-channels-swapped = merah dan biru tertukar

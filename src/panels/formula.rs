@@ -6,6 +6,7 @@ mod known;
 mod layout;
 mod pieces;
 mod set;
+mod written;
 
 use super::message::{NO_STEPS, message};
 use super::names;
@@ -22,6 +23,7 @@ pub use evaluated::{Evaluated, evaluated};
 use glam::Vec2;
 use known::Known;
 use layout::{DETAILS, Detail, Layout, SHORT, Values};
+pub use written::written;
 
 const MARGIN: f32 = 10.0;
 

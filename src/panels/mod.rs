@@ -8,7 +8,7 @@ pub use list::comparison::{place as comparison_place, values as compared_values}
 pub use list::difference::place as difference_place;
 pub use list::formula::{
     Evaluated, evaluated, least_height as formula_height, said,
-    whole_height as whole_formula_height,
+    whole_height as whole_formula_height, written as written_formulas,
 };
 pub use list::image::{
     ImageView, PixelLayer, middle as image_middle, place as image_place, value as pixel_value,

@@ -28,7 +28,7 @@ pub struct Comparison {
     pub pixels: usize,
     /// The worst first.
     pub worst: Vec<Worst>,
-    /// The one that explains most first.
+    /// The one that explains most first, then the one that explains most of what is left, and so on.
     pub mistakes: Vec<Explanation>,
     #[serde(skip)]
     pub reference: Vec<[f64; 3]>,
@@ -46,6 +46,8 @@ pub struct Worst {
 #[derive(Clone, Debug, Serialize)]
 pub struct Explanation {
     pub name: &'static str,
+    #[serde(skip)]
+    pub mistake: Mistake,
     /// How many of the differing pixels are then as in the reference with the mistake.
     pub explains: usize,
     pub of: usize,
@@ -84,14 +86,10 @@ pub fn compare(
     let off = worst.len();
     let mistakes = match off {
         0 => Vec::new(),
-        _ => explanations(
-            mine,
-            setup,
-            method,
-            &frame,
-            (right, tolerance, &differs),
-            threads,
-        ),
+        _ => {
+            let mistaken = mistaken(setup, method, &frame, (right, mine.is_float), threads);
+            explanations(mine, tolerance, &differs, &mistaken)
+        }
     };
     let all = 0..mine.pixels.len();
     Comparison {
@@ -116,38 +114,72 @@ pub fn compare(
     }
 }
 
-fn explanations(
-    mine: &StoredImage,
+/// What the file would have with each mistake that a program can make by that method, and that changes the picture.
+fn mistaken(
     setup: &Setup,
     method: Method,
     frame: &Frame,
-    (right, tolerance, differs): (Encoding, f64, &[bool]),
+    (right, is_float): (Encoding, bool),
     threads: NonZeroUsize,
-) -> Vec<Explanation> {
-    let of = differs.iter().filter(|&&differs| differs).count();
+) -> Vec<(Mistake, Vec<[f64; 3]>)> {
     let possible = Mistake::ALL
         .into_iter()
         .filter(|mistake| mistake.concerns(method));
-    let mut found: Vec<Explanation> = possible
-        .filter_map(|mistake| {
-            let (wrong, encoding) = mistake.picture(setup, method, frame, right, threads)?;
-            let wrong = encoded(&wrong, encoding, mine.is_float);
-            let still = differing(&mine.pixels, &wrong, tolerance);
-            let explained = differs.iter().zip(&still);
-            let explains = explained.filter(|&(&was, &is)| was && !is).count();
-            Some(Explanation {
-                name: mistake.name(),
-                explains,
-                of,
-                rms_after: rms(&mine.pixels, &wrong),
-            })
-        })
-        .filter(|found| found.explains as f64 >= EXPLAINED * of as f64)
-        .collect();
-    found.sort_by(|a, b| {
-        let most = b.explains.cmp(&a.explains);
-        most.then(a.rms_after.total_cmp(&b.rms_after))
+    let with = possible.filter_map(|mistake| {
+        let (wrong, encoding) = mistake.picture(setup, method, frame, right, threads)?;
+        Some((mistake, encoded(&wrong, encoding, is_float)))
     });
+    with.collect()
+}
+
+/// The one that explains most first, then always the one that explains most of what is left: two mistakes at once stand first where
+/// they touch different pixels.
+fn explanations(
+    mine: &StoredImage,
+    tolerance: f64,
+    differs: &[bool],
+    mistaken: &[(Mistake, Vec<[f64; 3]>)],
+) -> Vec<Explanation> {
+    let of = differs.iter().filter(|&&differs| differs).count();
+    let explained = |(mistake, wrong): &(Mistake, Vec<[f64; 3]>)| {
+        let still = differing(&mine.pixels, wrong, tolerance);
+        let pairs = differs.iter().zip(still);
+        let explained: Vec<bool> = pairs.map(|(&was, is)| was && !is).collect();
+        let explanation = Explanation {
+            name: mistake.name(),
+            mistake: *mistake,
+            explains: explained.iter().filter(|&&is| is).count(),
+            of,
+            rms_after: rms(&mine.pixels, wrong),
+        };
+        (explanation, explained)
+    };
+    let mut suspects: Vec<(Explanation, Vec<bool>)> = mistaken
+        .iter()
+        .map(explained)
+        .filter(|(found, _)| found.explains as f64 >= EXPLAINED * of as f64)
+        .collect();
+    let mut left = differs.to_vec();
+    let mut found = Vec::new();
+    while !suspects.is_empty() {
+        let adds = |(_, explained): &(Explanation, Vec<bool>)| {
+            let news = explained.iter().zip(&left);
+            news.filter(|&(&explained, &left)| explained && left)
+                .count()
+        };
+        let better = |a: &(Explanation, Vec<bool>), b: &(Explanation, Vec<bool>)| {
+            let adds_more = adds(b).cmp(&adds(a));
+            let explains_more = b.0.explains.cmp(&a.0.explains);
+            let fits_better = a.0.rms_after.total_cmp(&b.0.rms_after);
+            adds_more.then(explains_more).then(fits_better)
+        };
+        suspects.sort_by(better);
+        let (best, explained) = suspects.remove(0);
+        found.push(best);
+        for (left, explained) in left.iter_mut().zip(explained) {
+            *left &= !explained;
+        }
+    }
     found
 }
 

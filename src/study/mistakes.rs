@@ -1,17 +1,22 @@
 //! Classic mistakes in programs that render: for each the picture that the reference would be with it. A mistake is a wrong scene, a
-//! wrong setting, a wrong use of the picture, or a search that errs; the textbook bodies know none of them.
+//! wrong setting, a wrong use of the picture, or a small program that errs; the textbook bodies know none of them.
 
+mod normals;
+mod room;
+mod tracer;
+
+use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::frame::Frame;
+use crate::algorithms::patch_view::PatchView;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary;
-use crate::algorithms::visible::{self, Blocker, Bvh, Search};
 use crate::color::Rgb;
-use crate::methods::{Family, Method, RayMethod, RayTracing, Setup};
-use crate::record::{Recorder, Unrecorded};
+use crate::language::{Language, called};
+use crate::methods::{Family, Method, Settings, Setup};
 use crate::render::render;
-use crate::scene::primitives::{Nearest, Primitives, Ray};
 use crate::scene::{Camera, Light, Scene, View};
 use std::num::{NonZeroU32, NonZeroUsize};
+pub(super) use tracer::Tracer;
 
 named! {
     /// A mistake, by its name in `compare`.
@@ -44,6 +49,34 @@ named! {
         DepthPlusOne = "depth_plus_one",
         /// k_r is left out, so mirrors are dull.
         ReflectionForgotten = "reflection_forgotten",
+        /// N is not turned toward the ray: dark inside, and on the backs of polygons.
+        NormalNotFlipped = "normal_not_flipped",
+        /// N as long as it comes out of the equation of the surface.
+        NormalNotNormalized = "normal_not_normalized",
+        /// A ray that leaves the glass is refracted as if it entered.
+        EtaNotSwappedOnLeaving = "eta_not_swapped_on_leaving",
+        /// Shadow rays start on the surface itself, and some meet it.
+        NoShadowOffset = "no_shadow_offset",
+        /// N·L below 0 takes light away.
+        CosNotClamped = "cos_not_clamped",
+        /// Highlights where N·L ≤ 0.
+        SpecularWithoutNdotl = "specular_without_ndotl",
+        /// R = u + 2(u·N)N.
+        ReflectSign = "reflect_sign",
+        /// L leads from the light to the point.
+        LightToPoint = "light_to_point",
+        /// Nothing comes back where the reflection is total.
+        TirBlack = "tir_black",
+        /// Vertex normals are means weighted by the areas of the faces.
+        VertexNormalsByArea = "vertex_normals_by_area",
+        /// Patches gather with F_ji in place of F_ij.
+        FormFactorTransposed = "form_factor_transposed",
+        /// ρ is left out, so patches reflect all light.
+        ReflectanceForgotten = "reflectance_forgotten",
+        /// Form factors are divided by π once more.
+        PiTwice = "pi_twice",
+        /// Red and blue changed places.
+        ChannelsSwapped = "channels_swapped",
     }
 }
 
@@ -67,6 +100,11 @@ impl Encoding {
 }
 
 impl Mistake {
+    /// What is wrong, in a few words.
+    pub fn in_words(self, language: Language) -> String {
+        called("mistake", self.name(), language).unwrap_or_else(|| self.name().into())
+    }
+
     /// The picture with the mistake, and how it is encoded where it should be `right`. None where the mistake changes nothing.
     pub fn picture(
         self,
@@ -76,30 +114,86 @@ impl Mistake {
         right: Encoding,
         threads: NonZeroUsize,
     ) -> Option<(Frame, Encoding)> {
-        let scene = &setup.prepared.scene;
         let view = setup.prepared.view;
-        let drawn = |scene: Scene, view: View, depth: Option<i64>| {
-            let mut settings = setup.settings.clone();
-            if let Some(depth) = depth {
-                let rays: primary::Settings = settings.get();
-                let depth = u32::try_from(depth).ok().and_then(NonZeroU32::new)?;
-                settings = settings.with(primary::Settings { depth, ..rays });
-            }
-            let setup = Setup::new(PreparedScene::new(scene, view), settings);
-            setup.check_for(method).ok()?;
-            Some(render(&setup, method, threads, &|_, _| {}))
-        };
-        let traced = method == Method::RayTracing;
-        let depth = i64::from(setup.settings.get::<primary::Settings>().depth.get());
         let frame = match self {
-            Mistake::EtaInverted if traced => {
-                let mut scene = scene.clone();
-                for material in &mut scene.materials {
-                    material.ior = 1.0 / material.ior;
-                }
-                drawn(scene, view, None)
+            Mistake::FlipY => rearranged(reference, |x, y, [_, height]| [x, height - 1 - y]),
+            Mistake::MirrorX => rearranged(reference, |x, y, [width, _]| [width - 1 - x, y]),
+            Mistake::ChannelsSwapped => {
+                let mut swapped = reference.clone();
+                let colors = swapped.color.iter_mut();
+                colors.for_each(|color| *color = Rgb::new(color.b, color.g, color.r));
+                swapped
             }
-            Mistake::ShadowIgnoresLightDistance if traced => Some(with_far_blockers(setup)),
+            Mistake::HalfPixelOff => {
+                // The middle of a picture that is wider and higher by one pixel is half a pixel away.
+                let wider = View {
+                    width: view.width + 1,
+                    height: view.height + 1,
+                    ..view
+                };
+                let scene = setup.prepared.scene.clone();
+                let wider = with(setup, scene, wider, setup.settings.clone());
+                let wider = drawn(&wider, setup, method, threads)?;
+                let mut frame = Frame::new(view.width, 0..view.height, Rgb::BLACK);
+                for y in 0..view.height {
+                    for x in 0..view.width {
+                        let index = frame.index(x, y);
+                        frame.color[index] = wider.pixel(x, y);
+                    }
+                }
+                frame
+            }
+            Mistake::NoSrgb | Mistake::SrgbTwice => {
+                let encoding = match self {
+                    Mistake::NoSrgb => Encoding::Linear,
+                    _ => Encoding::SrgbTwice,
+                };
+                return (right == Encoding::Srgb).then(|| (reference.clone(), encoding));
+            }
+            Mistake::FormFactorTransposed | Mistake::ReflectanceForgotten | Mistake::PiTwice => {
+                let enclosure = setup.enclosure().ok()?;
+                let light = room::light(enclosure, enclosure.matrix()?, self);
+                seen(setup, &view, enclosure, &light)
+            }
+            Mistake::EtaNotSwappedOnLeaving
+            | Mistake::ShadowIgnoresLightDistance
+            | Mistake::NoShadowOffset
+            | Mistake::TirBlack
+            | Mistake::NormalNotFlipped
+            | Mistake::NormalNotNormalized
+            | Mistake::CosNotClamped
+            | Mistake::SpecularWithoutNdotl
+            | Mistake::ReflectSign
+            | Mistake::LightToPoint => {
+                let only_casts = method == Method::RayCasting;
+                Tracer::new(setup, only_casts, Some(self)).picture(threads)
+            }
+            Mistake::EtaInverted
+            | Mistake::FovVertical
+            | Mistake::FovHalfAngle
+            | Mistake::AmbientPerLight
+            | Mistake::NoAttenuation
+            | Mistake::DepthMinusOne
+            | Mistake::DepthPlusOne
+            | Mistake::ReflectionForgotten
+            | Mistake::VertexNormalsByArea => {
+                drawn(&self.wrong_input(setup)?, setup, method, threads)?
+            }
+        };
+        (frame.color != reference.color).then_some((frame, right))
+    }
+
+    /// What a right program would have to be given to err like this; none where no input does that.
+    pub fn wrong_input(self, setup: &Setup) -> Option<Setup> {
+        let prepared = &setup.prepared;
+        let mut scene = prepared.scene.clone();
+        let mut view = prepared.view;
+        let mut rays: primary::Settings = setup.settings.get();
+        match self {
+            Mistake::EtaInverted => {
+                let materials = scene.materials.iter_mut();
+                materials.for_each(|material| material.ior = 1.0 / material.ior);
+            }
             Mistake::FovVertical | Mistake::FovHalfAngle => {
                 let camera = scene.camera?;
                 let fov_x = if self == Mistake::FovHalfAngle {
@@ -108,84 +202,102 @@ impl Mistake {
                     let aspect = f64::from(view.width) / f64::from(view.height);
                     2.0 * ((0.5 * camera.fov_x).tan() * aspect).atan()
                 };
-                let camera = Camera { fov_x, ..camera };
-                let wrong = View::new(&camera, view.width, view.height);
-                (fov_x < 3.1).then(|| drawn(scene.clone(), wrong, None))?
+                if fov_x > WIDEST {
+                    return None;
+                }
+                view = View::new(&Camera { fov_x, ..camera }, view.width, view.height);
             }
-            Mistake::FlipY => Some(rearranged(reference, |x, y, [_, height]| {
-                [x, height - 1 - y]
-            })),
-            Mistake::MirrorX => Some(rearranged(reference, |x, y, [width, _]| [width - 1 - x, y])),
-            Mistake::HalfPixelOff => {
-                let wider = View {
-                    width: view.width + 1,
-                    height: view.height + 1,
-                    ..view
-                };
-                drawn(scene.clone(), wider, None).map(|wider| {
-                    let mut frame = Frame::new(view.width, 0..view.height, Rgb::BLACK);
-                    for y in 0..view.height {
-                        for x in 0..view.width {
-                            let index = frame.index(x, y);
-                            frame.color[index] = wider.pixel(x, y);
-                        }
-                    }
-                    frame
-                })
-            }
-            Mistake::NoSrgb | Mistake::SrgbTwice if right == Encoding::Srgb => {
-                let encoding = match self {
-                    Mistake::NoSrgb => Encoding::Linear,
-                    _ => Encoding::SrgbTwice,
-                };
-                return Some((reference.clone(), encoding));
-            }
-            Mistake::AmbientPerLight if scene.lights.len() > 1 => {
-                let ambient = scene.ambient * scene.lights.len() as f64;
-                let scene = Scene {
-                    ambient,
-                    ..scene.clone()
-                };
-                drawn(scene, view, None)
-            }
+            Mistake::AmbientPerLight => scene.ambient = scene.ambient * scene.lights.len() as f64,
             Mistake::NoAttenuation => {
-                let mut scene = scene.clone();
                 for light in &mut scene.lights {
                     if let Light::Point { attenuation, .. } = light {
                         *attenuation = [1.0, 0.0, 0.0];
                     }
                 }
-                drawn(scene, view, None)
             }
-            Mistake::DepthMinusOne if traced => drawn(scene.clone(), view, Some(depth - 1)),
-            Mistake::DepthPlusOne if traced => drawn(scene.clone(), view, Some(depth + 1)),
-            Mistake::ReflectionForgotten if traced => {
-                let mut scene = scene.clone();
-                for material in &mut scene.materials {
-                    material.reflection = Rgb::BLACK;
-                }
-                drawn(scene, view, None)
+            Mistake::DepthMinusOne => rays.depth = NonZeroU32::new(rays.depth.get() - 1)?,
+            Mistake::DepthPlusOne => rays.depth = rays.depth.saturating_add(1),
+            Mistake::ReflectionForgotten => {
+                let materials = scene.materials.iter_mut();
+                materials.for_each(|material| material.reflection = Rgb::BLACK);
             }
-            _ => None,
-        }?;
-        (frame.color != reference.color).then_some((frame, right))
+            Mistake::VertexNormalsByArea => scene = normals::weighted_by_area(prepared),
+            _ => return None,
+        }
+        Some(with(setup, scene, view, setup.settings.clone().with(rays)))
     }
 
     /// Whether a program that draws by that method can make it at all.
     pub fn concerns(self, method: Method) -> bool {
-        let of_rays = [
-            Mistake::EtaInverted,
-            Mistake::ShadowIgnoresLightDistance,
-            Mistake::DepthMinusOne,
-            Mistake::DepthPlusOne,
-            Mistake::ReflectionForgotten,
-        ];
-        let of_lamps = [Mistake::AmbientPerLight, Mistake::NoAttenuation];
-        match method.family() {
-            Family::Exchange => !of_rays.contains(&self) && !of_lamps.contains(&self),
-            _ => method == Method::RayTracing || !of_rays.contains(&self),
+        let family = method.family();
+        match self {
+            Mistake::EtaInverted
+            | Mistake::EtaNotSwappedOnLeaving
+            | Mistake::ShadowIgnoresLightDistance
+            | Mistake::NoShadowOffset
+            | Mistake::TirBlack
+            | Mistake::DepthMinusOne
+            | Mistake::DepthPlusOne
+            | Mistake::ReflectionForgotten => method == Method::RayTracing,
+            Mistake::NormalNotFlipped
+            | Mistake::NormalNotNormalized
+            | Mistake::CosNotClamped
+            | Mistake::SpecularWithoutNdotl
+            | Mistake::ReflectSign
+            | Mistake::LightToPoint => [Method::RayCasting, Method::RayTracing].contains(&method),
+            Mistake::VertexNormalsByArea => {
+                [Method::Gouraud, Method::Phong, Method::FastPhong].contains(&method)
+            }
+            Mistake::FormFactorTransposed | Mistake::ReflectanceForgotten | Mistake::PiTwice => {
+                family == Family::Exchange
+            }
+            Mistake::AmbientPerLight | Mistake::NoAttenuation => family != Family::Exchange,
+            Mistake::FovVertical
+            | Mistake::FovHalfAngle
+            | Mistake::FlipY
+            | Mistake::MirrorX
+            | Mistake::HalfPixelOff
+            | Mistake::NoSrgb
+            | Mistake::SrgbTwice
+            | Mistake::ChannelsSwapped => true,
         }
     }
+}
+
+/// Wider than this an angle of the camera is none, in radians.
+const WIDEST: f64 = 3.1;
+
+fn with(setup: &Setup, scene: Scene, view: View, settings: Settings) -> Setup {
+    Setup::new(PreparedScene::new(scene, view), settings).with_forced(setup.forced())
+}
+
+/// What the method draws of other input than that of `setup`. The light of a room stays as it is, whoever looks at it.
+fn drawn(wrong: &Setup, setup: &Setup, method: Method, threads: NonZeroUsize) -> Option<Frame> {
+    if method.family() == Family::Exchange {
+        let enclosure = setup.enclosure().ok()?;
+        let light = enclosure.light(enclosure.matrix()?).ok()?;
+        return Some(seen(
+            setup,
+            &wrong.prepared.view,
+            enclosure,
+            &light.radiosity,
+        ));
+    }
+    Some(render(wrong, method, threads, &|_, _| {}))
+}
+
+/// The picture of patches that give off `light`.
+fn seen(setup: &Setup, view: &View, enclosure: &Enclosure, light: &[Rgb]) -> Frame {
+    let primary::Settings { samples, .. } = setup.settings.get();
+    let patches = PatchView::new(view, samples, enclosure, light);
+    let mut frame = Frame::new(view.width, 0..view.height, Rgb::BLACK);
+    for y in 0..view.height {
+        for x in 0..view.width {
+            let index = frame.index(x, y);
+            frame.color[index] = patches.pixel(x, y);
+        }
+    }
+    frame
 }
 
 /// The pixels of a picture in other places.
@@ -200,45 +312,4 @@ fn rearranged(frame: &Frame, from: impl Fn(u32, u32, [u32; 2]) -> [u32; 2]) -> F
         }
     }
     moved
-}
-
-/// Ray tracing whose shadow rays do not end at the light.
-fn with_far_blockers(setup: &Setup) -> Frame {
-    let tracer = RayTracing::tracer(setup, setup.needs(), FarBlockers(Bvh));
-    let mut frame = setup.prepared.empty_frame();
-    for y in frame.rows.clone() {
-        for x in 0..frame.width {
-            let index = frame.index(x, y);
-            frame.color[index] = RayTracing::pixel(&tracer, x, y, &mut Unrecorded);
-        }
-    }
-    frame
-}
-
-/// Finds blockers at any distance.
-#[derive(Clone, Copy)]
-struct FarBlockers<S>(S);
-
-impl<S: Search> Search for FarBlockers<S> {
-    fn nearest<E: From<visible::Event>>(
-        self,
-        scene: &Scene,
-        primitives: &Primitives,
-        ray: &Ray,
-        recorder: &mut impl Recorder<E>,
-    ) -> Option<Nearest> {
-        self.0.nearest(scene, primitives, ray, recorder)
-    }
-
-    fn blocker<E: From<visible::Event>>(
-        self,
-        scene: &Scene,
-        primitives: &Primitives,
-        ray: &Ray,
-        _: f64,
-        recorder: &mut impl Recorder<E>,
-    ) -> Option<Blocker> {
-        self.0
-            .blocker(scene, primitives, ray, f64::INFINITY, recorder)
-    }
 }

@@ -4,6 +4,8 @@
 mod broken;
 mod broken_files;
 mod command_line;
+mod compare;
+mod follow;
 #[cfg(unix)]
 mod interrupted;
 mod meshes;

@@ -70,6 +70,58 @@ fn form_factors_of_a_closed_cube_sum_to_1_by_every_exact_method() {
 }
 
 #[test]
+fn a_matrix_of_another_program_is_held_against_ours() {
+    let folder = furnace();
+    let found = written(&folder, "form-factors furnace.json");
+    let rows: Vec<Vec<f64>> = found["matrix"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(numbers)
+        .collect();
+    let write = |scale: f64, changed: f64| {
+        let mut rows = rows.clone();
+        rows[3][7] += changed;
+        let line = |row: &Vec<f64>| {
+            let words: Vec<String> = row.iter().map(|f| (f * scale).to_string()).collect();
+            words.join(",")
+        };
+        let lines: Vec<String> = rows.iter().map(line).collect();
+        fs::write(folder.path().join("mine.csv"), lines.join("\n")).unwrap();
+    };
+    let compare = || lightwalk(folder.path(), "form-factors furnace.json --with mine.csv");
+    write(1.0, 0.0);
+    let output = compare();
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).starts_with("24 × 24 entries: 0 differ by more than 0.0001"));
+
+    write(1.0, 0.01);
+    let output = compare();
+    assert_eq!(output.status.code(), Some(1));
+    let said = text(&output.stdout);
+    assert!(
+        said.contains("first row that differs: patch 3 (\"wall 0\" 1,1); from it to patch 7"),
+        "{said}"
+    );
+    assert!(
+        said.contains("1 rows sum to something else: row 3 to 1.01"),
+        "{said}"
+    );
+
+    write(1.0 / std::f64::consts::PI, 0.0);
+    assert!(text(&compare().stdout).contains("it is F_ij/π"));
+
+    fs::write(folder.path().join("mine.csv"), "1,2\n3,4\n").unwrap();
+    let message = refused(&compare(), "two rows");
+    assert!(
+        message.contains("mine.csv: it has 2 rows; the scene has 24 patches"),
+        "{message}"
+    );
+    let neither = lightwalk(folder.path(), "form-factors furnace.json");
+    assert!(refused(&neither, "neither --out nor --with").contains("--out"));
+}
+
+#[test]
 fn every_solver_finds_the_light_of_a_furnace() {
     let folder = furnace();
     for solver in [

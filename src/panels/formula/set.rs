@@ -42,6 +42,14 @@ impl Atom {
         }
     }
 
+    /// Its texts one after the other.
+    pub fn written(&self) -> String {
+        self.texts
+            .iter()
+            .map(|(_, text, ..)| text.as_str())
+            .collect()
+    }
+
     /// The same, showing what the tag says.
     pub fn tagged(mut self, tag: Tag) -> Self {
         for text in &mut self.texts {

@@ -1,0 +1,92 @@
+//! `follow`: the trace of a program in Python against our steps.
+
+use crate::{folder, lightwalk, text};
+use std::fs;
+use std::process::Command;
+
+const BALL: &str = r#"{ "schema": 1,
+  "camera": { "eye": [0, 0, 4], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 40 },
+  "materials": { "clay": { "ambient": [0.1, 0.1, 0.1], "diffuse": [0.6, 0.5, 0.4] } },
+  "objects": [ { "name": "ball", "material": "clay", "sphere": { "center": [0, 0, 0], "radius": 1 } } ],
+  "lights": [ { "directional": { "toward": [-1, -2, -3], "color": [0.9, 0.9, 0.9] } } ] }"#;
+
+const FOLLOW: &str =
+    "follow ball.json --method ray-casting --size 64x48 --pixel 30,20 --with mine.jsonl";
+
+/// What the Python program prints.
+fn printed(arguments: &[&str]) -> Vec<u8> {
+    let program = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/program/follow.py");
+    let output = Command::new("python3")
+        .arg(program)
+        .args(arguments)
+        .output();
+    let output = output.expect("Python is installed");
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    output.stdout
+}
+
+#[test]
+fn a_program_in_python_is_followed_to_its_end_and_to_its_mistake() {
+    let folder = folder();
+    fs::write(folder.path().join("ball.json"), BALL).unwrap();
+    let mine = folder.path().join("mine.jsonl");
+    fs::write(&mine, printed(&["30", "20"])).unwrap();
+    let output = lightwalk(folder.path(), FOLLOW);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_eq!(text(&output.stdout), "6 of 6 steps agree\n");
+
+    fs::write(&mine, printed(&["30", "20", "reversed"])).unwrap();
+    let output = lightwalk(folder.path(), FOLLOW);
+    assert_eq!(output.status.code(), Some(1));
+    let said = text(&output.stdout);
+    assert!(said.contains("line 4, ToLight: L is [-0.26726"), "{said}");
+    assert!(said.contains("and [0.26726"), "{said}");
+    let output = lightwalk(folder.path(), &format!("{FOLLOW} --json"));
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(
+        (json["agree"].as_u64(), json["of"].as_u64()),
+        (Some(3), Some(6))
+    );
+    assert_eq!(json["difference"]["field"], "L");
+    let explained = json["difference"]["explained"].as_array().unwrap();
+    assert!(
+        explained.len() > 1 && explained[1].as_str().unwrap().contains(" = "),
+        "{json}"
+    );
+}
+
+#[test]
+fn a_trace_that_cannot_be_read_is_told_with_its_line() {
+    let folder = folder();
+    fs::write(folder.path().join("ball.json"), BALL).unwrap();
+    for (trace, expected) in [
+        ("", "there is no step in it"),
+        ("{\"kind\": \"Ray\"\n", "line 1: "),
+        ("\n{\"t\": 3}\n", "line 2: the key `kind` is missing"),
+        (
+            "{\"kind\": \"Ray\", \"u\": [1, 2]}",
+            "line 1: u is [1,2]; allowed are",
+        ),
+        (
+            "{\"kind\": \"Rya\"}",
+            "no step of the kind \"Rya\"; its kinds are Ambient, Diffuse",
+        ),
+        (
+            "{\"kind\": \"Ray\", \"w\": 1}",
+            "Ray has no value \"w\"; its values are ",
+        ),
+    ] {
+        fs::write(folder.path().join("mine.jsonl"), trace).unwrap();
+        let output = lightwalk(folder.path(), FOLLOW);
+        let said = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{trace}: {said}");
+        assert!(
+            said.contains("mine.jsonl") && said.contains(expected),
+            "{said}"
+        );
+    }
+    fs::remove_file(folder.path().join("mine.jsonl")).unwrap();
+    let output = lightwalk(folder.path(), FOLLOW);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("mine.jsonl: cannot be read"));
+}
