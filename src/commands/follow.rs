@@ -124,8 +124,8 @@ fn told(value: &Json) -> Option<ToldValue> {
 }
 
 /// The channel in which the two values differ the most.
-fn channel(theirs: &ToldValue, ours: &ToldValue) -> usize {
-    let (ToldValue::Three(theirs), ToldValue::Three(ours)) = (theirs, ours) else {
+fn channel(theirs: &ToldValue, ours: &Option<ToldValue>) -> usize {
+    let (ToldValue::Three(theirs), Some(ToldValue::Three(ours))) = (theirs, ours) else {
         return 0;
     };
     let off = |&c: &usize| (theirs[c] - ours[c]).abs();
@@ -157,9 +157,13 @@ fn in_words(followed: &Followed, trace: &[Told], mistakes: &[Mistake], run: &Run
             theirs,
             ours,
         }) => {
-            let [yours, ours_text] = [theirs, ours].map(|value| json!(value).to_string());
+            let reference = match ours {
+                Some(ours) => format!("{} at step {step} of the run", json!(ours)),
+                None => format!("step {step} of the run has none"),
+            };
             lines.push(format!(
-                "line {line}, {kind}: {field} is {yours}, and {ours_text} at step {step} of the run"
+                "line {line}, {kind}: {field} is {}, and {reference}",
+                json!(theirs)
             ));
             let explained = explained(run, *step, channel(theirs, ours));
             lines.extend(explained.iter().map(|line| format!("  {line}")));

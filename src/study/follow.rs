@@ -41,7 +41,8 @@ pub enum Difference {
         kind: &'static str,
         field: String,
         theirs: ToldValue,
-        ours: ToldValue,
+        /// None where the step has no such value.
+        ours: Option<ToldValue>,
     },
     /// The trace goes on telling steps of a kind of which the run has no more than `count`.
     More {
@@ -139,18 +140,25 @@ fn first_difference(
     let fields = walk.fields(step);
     let (mut equal, mut difference) = (0, None);
     for (field, theirs) in &told.values {
-        let Some(ours) = fields.get(field) else {
-            let own = walk.own_fields(step);
-            let names: Vec<&str> = own.iter().map(|field| field.name).collect();
+        let ours = fields.get(field).map(ToldValue::from);
+        let kind = walk.declared(step);
+        if ours.is_none() && kind.quantity(field).is_none() {
+            let names: Vec<&str> = kind
+                .quantities
+                .iter()
+                .map(|quantity| quantity.name)
+                .collect();
             return Err(Unknown::Field {
                 line: told.line,
                 kind: told.kind.clone(),
                 field: field.clone(),
                 fields: names.join(", "),
             });
-        };
-        let ours = ToldValue::from(ours);
-        if theirs.agrees(&ours, tolerance) {
+        }
+        if ours
+            .as_ref()
+            .is_some_and(|ours| theirs.agrees(ours, tolerance))
+        {
             equal += 1;
         } else if difference.is_none() {
             difference = Some(Difference::Value {

@@ -100,7 +100,7 @@ fn the_first_value_that_differs_is_told_with_ours() {
         kind: "Diffuse",
         field,
         theirs: wrong,
-        ours: right,
+        ours: Some(right),
     };
     assert_eq!(
         (followed.agree, followed.difference),
