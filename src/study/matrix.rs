@@ -1,5 +1,7 @@
 //! A matrix of form factors of another program against ours: the first row that differs, and what the whole looks like.
 
+use std::f64::consts::PI;
+
 /// What a matrix is instead of F, for all its entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Looks {
@@ -16,6 +18,18 @@ pub enum Looks {
 }
 
 impl Looks {
+    /// Entry (i, j) of such a matrix, made of F; of the unblocked one F is the unblocked one itself.
+    fn entry(self, f: &[f64], areas: &[f64], i: usize, j: usize) -> f64 {
+        let f = |i: usize, j: usize| f[i * areas.len() + j];
+        match self {
+            Looks::Transposed => f(j, i),
+            Looks::TimesArea => areas[i] * f(i, j),
+            Looks::OverPi => f(i, j) / PI,
+            Looks::TimesPi => f(i, j) * PI,
+            Looks::Unblocked => f(i, j),
+        }
+    }
+
     pub fn in_words(self) -> &'static str {
         match self {
             Looks::Transposed => "it is the transposed matrix: F_ji at the place of F_ij",
@@ -73,22 +87,21 @@ pub fn compare(
             reference: reference[worst],
         }
     });
-    let is = |entry: &dyn Fn(usize, usize) -> f64| {
-        (0..n * n).all(|at| (mine[at] - entry(at / n, at % n)).abs() <= tolerance)
+    let is = |looks: &Looks, of: &[f64]| {
+        let entry = |at: usize| looks.entry(of, areas, at / n, at % n);
+        (0..n * n).all(|at| (mine[at] - entry(at)).abs() <= tolerance)
     };
-    let pi = std::f64::consts::PI;
-    let f = |i: usize, j: usize| reference[i * n + j];
     let looks = (off > 0).then(|| {
-        let simple: [(Looks, &dyn Fn(usize, usize) -> f64); 4] = [
-            (Looks::Transposed, &|i, j| f(j, i)),
-            (Looks::TimesArea, &|i, j| areas[i] * f(i, j)),
-            (Looks::OverPi, &|i, j| f(i, j) / pi),
-            (Looks::TimesPi, &|i, j| f(i, j) * pi),
+        let simple = [
+            Looks::Transposed,
+            Looks::TimesArea,
+            Looks::OverPi,
+            Looks::TimesPi,
         ];
-        let simple = simple.into_iter().find(|(_, entry)| is(*entry));
-        simple.map(|(looks, _)| looks).or_else(|| {
+        let simple = simple.into_iter().find(|looks| is(looks, reference));
+        simple.or_else(|| {
             let unblocked = unblocked()?;
-            is(&|i, j| unblocked[i * n + j]).then_some(Looks::Unblocked)
+            Some(Looks::Unblocked).filter(|looks| is(looks, &unblocked))
         })
     });
     let sum = |matrix: &[f64], i: usize| matrix[i * n..(i + 1) * n].iter().sum::<f64>();
