@@ -17,8 +17,8 @@ pub struct State {
     pub segments: CowVec<Segment>,
     /// The points of hemicubes and elements so far.
     pub points: CowVec<(DVec3, usize)>,
-    /// The corner of the polygon at which the current edge begins, seen from the last point.
-    pub edge: Option<(DVec3, usize)>,
+    /// The ends of the polygon's edge that is seen from the last point.
+    pub edge: Option<([DVec3; 2], usize)>,
     /// The pixels of the current hemicube that show j: face, column, row, ΔF, step.
     pub pixels: CowVec<(u32, u32, u32, f64, usize)>,
     pub resolution: Option<u32>,
@@ -123,7 +123,10 @@ impl Fold<Event> for State {
         match *event {
             Event::Reference { f } => self.reference = Some((f, step)),
             Event::FormFactor { i, j, method } => self.pair = Some((i, j, method, step)),
-            Event::FacesAway | Event::Pieces { .. } => {}
+            Event::FacesAway
+            | Event::Pieces { .. }
+            | Event::Centers { .. }
+            | Event::EdgeAdded { .. } => {}
             Event::Chosen { method, .. } => self.chosen = Some((method, step)),
             Event::Points { x, y } => self.open = Some([x, y]),
             Event::Pair { sum, .. } => {
@@ -133,7 +136,7 @@ impl Fold<Event> for State {
                 self.running.push((Running::Exchange(sum), step));
             }
             Event::Element { x, .. } => self.points.push((x, step)),
-            Event::Edge { corner, .. } => self.edge = Some((corner, step)),
+            Event::Edge { from, to, .. } => self.edge = Some(([from, to], step)),
             Event::ElementSeen { sum, .. } => {
                 self.edge = None;
                 self.running.push((Running::Exchange(sum), step));

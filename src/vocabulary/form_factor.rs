@@ -46,7 +46,35 @@ vocabulary! {
             "area_j" = areas[1],
         }
         [
-            entry("event-pieces", &[is("{A_i=area_i}"), is("{A_j=area_j}")]),
+            entry(
+                "event-pieces",
+                &[
+                    is("{A_i=area_i} = [1; 2] |Σ{fan_of_i}|").when(WHOLE_I),
+                    is("{A_i=area_i} = [1; 2] '|Σ (P_k − P_0) × (P_{k+1} − P_0)|'")
+                        .when(When::Not(&WHOLE_I))
+                        .unevaluated(PIECE),
+                    is("{A_j=area_j} = [1; 2] |Σ{fan_of_j}|").when(WHOLE_J),
+                    is("{A_j=area_j} = [1; 2] '|Σ (P_k − P_0) × (P_{k+1} − P_0)|'")
+                        .when(When::Not(&WHOLE_J))
+                        .unevaluated(PIECE),
+                ],
+            ),
+        ];
+    Event::Centers { i, j } => "Centers" at "centers"
+        {
+            "C_i" = i,
+            "C_j" = j,
+        }
+        [
+            entry(
+                "event-centers",
+                &[
+                    is("C_i = [Σ{corners_of_i}; {n=corners_i}]").when(WHOLE_I),
+                    is("C_i = ['Σ P_k'; {n=corners_i}]").when(When::Not(&WHOLE_I)).unevaluated(PIECE),
+                    is("C_j = [Σ{corners_of_j}; {n=corners_j}]").when(WHOLE_J),
+                    is("C_j = ['Σ P_k'; {n=corners_j}]").when(When::Not(&WHOLE_J)).unevaluated(PIECE),
+                ],
+            ),
         ];
     Event::Chosen { method, distance, radii, points } => "Chosen" at "contour"
         {
@@ -104,22 +132,36 @@ vocabulary! {
         [
             entry("event-element", &[is("x"), is("w")]),
         ];
-    Event::Edge { edge, corner, angle, term, sum } => "Edge" at "edge"
+    Event::Edge { edge, from, to, angle } => "Edge" at "edge"
         {
             "edge" = edge,
-            "R_k" = corner,
+            "R_k" = from,
+            "R_next" = to,
             "Gamma_k" = angle,
-            "term" = term,
-            "F_x" = sum,
         }
         [
             only(
                 When::Recorded("Gamma_k"),
                 "event-polygon-edge",
                 &[
-                    is("R_k"),
-                    is("{|Γ_k|=Gamma_k}"),
-                    is("term = ['N · Γ_k'; 2π]").unevaluated("the corner R_k+1 is recorded only by the next step"),
+                    is("{r_k=seen_from} := R_k − x"),
+                    is("{r_{k+1}=seen_to} := R_next − x"),
+                    is("{|Γ_k|=Gamma_k} = [π; 180] arccos [{r_k=seen_from} · {r_{k+1}=seen_to}; |{r_k=seen_from}| |{r_{k+1}=seen_to}|]"),
+                    ],
+            ),
+        ];
+    Event::EdgeAdded { term, sum } => "EdgeAdded" at "edge-added"
+        {
+            "term" = term,
+            "F_x" = sum,
+        }
+        [
+            entry(
+                "event-polygon-edge-added",
+                &[
+                    is("{n_k=edge_normal} := (R_next − x) × (R_k − x)"),
+                    is("{Γ_k=edge_vector} := [{|Γ_k|=Gamma_k}; |{n_k=edge_normal}|] {n_k=edge_normal}").when(SPANS),
+                    is("term = [normal_at_x · {Γ_k=edge_vector}; 2 π]").when(SPANS),
                     is("F_x = {F_{x,old}=F_x<0} + term"),
                     ],
             ),
@@ -133,7 +175,7 @@ vocabulary! {
             entry(
                 "event-element-seen",
                 &[
-                    is("F_x = {F_x<}"),
+                    is("F_x = max(0, {F_x<})"),
                     is("{A_i F_{ij}=sum} = {(A_i F_{ij})_{old}=sum<<0/Pieces} + w · F_x")
                         .when(When::Not(&ADAPTIVE)),
                     is("{A_i F_{ij}=sum} = '(A_i F_{ij})_{old}' + w · F_x")
@@ -343,10 +385,17 @@ vocabulary! {
 }
 
 const BY_DISTANCE: &[Formula] = &[
-    is("{d=distance}"),
-    is("{R_i=radius_i}"),
-    is("{R_j=radius_j}"),
+    is("{d=distance} = |C_j − C_i|"),
+    is("{R_i=radius_i} = 'max |P_k − C_i|'").unevaluated(FARTHEST),
+    is("{R_j=radius_j} = 'max |P_k − C_j|'").unevaluated(FARTHEST),
 ];
+const FARTHEST: &str = "the largest of the distances to the corners";
+const PIECE: &str = "the corners of a part of a patch are not recorded";
+/// Patch i, or j, faces the other one as a whole.
+const WHOLE_I: When = When::Known("corners_of_i");
+const WHOLE_J: When = When::Known("corners_of_j");
+/// An edge that does not point at x.
+const SPANS: When = When::Not(&When::Zero("Gamma_k"));
 const INTEGRAL: &str = "an integral";
 /// The pieces of the two patches have sums.
 const SUMMED: When = When::All(&[When::Not(&ADAPTIVE), When::Known("{sum/Pieces}")]);
@@ -404,6 +453,7 @@ impl record::Event for Event {
             Event::Points { .. }
                 | Event::Pair { .. }
                 | Event::Edge { .. }
+                | Event::EdgeAdded { .. }
                 | Event::EdgePair { .. }
                 | Event::Ray { .. }
                 | Event::Pixel { .. }

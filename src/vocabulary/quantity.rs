@@ -61,7 +61,7 @@ const fn equal(a: &str, b: &str) -> bool {
     i == a.len() && i == b.len()
 }
 
-pub(super) const QUANTITIES: [(&str, &str, Unit); 243] = [
+pub(super) const QUANTITIES: [(&str, &str, Unit); 246] = [
     ("width", "width", Unit::Pixels),
     ("height", "height", Unit::Pixels),
     ("A", "A", Unit::None),
@@ -245,6 +245,8 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 243] = [
     ("corners_j", "corners j", Unit::None),
     ("area_i", "area i", Unit::None),
     ("area_j", "area j", Unit::None),
+    ("C_i", "C_i", Unit::None),
+    ("C_j", "C_j", Unit::None),
     ("chosen", "chosen", Unit::None),
     ("distance", "distance", Unit::None),
     ("radius_i", "radius i", Unit::None),
@@ -260,6 +262,7 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 243] = [
     ("element", "element", Unit::None),
     ("w", "w", Unit::None),
     ("R_k", "R_k", Unit::None),
+    ("R_next", "R_{k+1}", Unit::None),
     ("Gamma_k", "Γ_k", Unit::None),
     ("F_x", "F_x", Unit::None),
     ("edge_i", "edge i", Unit::None),

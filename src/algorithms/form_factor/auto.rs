@@ -14,6 +14,7 @@ pub static PSEUDOCODE: Listing = Listing {
     lines: &[
         ("", "auto(i, j)"),
         ("", "  {clip-each-to-the-front-of-the-other}"),
+        ("centers", "  d ← |C_j − C_i|"),
         ("area_to_area", "  {far-area-to-area}"),
         ("element_to_polygon", "  {apart-element-to-polygon}"),
         ("contour", "  {near-or-touching-contour}"),
@@ -51,6 +52,10 @@ pub fn exchange<R: Recorder<Event>>(
     let pairs = n_small * n_small * n_large * n_large;
     let edges = n_small * n_small * large.corners.len() as f64 * EDGE_COST;
     let contours = (small.corners.len() * large.corners.len()) as f64 * CONTOUR_COST;
+    recorder.step(|| Event::Centers {
+        i: i.center,
+        j: j.center,
+    });
     let chosen = |method, points: f64| Event::Chosen {
         method,
         distance,

@@ -16,8 +16,8 @@ pub static PSEUDOCODE: Listing = Listing {
         ("", "elementToPolygon(i, j)"),
         ("element", "  {for-each-gauss-point-x-of-i-with-weight-w}"),
         ("", "    {for-each-edge-of-j-seen-from-x}"),
-        ("", "      Γ_k ← {angle-between-r-k-and-the-next}"),
-        ("edge", "      F_x ← F_x + N_i·Γ_k / 2π"),
+        ("edge", "      Γ_k ← {angle-between-r-k-and-the-next}"),
+        ("edge-added", "      F_x ← F_x + N_i·Γ_k / 2π"),
         ("element-seen", "    A_i F_ij ← A_i F_ij + w F_x"),
     ],
 };
@@ -54,6 +54,12 @@ fn from_element<R: Recorder<Event>>(x: DVec3, n: DVec3, j: &Polygon, recorder: &
         let normal = edge.cross(from);
         let sine = normal.length();
         let angle = sine.atan2(from.dot(corner - x));
+        recorder.step(|| Event::Edge {
+            edge: number,
+            from: before,
+            to: corner,
+            angle,
+        });
         // An edge that points at x, or through it, spans no area.
         let term = if sine > 0.0 {
             n.dot(normal) * (angle / sine) / TAU
@@ -61,13 +67,7 @@ fn from_element<R: Recorder<Event>>(x: DVec3, n: DVec3, j: &Polygon, recorder: &
             0.0
         };
         sum += term;
-        recorder.step(|| Event::Edge {
-            edge: number,
-            corner: before,
-            angle,
-            term,
-            sum,
-        });
+        recorder.step(|| Event::EdgeAdded { term, sum });
         before = corner;
     }
     sum.max(0.0)

@@ -18,6 +18,8 @@ pub enum Event {
     FacesAway,
     /// A piece of each patch, as far as they lie in front of each other: corners and areas.
     Pieces { corners: [u32; 2], areas: [f64; 2] },
+    /// The centres of the two pieces.
+    Centers { i: DVec3, j: DVec3 },
     /// What an automatic choice fell on, by distance and radii.
     Chosen {
         method: &'static str,
@@ -39,14 +41,15 @@ pub enum Event {
     },
     /// Opens the form factor of an element; `element` counts within the form factor between the patches.
     Element { element: u32, x: DVec3, weight: f64 },
-    /// An edge of the polygon that the element sees: from `corner` to the next. `sum` is F of the element.
+    /// An edge of the polygon that the element sees, and the angle that it spans.
     Edge {
         edge: u32,
-        corner: DVec3,
+        from: DVec3,
+        to: DVec3,
         angle: f64,
-        term: f64,
-        sum: f64,
     },
+    /// What the edge adds to `sum`, F of the element.
+    EdgeAdded { term: f64, sum: f64 },
     /// Closes `Element`.
     ElementSeen { f: f64, sum: f64 },
     /// An edge of one patch with an edge of the other.

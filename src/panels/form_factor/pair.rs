@@ -206,9 +206,9 @@ impl Pair<'_> {
         for (&(point, step), number) in state.points.iter().zip(1..) {
             let newest = number == last && state.found.is_none();
             let at = self.view.place(point);
-            if let (true, Some((corner, edge_step))) = (newest, state.edge) {
+            if let (true, Some((edge, edge_step))) = (newest, state.edge) {
                 picture.tagged(Tag::Step(edge_step), |picture| {
-                    self.edge_seen(picture, point, corner, labels);
+                    self.edge_seen(picture, point, edge, labels);
                 });
             }
             picture.tagged(Tag::Step(step), |picture| {
@@ -223,37 +223,27 @@ impl Pair<'_> {
     }
 
     /// The triangle of the point with an edge of the polygon that it sees.
-    fn edge_seen(&self, picture: &mut Picture, point: DVec3, corner: DVec3, labels: &mut Labels) {
-        let [x, r] = [point, corner].map(|end| self.view.place(end));
-        if let Some(next) = self.next_corner(corner) {
-            let next = self.view.place(next);
-            let paint = Ink::This.fill().opacity(0.18);
-            if [x, r, next].iter().all(|&at| self.area.contains(at)) {
-                picture.polygon([x, r, next], paint);
-            }
-            self.line(picture, x, next, Ink::This.stroke(1.25).dashed());
-            self.line(picture, r, next, Ink::This.stroke(3.0));
-            labels.avoid(x, next);
-            labels.avoid(r, next);
+    fn edge_seen(
+        &self,
+        picture: &mut Picture,
+        point: DVec3,
+        [from, to]: [DVec3; 2],
+        labels: &mut Labels,
+    ) {
+        let [x, r, next] = [point, from, to].map(|end| self.view.place(end));
+        let paint = Ink::This.fill().opacity(0.18);
+        if [x, r, next].iter().all(|&at| self.area.contains(at)) {
+            picture.polygon([x, r, next], paint);
         }
+        self.line(picture, x, next, Ink::This.stroke(1.25).dashed());
+        self.line(picture, r, next, Ink::This.stroke(3.0));
+        labels.avoid(x, next);
+        labels.avoid(r, next);
         self.line(picture, x, r, Ink::This.stroke(1.75));
         labels.avoid(x, r);
         self.dot(picture, r, 3.5, Ink::This);
         let set = Style::LabelBold.size(TEXT).ink(Ink::This);
         labels.put(picture, (r, 4.0), r - x, "R_k", set);
-    }
-
-    /// The corner after this one of either patch; none where the patch was clipped there.
-    fn next_corner(&self, corner: DVec3) -> Option<DVec3> {
-        let patches = &self.layout.room.patches;
-        [self.layout.i, self.layout.j]
-            .into_iter()
-            .find_map(|patch| {
-                patches.pieces(patch).find_map(|piece| {
-                    let at = piece.corners.iter().position(|&other| other == corner)?;
-                    Some(piece.corners[(at + 1) % piece.corners.len()])
-                })
-            })
     }
 
     /// The current pair of edges of the double contour integral, where neither patch was clipped.

@@ -7,6 +7,7 @@ mod light;
 
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::form_factor::Method;
+use crate::algorithms::form_factor::polygon::Polygon;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::record::{Fields, Value};
 use glam::DVec3;
@@ -59,12 +60,26 @@ const fn value(
     SceneValue { name, symbol, find }
 }
 
+const FAN: &str = "(P_k − P_0) × (P_{k+1} − P_0)";
+
 const PATCHES: &[SceneValue] = &[
     value("area_of_i", "A_i", |given, recorded| {
         area(given, recorded, "i")
     }),
     value("area_of_j", "A_j", |given, recorded| {
         area(given, recorded, "j")
+    }),
+    value("corners_of_i", "P_k", |given, recorded| {
+        Some(vectors(whole(given, recorded, ["i", "area_i"])?))
+    }),
+    value("corners_of_j", "P_k", |given, recorded| {
+        Some(vectors(whole(given, recorded, ["j", "area_j"])?))
+    }),
+    value("fan_of_i", FAN, |given, recorded| {
+        Some(vectors(&fan(whole(given, recorded, ["i", "area_i"])?)))
+    }),
+    value("fan_of_j", FAN, |given, recorded| {
+        Some(vectors(&fan(whole(given, recorded, ["j", "area_j"])?)))
     }),
     value("matrix_F_ij", "F_{ij}", |given, recorded| {
         let enclosure = given.enclosure?;
@@ -119,6 +134,31 @@ fn area(given: Given, recorded: Recorded, patch: &str) -> Option<Vec<Value>> {
     let patches = &given.enclosure?.patches;
     let patch = index(recorded, patch).filter(|&patch| patch < patches.len())?;
     one(patches[patch].area)
+}
+
+/// The corners of a patch of one piece, of which the whole has the recorded area.
+fn whole<'a>(
+    given: Given<'a>,
+    recorded: Recorded,
+    [patch, area]: [&str; 2],
+) -> Option<&'a [DVec3]> {
+    let patches = &given.enclosure?.patches;
+    let patch = index(recorded, patch).filter(|&patch| patch < patches.len())?;
+    let mut pieces = patches.pieces(patch);
+    let piece = pieces.next().filter(|_| pieces.len() == 0)?;
+    let polygon = Polygon::new(piece.corners.into(), piece.normal)?;
+    (polygon.area == number(recorded, area)?).then_some(piece.corners)
+}
+
+/// Between its corners and the first, each twice the area of a triangle as long.
+fn fan(corners: &[DVec3]) -> Vec<DVec3> {
+    let pairs = corners[1..].windows(2);
+    let product = |pair: &[DVec3]| (pair[0] - corners[0]).cross(pair[1] - corners[0]);
+    pairs.map(product).collect()
+}
+
+fn vectors(vectors: &[DVec3]) -> Vec<Value> {
+    vectors.iter().copied().map(Value::from).collect()
 }
 
 /// The normal of the piece of patch i or j that a point lies on: that whose plane it is nearest to.

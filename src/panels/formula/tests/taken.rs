@@ -47,12 +47,10 @@ const TAKEN: &[(&str, &[&str])] = &[
     ("Light", &["slide_factor"]),
     ("Local", &["I_sum"]),
     // Samples, and what is measured of a piece of a patch.
-    ("Chosen", &["distance", "radius_i", "radius_j"]),
-    ("Edge", &["Gamma_k", "R_k"]),
+    ("Edge", &["R_k", "R_next"]),
     ("EdgePair", &["e_dot_f"]),
     ("Element", &["w", "x"]),
     ("Hemicube", &["x"]),
-    ("Pieces", &["area_i", "area_j"]),
     ("Pair", &["w_x", "w_y"]),
     ("Points", &["x", "y"]),
     ("Ray", &["direction", "x"]),
