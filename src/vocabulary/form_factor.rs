@@ -49,12 +49,12 @@ vocabulary! {
             entry(
                 "event-pieces",
                 &[
-                    is("{A_i=area_i} = [1; 2] |Σ{fan_of_i}|").when(WHOLE_I),
-                    is("{A_i=area_i} = [1; 2] '|Σ (P_k − P_0) × (P_{k+1} − P_0)|'")
+                    is("{A_i=area_i} = [|Σ{fan_of_i}|; 2]").when(WHOLE_I),
+                    is("{A_i=area_i} = ['|Σ (P_k − P_0) × (P_{k+1} − P_0)|'; 2]")
                         .when(When::Not(&WHOLE_I))
                         .unevaluated(PIECE),
-                    is("{A_j=area_j} = [1; 2] |Σ{fan_of_j}|").when(WHOLE_J),
-                    is("{A_j=area_j} = [1; 2] '|Σ (P_k − P_0) × (P_{k+1} − P_0)|'")
+                    is("{A_j=area_j} = [|Σ{fan_of_j}|; 2]").when(WHOLE_J),
+                    is("{A_j=area_j} = ['|Σ (P_k − P_0) × (P_{k+1} − P_0)|'; 2]")
                         .when(When::Not(&WHOLE_J))
                         .unevaluated(PIECE),
                 ],
@@ -146,7 +146,7 @@ vocabulary! {
                 &[
                     is("{r_k=seen_from} := R_k − x"),
                     is("{r_{k+1}=seen_to} := R_next − x"),
-                    is("{|Γ_k|=Gamma_k} = [π; 180] arccos [{r_k=seen_from} · {r_{k+1}=seen_to}; |{r_k=seen_from}| |{r_{k+1}=seen_to}|]"),
+                    is("{|Γ_k|=Gamma_k} = [π; 180] arccos [{r_k=seen_from} · {r_{k+1}=seen_to}; |{r_k=seen_from}| · |{r_{k+1}=seen_to}|]"),
                     ],
             ),
         ];

@@ -1,6 +1,7 @@
 //! The surface that a ray meets.
 
 use super::entry::{When, entry, is, only};
+use super::texture::CHART;
 use crate::algorithms::surface::Event;
 
 vocabulary! {
@@ -76,10 +77,7 @@ vocabulary! {
             "texture" = color,
         }
         [
-            entry(
-                "event-surface-textured",
-                &[is("{u=u_texture}"), is("{v=v_texture}"), is("texture")],
-            ),
+            entry("event-surface-textured", CHART),
         ];
 }
 

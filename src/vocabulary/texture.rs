@@ -1,6 +1,6 @@
 //! Textures on polygons.
 
-use super::entry::{When, entry, is, only};
+use super::entry::{Formula, When, entry, is, only};
 use crate::algorithms::texture::Event;
 
 vocabulary! {
@@ -16,7 +16,7 @@ vocabulary! {
             only(
                 When::Recorded("x_P"),
                 "event-textured",
-                &[is("{u=u_texture}"), is("{v=v_texture}"), is("texture")],
+                CHART,
             ),
         ];
     Event::TexturedLinearly { uv, color } => "TexturedLinearly" at "chart"
@@ -28,7 +28,13 @@ vocabulary! {
         [
             entry(
                 "event-textured-linearly",
-                &[is("u_linear"), is("v_linear"), is("texture_linear")],
+                &[
+                    is("u_linear = [x_5 − x_P; x_5 − x_4] 'u_4' + [x_P − x_4; x_5 − x_4] 'u_5'").unevaluated(ENDS),
+                    is("v_linear = [x_5 − x_P; x_5 − x_4] 'v_4' + [x_P − x_4; x_5 − x_4] 'v_5'").unevaluated(ENDS),
+                    is("{m=cells} := ⌊[u_linear; checker_scale]⌋ + ⌊[v_linear; checker_scale]⌋").when(CHECKER),
+                    is(PARITY).when(CHECKER),
+                    is("texture_linear = (1 − {k=parity}) · checker_even + {k=parity} · checker_odd").when(CHECKER),
+                ],
             ),
         ];
     Event::TextureTaken { color, linear } => "TextureTaken" at "texture"
@@ -63,6 +69,55 @@ vocabulary! {
             ),
         ];
 }
+
+/// (u, v) at P by the chart of the object, and the colour of the cell that they lie in.
+pub(super) const CHART: &[Formula] = &[
+    // A sphere: longitude and latitude.
+    is("{d=from_center} := P − chart_center").when(SPHERE),
+    is("{u=u_texture} = [atan2({d=from_center} · axis_x, {d=from_center} · axis_z); 360]")
+        .when(SPHERE),
+    is("{v=v_texture} = [1; 180] arccos [{d=from_center} · axis_y; |{d=from_center}|]")
+        .when(SPHERE),
+    // A plane: lengths.
+    is("{u=u_texture} = (P − chart_point) · chart_along_u").when(PLANE),
+    is("{v=v_texture} = (P − chart_point) · chart_along_v").when(PLANE),
+    // A cylinder: longitude and height.
+    is("{d=from_base} := P − chart_base").when(CYLINDER),
+    is("{u=u_texture} = [atan2({d=from_base} · chart_across_y, {d=from_base} · chart_across_x); 360]")
+        .when(CYLINDER),
+    is("{v=v_texture} = max(0, min(1, [{d=from_base} · chart_axis; chart_height]))").when(CYLINDER),
+    // Four corners: the (u, v) whose bilinear mix of them is P.
+    is("quadrilateral_a + {u=u_texture} · (quadrilateral_b − quadrilateral_a) + {v=v_texture} · (quadrilateral_d − quadrilateral_a) + {u=u_texture} · {v=v_texture} · (quadrilateral_a − quadrilateral_b + quadrilateral_c − quadrilateral_d) = P")
+        .when(When::Known("quadrilateral_a")),
+    // A triangle: the mix of its corners by areas.
+    is("{Δ=whole_area} := (chart_b − chart_a) × (chart_c − chart_a) · facing_axis").when(TRIANGLE),
+    is("{w_B=weight_b} := [(P − chart_a) × (chart_c − chart_a) · facing_axis; {Δ=whole_area}]")
+        .when(TRIANGLE),
+    is("{w_C=weight_c} := [(chart_b − chart_a) × (P − chart_a) · facing_axis; {Δ=whole_area}]")
+        .when(TRIANGLE),
+    is("{u=u_texture} = u_a + {w_B=weight_b} · (u_b − u_a) + {w_C=weight_c} · (u_c − u_a)")
+        .when(TRIANGLE),
+    is("{v=v_texture} = v_a + {w_B=weight_b} · (v_b − v_a) + {w_C=weight_c} · (v_c − v_a)")
+        .when(TRIANGLE),
+    // More corners: shares of a rectangle around them.
+    is("{u=u_texture} = [(P − rectangle_corner) · rectangle_along_u; |rectangle_along_u|^2]")
+        .when(RECTANGLE),
+    is("{v=v_texture} = [(P − rectangle_corner) · rectangle_along_v; |rectangle_along_v|^2]")
+        .when(RECTANGLE),
+    is("{m=cells} := ⌊[{u=u_texture}; checker_scale]⌋ + ⌊[{v=v_texture}; checker_scale]⌋")
+        .when(CHECKER),
+    is(PARITY).when(CHECKER),
+    is("texture = (1 − {k=parity}) · checker_even + {k=parity} · checker_odd").when(CHECKER),
+];
+
+const SPHERE: When = When::Known("chart_center");
+const PLANE: When = When::Known("chart_point");
+const CYLINDER: When = When::Known("chart_base");
+const TRIANGLE: When = When::Known("chart_a");
+const RECTANGLE: When = When::Known("rectangle_corner");
+const CHECKER: When = When::Known("checker_scale");
+const PARITY: &str = "{k=parity} := {m=cells} − 2 · ⌊[{m=cells}; 2]⌋";
+const ENDS: &str = "(u, v) at the ends of the span are not recorded";
 
 /// Fast Phong sums up the terms of its lights, of which any may reach the pixel.
 const SUMMED_AND_LIT: When = When::All(&[When::Recorded("x_0"), When::Known("{*I_s}")]);

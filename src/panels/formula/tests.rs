@@ -36,14 +36,19 @@ fn each_step(mut look: impl FnMut(&'static Kind, &mut Known, &PreparedScene)) {
         [Method::Wireframe, Method::Gouraud, Method::FastPhong].map(fixtures::behind_the_eye);
     let rays = rays
         .into_iter()
-        .chain([fixtures::shapes()])
+        .chain([Method::RayTracing, Method::Exact].map(fixtures::shapes))
         .chain(textured)
         .chain(cancelling)
         .chain(behind);
     let light = fixtures::solvers()
         .into_iter()
         .chain(fixtures::form_factors())
-        .chain([fixtures::hinge(), fixtures::crowded(), iterated()])
+        .chain([
+            fixtures::hinge(),
+            fixtures::crossing(),
+            fixtures::crowded(),
+            iterated(),
+        ])
         .chain([Solver::GaussSeidel, Solver::OverRelaxation].map(of_one_patch));
     for fixture in crowds.into_iter().chain([of_file]).chain(rays).chain(light) {
         for step in 0..fixture.walk().len() {

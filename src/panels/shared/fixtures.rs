@@ -2,7 +2,9 @@
 
 mod open_room;
 
-pub use open_room::{FLOOR, LAMP, WALLS, crowded, form_factors, hinge, open_room, solvers};
+pub use open_room::{
+    FLOOR, LAMP, WALLS, crossing, crowded, form_factors, hinge, open_room, solvers,
+};
 
 use super::fixture::Fixture;
 use super::strings::Language;
@@ -243,14 +245,14 @@ pub fn behind_the_eye(method: Method) -> Fixture {
 }
 
 /// Rays among every kind of primitive, with surfaces that touch; 20×15, the whole frame.
-pub fn shapes() -> Fixture {
+pub fn shapes(method: Method) -> Fixture {
     let scene = crate::scene::read(
         include_bytes!("sample/shapes.json"),
         &crate::scene::Limits::default(),
         &mut |_| Ok(Vec::new()),
     );
     let scene = scene.expect("the sample is a scene");
-    Fixture::of(scene, Method::RayTracing, Focus::Frame, (20, 15))
+    Fixture::of(scene, method, Focus::Frame, (20, 15))
 }
 
 /// Every kind of step of the ray methods: objects met, missed and hidden, a light ball, blocked lights, glass with total

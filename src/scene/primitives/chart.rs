@@ -1,6 +1,6 @@
 //! Texture coordinates on polygons, in [0, 1]².
 
-use super::triangle;
+use super::{ChartPart, triangle};
 use glam::{DVec2, DVec3};
 
 /// (u, v) at a point of a polygon.
@@ -17,34 +17,85 @@ pub(super) fn polygon_uv(vertices: &[DVec3], point: DVec3) -> DVec2 {
     .clamp(DVec2::ZERO, DVec2::ONE)
 }
 
+/// What [`polygon_uv`] computes; none of a quadrilateral that is not planar, or without area.
+pub(super) fn polygon_part(vertices: &[DVec3]) -> Option<ChartPart> {
+    match *vertices {
+        [a, b, c] => ChartPart::triangle([a, b, c], [DVec2::ZERO, DVec2::X, DVec2::Y]),
+        [a, b, c, d] => {
+            let [along, across, diagonal] = [b, d, c].map(|corner| corner - a);
+            let volume = along.cross(across).dot(diagonal).abs();
+            let whole = along.length() * across.length() * diagonal.length();
+            let corners = [a, b, c, d];
+            (volume < 1e-14 * whole).then_some(ChartPart::Quadrilateral { corners })
+        }
+        _ => {
+            let flat = Flat::of(vertices);
+            let [low, high] = flat.bounds(vertices);
+            let [along, across] = [flat.along, flat.across].map(|axis| flat.extent * axis);
+            Some(ChartPart::Rectangle {
+                corner: flat.origin + low.x * along + low.y * across,
+                sides: [(high.x - low.x) * along, (high.y - low.y) * across],
+            })
+        }
+    }
+}
+
 /// Coordinates in the mean plane of a polygon, from its first vertex, in units of its extent. The first axis runs along v0→v1.
-fn flattened(vertices: &[DVec3]) -> impl Fn(DVec3) -> DVec2 {
-    let origin = vertices[0];
-    let extent = vertices
-        .iter()
-        .map(|&v| (v - origin).abs().max_element())
-        .fold(f64::MIN_POSITIVE, f64::max);
-    let place = move |point: DVec3| (point - origin) / extent;
-    let normal: DVec3 = vertices[1..]
-        .windows(2)
-        .map(|pair| place(pair[0]).cross(place(pair[1])))
-        .sum();
-    let normal = normal.normalize_or(DVec3::Y);
-    let along = vertices[1..]
-        .iter()
-        .map(|&v| place(v).reject_from_normalized(normal))
-        .find(|edge| *edge != DVec3::ZERO)
-        .unwrap_or(DVec3::X)
-        .normalize_or(DVec3::X);
-    let across = normal.cross(along);
-    move |point| DVec2::new(place(point).dot(along), place(point).dot(across))
+struct Flat {
+    origin: DVec3,
+    extent: f64,
+    /// Unit.
+    along: DVec3,
+    across: DVec3,
+}
+
+impl Flat {
+    fn of(vertices: &[DVec3]) -> Flat {
+        let origin = vertices[0];
+        let extent = vertices
+            .iter()
+            .map(|&v| (v - origin).abs().max_element())
+            .fold(f64::MIN_POSITIVE, f64::max);
+        let place = |point: DVec3| (point - origin) / extent;
+        let normal: DVec3 = vertices[1..]
+            .windows(2)
+            .map(|pair| place(pair[0]).cross(place(pair[1])))
+            .sum();
+        let normal = normal.normalize_or(DVec3::Y);
+        let along = vertices[1..]
+            .iter()
+            .map(|&v| place(v).reject_from_normalized(normal))
+            .find(|edge| *edge != DVec3::ZERO)
+            .unwrap_or(DVec3::X)
+            .normalize_or(DVec3::X);
+        Flat {
+            origin,
+            extent,
+            along,
+            across: normal.cross(along),
+        }
+    }
+
+    fn place(&self, point: DVec3) -> DVec2 {
+        let place = (point - self.origin) / self.extent;
+        DVec2::new(place.dot(self.along), place.dot(self.across))
+    }
+
+    /// The lowest and the highest coordinates of vertices.
+    fn bounds(&self, vertices: &[DVec3]) -> [DVec2; 2] {
+        let places = || vertices.iter().map(|&v| self.place(v));
+        [
+            places().fold(DVec2::ZERO, DVec2::min),
+            places().fold(DVec2::ZERO, DVec2::max),
+        ]
+    }
 }
 
 /// p = h = u·e + v·f + u·v·g with e = b − a, f = d − a, g = a − b + c − d. Without u: (f × g)v² + (f × e − h × g)v… a quadratic in v.
 fn inverse_bilinear(vertices: [DVec3; 4], point: DVec3) -> DVec2 {
-    let flat = flattened(&vertices);
-    let [b, c, d] = [vertices[1], vertices[2], vertices[3]].map(&flat);
-    let (e, f, g, h) = (b, d, c - b - d, flat(point));
+    let flat = Flat::of(&vertices);
+    let [b, c, d] = [vertices[1], vertices[2], vertices[3]].map(|vertex| flat.place(vertex));
+    let (e, f, g, h) = (b, d, c - b - d, flat.place(point));
     // h − v·f = u·(e + v·g), so their cross product is 0: (g × f)v² + (e × f + h × g)v + h × e = 0.
     let k_2 = g.perp_dot(f);
     let k_1 = e.perp_dot(f) + h.perp_dot(g);
@@ -71,11 +122,9 @@ fn inverse_bilinear(vertices: [DVec3; 4], point: DVec3) -> DVec2 {
 }
 
 fn share_of_rectangle(vertices: &[DVec3], point: DVec3) -> DVec2 {
-    let flat = flattened(vertices);
-    let places = || vertices.iter().map(|&v| flat(v));
-    let low = places().fold(DVec2::ZERO, DVec2::min);
-    let high = places().fold(DVec2::ZERO, DVec2::max);
-    (flat(point) - low) / (high - low).max(DVec2::splat(f64::MIN_POSITIVE))
+    let flat = Flat::of(vertices);
+    let [low, high] = flat.bounds(vertices);
+    (flat.place(point) - low) / (high - low).max(DVec2::splat(f64::MIN_POSITIVE))
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Cylinders, with the discs at their ends where they are capped.
 
 use super::error::gamma;
-use super::{Ray, Surface};
+use super::{ChartPart, Ray, Surface};
 use crate::numeric::sphere_roots;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
@@ -99,11 +99,25 @@ impl Cylinder {
     /// u = longitude/2π, from a direction across the axis; v = the share of the height.
     pub fn uv(&self, point: DVec3) -> DVec2 {
         let from_base = point - self.base;
-        let x = self.axis.any_orthonormal_vector();
-        let y = self.axis.cross(x);
+        let [x, y] = self.across();
         let longitude = from_base.dot(y).atan2(from_base.dot(x)).rem_euclid(TAU);
         let share = from_base.dot(self.axis) / self.height;
         DVec2::new(longitude / TAU, share.clamp(0.0, 1.0))
+    }
+
+    pub fn chart_part(&self) -> ChartPart {
+        ChartPart::Cylinder {
+            base: self.base,
+            across: self.across(),
+            axis: self.axis,
+            height: self.height,
+        }
+    }
+
+    /// Two directions, unit, across the axis: longitudes run from the first toward the second.
+    fn across(&self) -> [DVec3; 2] {
+        let x = self.axis.any_orthonormal_vector();
+        [x, self.axis.cross(x)]
     }
 
     /// Whether it is closed, and the point inside.

@@ -4,7 +4,7 @@
 use super::super::{Mesh, Shape};
 use super::plane::Plane;
 use super::polygon::Polygon;
-use super::{chart, sphere, triangle};
+use super::{ChartPart, chart, sphere, triangle};
 use glam::{DVec2, DVec3};
 
 /// The chart of an object on one face of its mesh.
@@ -20,8 +20,8 @@ enum Chart<'a> {
     Sphere(DVec3),
     Polygon(&'a [DVec3]),
     Plane(Plane),
-    /// Places and texture coordinates of the corners of each triangle of the face.
-    Triangles(Vec<([DVec3; 3], [DVec2; 3])>),
+    /// Those of the face.
+    Triangles(Vec<Corners>),
 }
 
 impl<'a> FaceChart<'a> {
@@ -91,18 +91,38 @@ impl<'a> FaceChart<'a> {
             Chart::Triangles(triangles) => uv_on_triangles(triangles, position),
         }
     }
+
+    /// What holds at a point of the face; none where the object has no texture coordinates there.
+    pub fn part(&self, position: DVec3) -> Option<ChartPart> {
+        match &self.chart {
+            &Chart::Sphere(center) => Some(ChartPart::Sphere { center }),
+            Chart::Polygon(vertices) => chart::polygon_part(vertices),
+            Chart::Plane(plane) => Some(plane.chart_part()),
+            Chart::Triangles(triangles) => {
+                let ((places, uvs), _) = triangle_at(triangles, position)?;
+                ChartPart::triangle(*places, *uvs)
+            }
+        }
+    }
 }
 
-/// In the triangle that the point lies in, or is least far outside of.
-fn uv_on_triangles(triangles: &[([DVec3; 3], [DVec2; 3])], position: DVec3) -> DVec2 {
+/// Places and texture coordinates of a triangle's corners.
+type Corners = ([DVec3; 3], [DVec2; 3]);
+
+fn uv_on_triangles(triangles: &[Corners], position: DVec3) -> DVec2 {
+    let at = triangle_at(triangles, position);
+    at.map_or(DVec2::ZERO, |((_, [a, b, c]), [v, w])| {
+        *a + v * (*b - *a) + w * (*c - *a)
+    })
+}
+
+/// The triangle that the point lies in, or is least far outside of, and the weights of its second and third corner there.
+fn triangle_at(triangles: &[Corners], position: DVec3) -> Option<(&Corners, [f64; 2])> {
     let inside = |[v, w]: [f64; 2]| v.min(w).min(1.0 - v - w);
     triangles
         .iter()
-        .map(|(places, uvs)| (triangle::weights_at(*places, position), uvs))
-        .max_by(|(a, _), (b, _)| inside(*a).total_cmp(&inside(*b)))
-        .map_or(DVec2::ZERO, |([v, w], [a, b, c])| {
-            *a + v * (*b - *a) + w * (*c - *a)
-        })
+        .map(|corners| (corners, triangle::weights_at(corners.0, position)))
+        .max_by(|(_, a), (_, b)| inside(*a).total_cmp(&inside(*b)))
 }
 
 /// The texture coordinates of a corner of a sphere's face on the same turn as the face's middle; a pole, which has every longitude, takes

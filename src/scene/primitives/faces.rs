@@ -8,7 +8,7 @@ use super::packet::{NONE, PACKET, Packet, UnitShear};
 use super::polygon::Polygon;
 use super::stack::Stack;
 use super::triangle::{self, Meeting, Shear};
-use super::{Ray, Surface};
+use super::{ChartPart, Ray, Surface};
 use glam::{DVec2, DVec3, Vec3};
 
 /// The triangles of a mesh. They are numbered from 0, face by face.
@@ -284,6 +284,12 @@ impl Faces {
         };
         let [v, w] = triangle::weights_at(self.corners(triangle), position);
         *a + v * (*b - *a) + w * (*c - *a)
+    }
+
+    /// The chart of a triangle; none where the mesh has no texture coordinates.
+    pub fn chart_part(&self, triangle: u32) -> Option<ChartPart> {
+        let uvs = self.uvs.get(triangle as usize)?;
+        ChartPart::triangle(self.corners(triangle), *uvs)
     }
 
     /// Whether a point is inside the surface, which is closed.

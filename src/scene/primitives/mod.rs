@@ -6,6 +6,7 @@
 
 mod aim;
 mod chart;
+mod chart_part;
 mod closed;
 mod contact;
 mod cylinder;
@@ -27,13 +28,14 @@ mod tests;
 mod triangle;
 mod true_surface;
 
+pub use chart_part::ChartPart;
 pub use contact::{Between, Contact, Nearest};
 pub use face_chart::FaceChart;
 pub use part::Part;
 pub use polygon::triangles;
 pub use ray::{Ray, leaving, short_of};
 pub use sphere::meet_ball;
-pub use true_surface::{TruePoint, true_point};
+pub use true_surface::{TruePoint, is_end, true_point};
 
 use super::{Scene, Tessellation};
 use crate::color::Rgb;

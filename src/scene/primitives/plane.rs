@@ -1,7 +1,7 @@
 //! Infinite planes.
 
 use super::error::gamma;
-use super::{Ray, Surface};
+use super::{ChartPart, Ray, Surface};
 use glam::{DVec2, DVec3};
 
 /// The plane through `point` across the unit vector `normal`.
@@ -31,6 +31,19 @@ impl Plane {
     /// Lengths from `point` along the two coordinate axes that the normal leans to least, taken in the order x, y, z and laid into
     /// the plane: x and z on a floor, x and y on a wall across z, y and z on a wall across x.
     pub fn uv(&self, position: DVec3) -> DVec2 {
+        let from_point = position - self.point;
+        self.axes().map(|axis| from_point.dot(axis)).into()
+    }
+
+    pub fn chart_part(&self) -> ChartPart {
+        ChartPart::Plane {
+            point: self.point,
+            axes: self.axes(),
+        }
+    }
+
+    /// The directions, unit, along which u and v are lengths.
+    fn axes(&self) -> [DVec3; 2] {
         let lean = self.normal.abs();
         let (first, second) = if lean.y >= lean.x && lean.y >= lean.z {
             (DVec3::X, DVec3::Z)
@@ -41,8 +54,6 @@ impl Plane {
         };
         let along_u = first.reject_from_normalized(self.normal).normalize();
         let along_v = along_u.cross(self.normal);
-        let along_v = along_v * along_v.dot(second).signum();
-        let from_point = position - self.point;
-        DVec2::new(from_point.dot(along_u), from_point.dot(along_v))
+        [along_u, along_v * along_v.dot(second).signum()]
     }
 }

@@ -133,10 +133,7 @@ fn normal_of(ab: DVec3, ac: DVec3) -> DVec3 {
 
 /// The weights of the second and third corner at a point of a triangle's plane, from areas in the coordinate plane that it faces most.
 pub(super) fn weights_at(corners: [DVec3; 3], point: DVec3) -> [f64; 2] {
-    let [a, b, c] = corners;
-    let longest = (b - a).abs().max((c - a).abs()).max_element();
-    let longest = longest.max(f64::MIN_POSITIVE);
-    let [ab, ac, ap] = [b, c, point].map(|corner| (corner - a) / longest);
+    let [ab, ac, ap] = scaled(corners, point);
     let axis = ab.cross(ac).abs().max_position();
     let [ab, ac, ap] = [ab, ac, ap].map(|edge| turned(edge, axis));
     let area = |p: [f64; 3], q: [f64; 3]| p[0] * q[1] - p[1] * q[0];
@@ -145,6 +142,20 @@ pub(super) fn weights_at(corners: [DVec3; 3], point: DVec3) -> [f64; 2] {
         return [0.0, 0.0];
     }
     [area(ap, ac) / whole, area(ab, ap) / whole]
+}
+
+/// The axis across that coordinate plane; none where no area is seen along it.
+pub(super) fn facing_axis(corners: [DVec3; 3]) -> Option<DVec3> {
+    let [ab, ac, _] = scaled(corners, corners[0]);
+    let areas = ab.cross(ac).abs();
+    (areas.max_element() > 0.0).then(|| DVec3::AXES[areas.max_position()])
+}
+
+/// The second and third corner, and a point, from the first corner in units of the longest extent.
+fn scaled([a, b, c]: [DVec3; 3], point: DVec3) -> [DVec3; 3] {
+    let longest = (b - a).abs().max((c - a).abs()).max_element();
+    let longest = longest.max(f64::MIN_POSITIVE);
+    [b, c, point].map(|corner| (corner - a) / longest)
 }
 
 #[cfg(test)]

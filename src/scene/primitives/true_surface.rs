@@ -43,12 +43,11 @@ pub fn true_point(
         Shape::Cylinder {
             base, axis, radius, ..
         } => {
-            let along = mesh.normal(face).dot(axis);
-            // A cap is flat: its face is itself.
-            if along.abs() > 0.5 {
+            // An end is flat: its face is itself.
+            if is_end(axis, mesh.normal(face)) {
                 return Some(TruePoint {
                     position: seen,
-                    normal: axis * along.signum(),
+                    normal: axis * mesh.normal(face).dot(axis).signum(),
                 });
             }
             let across = |v: DVec3| v - v.dot(axis) * axis;
@@ -73,6 +72,11 @@ pub fn true_point(
         }
         Shape::Plane { .. } | Shape::Polygon { .. } | Shape::Mesh(_) => None,
     }
+}
+
+/// Whether a face of a cylinder with that axis is one of its ends. Both directions are unit vectors.
+pub fn is_end(axis: DVec3, face_normal: DVec3) -> bool {
+    face_normal.dot(axis).abs() > 0.5
 }
 
 /// The t > 0 at which a ray meets a circle or sphere about the origin; `direction` need not be unit.

@@ -7,6 +7,7 @@ use super::{Expression, Function, Operator, Reference};
 use crate::color::Rgb;
 use crate::record::Value;
 use glam::DVec3;
+use std::f64::consts::TAU;
 
 /// A number, and its rounding error at most, in rounding units.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -66,6 +67,14 @@ impl Rounded {
     fn angle(radians: f64, slope: f64, error: f64) -> Self {
         let error = if error == 0.0 { 0.0 } else { slope * error };
         Rounded::new(radians.to_degrees(), error.to_degrees())
+    }
+
+    /// The angle of the direction (x, y), from 0 to 360 degrees.
+    fn atan2(y: Self, x: Self) -> Self {
+        let value = y.value.atan2(x.value).rem_euclid(TAU);
+        let square = x.value * x.value + y.value * y.value;
+        let error = x.value.abs() * y.error + y.value.abs() * x.error;
+        Rounded::angle(value, 1.0 / square, error)
     }
 
     /// Of an angle in degrees.
@@ -273,6 +282,10 @@ fn call(function: Function, arguments: &[Term]) -> Option<Rounded> {
         Function::Min => extreme(|a, b| a < b),
         Function::Arccos => angle(f64::acos),
         Function::Arcsin => angle(f64::asin),
+        Function::Atan2 => match arguments {
+            [y, x] => Some(Rounded::atan2(y.number()?, x.number()?)),
+            _ => None,
+        },
         Function::Tan => Some(first.number()?.tan()),
         Function::Root => Some(first.number()?.root()),
         Function::Length => first.length(),

@@ -86,6 +86,8 @@ pub enum Function {
     /// Of a number between −1 and 1, in degrees; rounding beyond is cut off.
     Arccos,
     Arcsin,
+    /// Of y and x: the angle from the axis x toward y, in degrees from 0 to 360.
+    Atan2,
     /// Of an angle in degrees.
     Tan,
     Root,
@@ -103,6 +105,7 @@ impl Function {
             Function::Min => ["min(", ")"],
             Function::Arccos => ["arccos ", ""],
             Function::Arcsin => ["arcsin ", ""],
+            Function::Atan2 => ["atan2(", ")"],
             Function::Tan => ["tan ", ""],
             Function::Root => ["√", ""],
             Function::Length => ["|", "|"],
@@ -111,11 +114,12 @@ impl Function {
         }
     }
 
-    const ALL: [Function; 9] = [
+    const ALL: [Function; 10] = [
         Function::Max,
         Function::Min,
         Function::Arccos,
         Function::Arcsin,
+        Function::Atan2,
         Function::Tan,
         Function::Root,
         Function::Length,

@@ -57,7 +57,7 @@ fn with_symbols(text: &str) -> String {
         };
         let (word, after) = rest.split_at(end);
         rest = after;
-        let functions = ["max", "min", "arccos", "arcsin", "tan"];
+        let functions = ["max", "min", "arccos", "arcsin", "atan2", "tan"];
         written.push_str(&match c {
             '\'' => word.trim_matches('\'').to_string(),
             '{' => match word[1..end - 1].rsplit_once('=') {
@@ -178,6 +178,8 @@ fn values_follow_the_rules_of_numbers_vectors_and_colours() {
         ("√n + ⌈[a; 2]⌉ + ⌊[a; 2]⌋", &[5.0]),
         ("min(a, 1, n)", &[1.0]),
         ("arccos 0", &[90.0]),
+        ("atan2(−a, 0)", &[270.0]),
+        ("atan2(a, −a)", &[135.0]),
         ("arcsin [a; 2]", &[90.0]),
         ("2π", &[std::f64::consts::TAU]),
         ("Σ{*N_k}", &[2.0, 1.0, 0.0]),

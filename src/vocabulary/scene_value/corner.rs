@@ -82,7 +82,7 @@ pub(super) const VALUES: &[SceneValue] = &[
     }),
 ];
 
-fn polygon<'a>(given: Given<'a>, recorded: Recorded) -> Option<Polygon<'a>> {
+pub(super) fn polygon<'a>(given: Given<'a>, recorded: Recorded) -> Option<Polygon<'a>> {
     given.prepared.polygon(index(recorded, "polygon")?)
 }
 
@@ -101,7 +101,7 @@ fn vertex(given: Given, recorded: Recorded, name: &str) -> Option<(DVec3, bool)>
     Some((polygon.mesh.position(vertex), is_seen))
 }
 
-fn material<'a>(given: Given<'a>, recorded: Recorded) -> Option<&'a Material> {
+pub(super) fn material<'a>(given: Given<'a>, recorded: Recorded) -> Option<&'a Material> {
     let scene = &given.prepared.scene;
     let object = scene.objects.get(index(recorded, "object")?)?;
     scene.materials.get(object.material)

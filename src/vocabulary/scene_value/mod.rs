@@ -4,6 +4,8 @@ mod camera;
 mod corner;
 mod intersection;
 mod light;
+mod texture;
+mod true_surface;
 
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::form_factor::Method;
@@ -40,6 +42,8 @@ impl SceneValue {
             light::VALUES,
             corner::VALUES,
             intersection::VALUES,
+            texture::VALUES,
+            true_surface::VALUES,
             PATCHES,
         ];
         let mut values = families.into_iter().flatten();

@@ -59,13 +59,6 @@ const TAKEN: &[(&str, &[&str])] = &[
     ("Sight", &["x", "y"]),
     ("SightsTaken", &["share"]),
     ("Visible", &["share"]),
-    // A place on a texture, and the nearest point of a true surface.
-    ("Textured", &["texture", "u_texture", "v_texture"]),
-    (
-        "TexturedLinearly",
-        &["texture_linear", "u_linear", "v_linear"],
-    ),
-    ("TruePoint", &["N", "P"]),
 ];
 
 /// The values of a step, finite ones, that none of its formulas is about with two sides.
