@@ -178,6 +178,17 @@ pub fn scope_known_at(run: &Run, step: usize, now: usize, language: Language) ->
     }
 }
 
+/// The iteration that `step` closes, with its number.
+pub fn iteration_ended(walk: &dyn Walk, step: usize, language: Language) -> Option<String> {
+    let scope = walk.outline().parent(step)?;
+    if walk.kind(step) != "IterationDone" {
+        return None;
+    }
+    let kind = scope_kind(walk.declared(scope), language);
+    let number = scope_number(walk, scope, language)?;
+    Some(numbered(&kind, &number, language))
+}
+
 /// What distinguishes a scope from others of its kind, by the declaration of the kind: a number, a word, or two numbers.
 pub fn scope_number(walk: &dyn Walk, scope: usize, language: Language) -> Option<String> {
     let own = walk.own_fields(scope);

@@ -52,7 +52,7 @@ pub fn on_swatch(value: Option<Value>) -> Ink {
     }
 }
 
-/// How the sentence begins that says a step in words: its number and kind.
+/// How the sentence begins that says a step in words: its number and kind, and at the end of an iteration, which one that is.
 pub fn step_in_words(input: &PanelInput) -> String {
     let walk = input.run.walk();
     if walk.is_empty() {
@@ -61,7 +61,13 @@ pub fn step_in_words(input: &PanelInput) -> String {
     let position = walk.position();
     let kind = names::kind(walk.kind(position), input.language);
     let step = position.to_string();
-    Message("panels-step").format(input.language, &[("step", &step), ("kind", &kind)])
+    match names::iteration_ended(walk, position, input.language) {
+        Some(scope) => Message("panels-step-and-scope").format(
+            input.language,
+            &[("step", &step), ("kind", &kind), ("scope", &scope)],
+        ),
+        None => Message("panels-step").format(input.language, &[("step", &step), ("kind", &kind)]),
+    }
 }
 
 fn yes_or_no(truth: bool) -> Message {
@@ -129,7 +135,23 @@ pub fn sentence(step: &str, values: &[String], language: Language) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::algorithms::focus::Focus;
+    use crate::algorithms::radiosity::Solver;
+    use crate::panels::fixture::Fixture;
     use glam::DVec3;
+
+    #[test]
+    fn the_end_of_an_iteration_has_its_number() {
+        let mut fixture = Fixture::room(Solver::GaussSeidel, Focus::Frame);
+        for k in [0, 2] {
+            fixture.go_to("IterationDone", k);
+            let said = step_in_words(&fixture.input());
+            assert!(
+                said.ends_with(&format!("Iteration done (iteration {k})")),
+                "{said}"
+            );
+        }
+    }
 
     #[test]
     fn grey_is_one_number_and_differences_are_magnitudes() {
