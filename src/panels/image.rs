@@ -7,6 +7,7 @@
 mod layers;
 mod light;
 mod marks;
+mod pin;
 mod placing;
 mod value;
 mod view;
@@ -63,6 +64,9 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         placing.grid(picture);
         if let Some(marks) = &marks {
             marks.draw(picture, input.focus, &placing.fit);
+        }
+        if let Some(pixel) = pin::pixel(input.pinned, pixels) {
+            pin::draw(picture, pixel, &placing, input.language);
         }
         input.answered.draw(picture, |tag| match tag {
             Tag::Pixel { x, y } => Some(placing.fit.pixels(x, x + 1, y)),
@@ -145,7 +149,10 @@ fn alt(input: &PanelInput, marks: Option<&Marks>, drawn: usize) -> String {
     let step = step_in_words(input);
     let at = marks.and_then(|marks| current(marks, input.language));
     let at = at.unwrap_or_else(|| focus(input.focus, input.language));
-    let alt = sentence(&step, &[at], input.language);
+    let pinned = pin::pixel(input.pinned, pixels(input));
+    let pinned = pinned.map(|pixel| pin::in_words(pixel, input.language));
+    let places: Vec<String> = iter::once(at).chain(pinned).collect();
+    let alt = sentence(&step, &places, input.language);
     match marks {
         Some(_) => alt + " " + &DRAWN.format(input.language, &[("count", &drawn.to_string())]),
         None => alt,

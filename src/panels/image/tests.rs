@@ -1,4 +1,5 @@
-use super::super::fixture::Fixture;
+use super::super::fixture::{BALL, FLOOR, Fixture, rays_scene};
+use super::super::fixtures;
 use super::*;
 use crate::algorithms::primary::Settings;
 use crate::figure::View;
@@ -150,4 +151,40 @@ fn the_alternative_text_says_the_step() {
         alt.contains("Pixel coloured") && alt.contains("so far: 4."),
         "{alt}"
     );
+}
+
+#[test]
+fn the_pinned_pixel_has_a_pin_and_its_name_in_every_view_that_shows_it() {
+    let [fixture, mut pinned] =
+        Fixture::pixels_of(rays_scene(), Method::RayTracing, [BALL, FLOOR], 2);
+    pinned.seek(pinned.walk().len() - 1);
+    let Run::Rays(_, pinned) = &pinned.run else {
+        panic!("rays");
+    };
+    let (x, y) = FLOOR;
+    let name = format!("pinned: pixel ({x}, {y})");
+    let names = |picture: &Picture| {
+        let texts = fixtures::texts(picture).into_iter();
+        texts.filter(|(text, _)| *text == name).count()
+    };
+    for size in [Vec2::new(260.0, 180.0), Vec2::new(900.0, 640.0)] {
+        let plain = draw(&fixture.input(), size);
+        assert_eq!((names(&plain), plain.alt.contains(&name)), (0, false));
+        let input = PanelInput {
+            pinned: Some(pinned.state()),
+            ..fixture.input()
+        };
+        let picture = draw(&input, size);
+        assert_eq!((names(&picture), picture.alt.contains(&name)), (1, true));
+        let frame = frame(&picture);
+        // The needle ends in the pixel, which is under the pointer as before.
+        let scale = frame.width / fixture.finished.picture.width as f32;
+        let at = frame.min() + scale * (Vec2::new(x as f32, y as f32) + 0.5);
+        assert_eq!(picture.hit(at), Some(Tag::Pixel { x, y }));
+        let ends_there = |item: &crate::picture::Item| match &item.shape {
+            Shape::Polyline { points, .. } => points.iter().any(|point| point.distance(at) < 1e-3),
+            _ => false,
+        };
+        assert!(picture.items.iter().any(ends_there), "{size}");
+    }
 }
