@@ -1,6 +1,26 @@
-//! Enums whose values have names.
+//! Enums whose values have names, and the schema of files in which such a name stands.
 
-/// Declares an enum, each value with its name as on the command line and in files; and with that `ALL`, `name` and `from_name`.
+/// A value of the type is written as one of the names of `ALL`.
+macro_rules! written_as_name {
+    ($type:ty) => {
+        impl schemars::JsonSchema for $type {
+            fn inline_schema() -> bool {
+                true
+            }
+
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($type).into()
+            }
+
+            fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                schemars::json_schema!({ "type": "string", "enum": <$type>::ALL.map(|one| one.name()) })
+            }
+        }
+    };
+}
+
+/// Declares an enum, each value with its name as on the command line and in files; and with that `ALL`, `name`, `from_name`, and the
+/// schema of the name.
 macro_rules! named {
     (
         $(#[$meta:meta])*
@@ -26,5 +46,7 @@ macro_rules! named {
                 $type::ALL.into_iter().find(|one| one.name() == name)
             }
         }
+
+        written_as_name!($type);
     };
 }

@@ -19,6 +19,7 @@ mod open;
 mod progress;
 mod radiosity;
 mod render;
+mod schema;
 mod steps;
 mod stress;
 mod study;
@@ -58,6 +59,8 @@ enum Command {
     Needs(needs::Arguments),
     /// Prints every step of a lesson, or of a scene, as JSON lines
     Steps(steps::Arguments),
+    /// Prints the JSON Schema of scene files, of lesson files, or of printed steps, for editors and other programs
+    Schema(schema::Arguments),
     /// Draws the panels of a lesson to PNG files, without a display
     Frames(frames::Arguments),
     /// Runs the stiff and extreme cases, each with what was expected, what came out and a verdict
@@ -90,6 +93,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Radiosity(arguments) => radiosity::run(arguments),
         Command::Needs(arguments) => needs::run(arguments),
         Command::Steps(arguments) => steps::run(arguments),
+        Command::Schema(arguments) => schema::run(arguments),
         Command::Frames(arguments) => frames::run(arguments),
         Command::Stress(arguments) => stress::run(arguments),
         Command::Study(arguments) => study::run(arguments),

@@ -6,40 +6,20 @@ use super::resolve::Lesson;
 use crate::language::Language;
 use crate::scene::document::{Keyed, Problem};
 
-/// A part of the list of lessons.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Chapter {
-    Shading,
-    RayTracing,
-    Radiosity,
-    Study,
-}
-
-impl Chapter {
-    /// In the order of the list.
-    pub const ALL: [Chapter; 4] = [
-        Chapter::Shading,
-        Chapter::RayTracing,
-        Chapter::Radiosity,
-        Chapter::Study,
-    ];
-
-    /// As lesson files write it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Chapter::Shading => "shading",
-            Chapter::RayTracing => "ray-tracing",
-            Chapter::Radiosity => "radiosity",
-            Chapter::Study => "study",
-        }
+named! {
+    /// A part of the list of lessons, in the order of the list.
+    pub enum Chapter {
+        Shading = "shading",
+        RayTracing = "ray-tracing",
+        Radiosity = "radiosity",
+        Study = "study",
     }
 }
 
 /// The chapter that a lesson file names.
 pub(super) fn chapter(file: &LessonFile, problems: &mut Vec<Problem>) -> Option<Chapter> {
     let name = file.chapter.as_deref()?;
-    let mut all = Chapter::ALL.into_iter();
-    let chapter = all.find(|chapter| chapter.name() == name);
+    let chapter = Chapter::from_name(name);
     if chapter.is_none() {
         let known = Chapter::ALL.map(Chapter::name).join(", ");
         let message = format!("found \"{name}\"; allowed are {known}");

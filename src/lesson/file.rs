@@ -1,16 +1,28 @@
 //! The lesson file as it is written: what is shown, and what is said and asked at which steps.
 
+use super::contents::Chapter;
 use super::parameters::ParameterFile;
+use crate::algorithms::form_factor;
+use crate::algorithms::radiosity::Solver;
+use crate::algorithms::texture::Mapping;
+use crate::methods::Method;
 use crate::panels::strings::Language;
+use crate::panels::{Hidden, Panel};
 use crate::replay::Query;
-use crate::scene::SceneFile;
 use crate::scene::document::{ByName, Keyed, Schema, present};
+use crate::scene::{SceneFile, schema_of};
+use schemars::JsonSchema;
 use serde::Deserialize;
 
-/// A lesson file, version 1. Keys are described in the README, under "Writing a lesson".
-#[derive(Clone, Debug, Deserialize)]
+/// A lesson: a scene, a method, a part of what it does, and what is said and asked on the way.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(title = "Lightwalk lesson")]
 pub struct LessonFile {
+    /// Where the JSON Schema of this file is, for editors.
+    #[serde(default, rename = "$schema", deserialize_with = "present")]
+    pub described_at: Option<String>,
+    /// The version of the format.
     #[serde(default, deserialize_with = "present")]
     pub schema: Option<Schema>,
     /// Unique among lessons; part of links and command lines: lower-case words joined by `-`.
@@ -19,6 +31,7 @@ pub struct LessonFile {
     pub number: u32,
     /// The name of the chapter in the list of lessons.
     #[serde(default, deserialize_with = "present")]
+    #[schemars(with = "Option<Chapter>")]
     pub chapter: Option<String>,
     pub title: Text,
     /// One sentence for the list of lessons.
@@ -33,6 +46,7 @@ pub struct LessonFile {
     /// What the objects and materials of the scene are called, by their names; one that is not given is called by its name.
     #[serde(default, deserialize_with = "present")]
     pub names: Option<ByName<Keyed<Text>>>,
+    #[schemars(with = "Method")]
     pub method: String,
     /// Pixels, width and height.
     pub size: [u32; 2],
@@ -47,14 +61,17 @@ pub struct LessonFile {
     pub radiosity: Option<Keyed<RadiosityFile>>,
     /// Two to six methods whose pictures are compared, the last one the reference.
     #[serde(default, deserialize_with = "present")]
+    #[schemars(with = "Option<Vec<Method>>")]
     pub compare: Option<Vec<String>>,
     /// Of textured polygons: `perspective` unless given, or `linear`, which is wrong.
     #[serde(default, deserialize_with = "present")]
+    #[schemars(with = "Option<Mapping>")]
     pub texture_mapping: Option<String>,
     pub focus: FocusFile,
     /// What may be changed.
     #[serde(default, deserialize_with = "present")]
     pub parameters: Option<Vec<ParameterFile>>,
+    #[schemars(with = "Vec<Panel>")]
     pub panels: Vec<String>,
     /// What was learned, for the end of the lesson: about three sentences.
     #[serde(default, deserialize_with = "present")]
@@ -63,12 +80,14 @@ pub struct LessonFile {
 }
 
 /// How the light of a room is found. What is not given is as on the command line.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RadiosityFile {
     #[serde(default, deserialize_with = "present")]
+    #[schemars(with = "Option<Solver>")]
     pub solver: Option<String>,
     #[serde(default, deserialize_with = "present")]
+    #[schemars(with = "Option<form_factor::Method>")]
     pub form_factors: Option<String>,
     #[serde(default, deserialize_with = "present")]
     pub visibility: Option<bool>,
@@ -81,7 +100,7 @@ pub struct RadiosityFile {
 }
 
 /// Which part of the frame, or of the exchange of light, is recorded.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum FocusFile {
     Frame,
@@ -96,7 +115,7 @@ pub enum FocusFile {
 }
 
 /// A step at which something is said.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StepFile {
     /// The first such event after the narrated step before.
@@ -106,6 +125,7 @@ pub struct StepFile {
     pub title: Option<Text>,
     /// The panel to look at, one of the lesson's; the first unless given.
     #[serde(default, deserialize_with = "present")]
+    #[schemars(with = "Option<Panel>")]
     pub key: Option<String>,
     pub say: Text,
     /// What the lecture's slide prints, where it differs from the standard form.
@@ -119,7 +139,7 @@ pub struct StepFile {
 }
 
 /// Predict before seeing.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct QuestionFile {
     pub ask: Text,
@@ -128,6 +148,7 @@ pub struct QuestionFile {
     pub answer: AnswerFile,
     /// What is hidden until it is answered, beside all that is ahead of the step.
     #[serde(default, deserialize_with = "present")]
+    #[schemars(with = "Option<Vec<Hidden>>")]
     pub hide: Option<Vec<String>>,
     /// Said after a first wrong answer, behind on which side of the right one it lies, or that it is another option.
     #[serde(default, deserialize_with = "present")]
@@ -136,7 +157,7 @@ pub struct QuestionFile {
     pub why: Text,
 }
 
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum AnswerFile {
     /// The value of a field, give or take `tolerance`.
@@ -153,14 +174,14 @@ pub enum AnswerFile {
     Arrow { field: String, tolerance: f64 },
 }
 
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ItemFile {
     pub text: Text,
     pub at: Query,
 }
 
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OptionFile {
     pub text: Text,
@@ -169,11 +190,16 @@ pub struct OptionFile {
 
 /// A text in both languages. `{I_4}` in it stands for the value of that field at the step, `{I_4:3}` for three decimals,
 /// `{object:name}` for the name of the thing of that number.
-#[derive(Clone, Debug, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
 #[serde(deny_unknown_fields)]
 pub struct Text {
     pub en: String,
     pub id: String,
+}
+
+/// The JSON Schema of lesson files.
+pub fn lesson_schema() -> serde_json::Value {
+    schema_of::<LessonFile>()
 }
 
 impl Text {

@@ -28,7 +28,7 @@ pub use answer::{ARROW_START, Answer, Guess, NoAnswer, Thing, read_number, round
 pub use builtin::{Builtin, builtin, builtins};
 pub use contents::Chapter;
 pub use error::LessonError;
-pub use file::{LessonFile, Text};
+pub use file::{LessonFile, Text, lesson_schema};
 pub use narrated::{Narrated, Question};
 pub use parameters::{
     ByPath, Change, Coefficient, DIVISIONS, Kind, NotAllowed, Parameter, PathValue,

@@ -11,13 +11,14 @@ use crate::scene::document::{Keyed, Problem};
 use crate::scene::{LARGEST, Light, Material, Object, Scene, Shape};
 use by_path::{ChoiceFile, NumberFile};
 use glam::DVec3;
+use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// How finely a curved object may be divided.
 pub const DIVISIONS: std::ops::RangeInclusive<u32> = 2..=64;
 
-/// A parameter as it is written in a lesson file.
-#[derive(Clone, Debug, Deserialize)]
+/// What a student may change.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum ParameterFile {
     /// The place of a point light, by its index.

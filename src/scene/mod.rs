@@ -18,6 +18,7 @@ pub mod patch_primitives;
 pub mod patches;
 pub mod primitives;
 mod replaced;
+mod schema;
 mod tessellation;
 mod validate;
 mod values;
@@ -31,6 +32,7 @@ pub use mesh_file::{MeshData, mesh_path_is_inside};
 pub use needs::{LeftOut, Needs, Part, Parts, has_highlights};
 pub use note::Note;
 pub use replaced::replaced;
+pub use schema::{scene_schema, schema_of};
 pub use tessellation::{Tessellation, sphere as sphere_mesh};
 pub use validate::{LARGEST, Limits, ReadFile, SceneError, read};
 
@@ -81,13 +83,14 @@ pub struct Material {
     pub texture: Option<Texture>,
 }
 
-/// Which cosine the specular term raises to the shininess.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Highlight {
-    /// N·H (Blinn 1977)
-    Blinn,
-    /// R·V (Phong 1975)
-    Phong,
+named! {
+    /// Which cosine the specular term raises to the shininess.
+    pub enum Highlight {
+        /// N·H (Blinn 1977)
+        Blinn = "blinn",
+        /// R·V (Phong 1975)
+        Phong = "phong",
+    }
 }
 
 /// Multiplies the diffuse coefficient.
@@ -120,6 +123,15 @@ pub enum VertexNormals {
     File,
     /// That of the face.
     Face,
+}
+
+named! {
+    /// Where the normals at the vertices come from, as a file says it.
+    pub enum NormalsFrom {
+        Averaged = "averaged",
+        File = "file",
+        Face = "face",
+    }
 }
 
 impl VertexNormals {

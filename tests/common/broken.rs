@@ -77,7 +77,7 @@ pub const BROKEN: &[(&str, &str, &[&str])] = &[
     ("\"specular\": 0.5", "\"reflection\": -0.5", &["materials.red.reflection: found -0.5"]),
     ("\"specular\": 0.5", "\"transmission\": [0, 0, -0.5]", &["materials.red.transmission[2]: found -0.5"]),
     ("\"shininess\": 40", "\"shininess\": -1", &["materials.red.shininess: found -1.0"]),
-    ("\"highlight\": \"phong\"", "\"highlight\": \"gouraud\"", &["materials.red.highlight: found \"gouraud\"; allowed are \"blinn\" and \"phong\""]),
+    ("\"highlight\": \"phong\"", "\"highlight\": \"gouraud\"", &["materials.red.highlight: found \"gouraud\"; allowed are blinn, phong"]),
     ("\"ior\": 1.5", "\"ior\": 0", &["materials.red.ior: found 0.0; allowed are numbers greater than 0"]),
     ("\"reflectance\": [0.8, 0.2, 0.2]", "\"reflectance\": [0.8, 0.2, 1.2]", &["materials.red.reflectance[2]: found 1.2; allowed are numbers from 0 to 1"]),
     ("[[1, 1, 1], [0, 0, 0]]", "[[1, 1, 1]]", &["materials.red.texture.checker.colors: found 1 colours; allowed are exactly 2"]),
@@ -102,7 +102,7 @@ pub const BROKEN: &[(&str, &str, &[&str])] = &[
     ("\"radius\": 0.8 }", "\"radius\": 0.8 }, \"divisions\": 4000000000", &["objects[0].divisions: found 4000000000; allowed"]),
     ("\"patches\": [8, 8]", "\"divisions\": 8", &["objects[2].divisions: found divisions on a shape that takes none here; only spheres do"]),
     (",[3,3,0]]] }", "]] }", &["objects[5].bezier.patches[0]: found 15 points; a bicubic patch has 16"]),
-    ("\"sphere\":", "\"normals\": \"smooth\", \"sphere\":", &["objects[0].normals: found \"smooth\"; allowed are \"averaged\", \"file\" and \"face\""]),
+    ("\"sphere\":", "\"normals\": \"smooth\", \"sphere\":", &["objects[0].normals: found \"smooth\"; allowed are averaged, file, face"]),
     ("\"sphere\":", "\"crease_degrees\": 181, \"sphere\":", &["objects[0].crease_degrees: found 181.0; allowed are angles from 0 to 180"]),
     // Patches.
     ("\"patches\": [8, 8]", "\"patches\": [0, 8]", &["objects[2].patches: found [0, 8]"]),

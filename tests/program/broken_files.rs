@@ -37,7 +37,7 @@ fn every_broken_scene_is_refused_without_a_file() {
 }
 
 /// A right lesson, to be broken in one place.
-const LESSON: &str = r#"{ "schema": 1, "id": "my-lesson", "number": 1,
+pub const LESSON: &str = r#"{ "schema": 1, "id": "my-lesson", "number": 1,
   "title": { "en": "A title", "id": "Judul" }, "summary": { "en": "Why", "id": "Mengapa" }, "topics": ["gouraud"],
   "scene_file": "scene.json", "names": { "pot": { "en": "the pot", "id": "panci" } }, "method": "gouraud", "size": [64, 48], "focus": { "polygon": 0 },
   "parameters": [{ "light": 0 }], "panels": ["image", "scan-line"],
@@ -48,7 +48,7 @@ const LESSON: &str = r#"{ "schema": 1, "id": "my-lesson", "number": 1,
     { "at": { "kind": "EdgeTable" }, "say": { "en": "Edges", "id": "Sisi" } } ] }"#;
 
 #[rustfmt::skip]
-const BROKEN_LESSONS: &[(&str, &str, &[&str])] = &[
+pub const BROKEN_LESSONS: &[(&str, &str, &[&str])] = &[
     ("\"schema\": 1,", "", &["`schema` is missing"]),
     ("\"number\": 1,", "", &["missing field `number`"]),
     ("\"number\": 1,", "\"number\": -1,", &["number", "line 1"]),

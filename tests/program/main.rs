@@ -8,10 +8,12 @@ mod compare;
 mod follow;
 #[cfg(unix)]
 mod interrupted;
+mod json_schema;
 mod meshes;
 mod notes;
 mod radiosity;
 mod rays;
+mod schemas;
 mod stress;
 mod study;
 

@@ -28,6 +28,8 @@ pub enum Method {
     Hemicube(Hemicubes),
 }
 
+written_as_name!(Method);
+
 impl Method {
     /// Every method, as it is used where nothing more is said.
     pub const ALL: [Method; 6] = [

@@ -7,12 +7,13 @@ use super::super::file::Text;
 use super::super::resolve::Lesson;
 use crate::scene::Limits;
 use crate::scene::document::{Keyed, present};
+use schemars::JsonSchema;
 use serde::Deserialize;
 use serde_json::Value;
 use std::ops::RangeInclusive;
 
 /// A number as a parameter, as it is written in a lesson file.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NumberFile {
     /// Of a number, or of a colour, whose largest channel it is; either this or `places`.
@@ -35,7 +36,7 @@ pub struct NumberFile {
 }
 
 /// A number of the document that is `times` the parameter `plus` something.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlaceFile {
     pub path: String,
@@ -46,7 +47,7 @@ pub struct PlaceFile {
 }
 
 /// One of several values as a parameter.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ChoiceFile {
     pub path: String,
@@ -54,7 +55,7 @@ pub struct ChoiceFile {
     pub options: Vec<Keyed<ValueFile>>,
 }
 
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ValueFile {
     pub value: Value,

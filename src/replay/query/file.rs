@@ -2,9 +2,11 @@
 //! `{ "kind": "EdgeInterpolated", "where": { "y": 15, "I_4": { "above": 0.5 } } }`, which stands for that text.
 
 use super::Query;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde_json::Value;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -34,11 +36,29 @@ impl<'de> Deserialize<'de> for Query {
     }
 }
 
-#[derive(serde::Deserialize)]
+impl JsonSchema for Query {
+    fn schema_name() -> Cow<'static, str> {
+        "Query".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let object = generator.subschema_for::<Object>();
+        json_schema!({
+            "description": "The kind of an event and conditions, as in \"EdgeInterpolated y=15\"",
+            "anyOf": [{ "type": "string" }, object],
+        })
+    }
+}
+
+/// The kind of an event and conditions, as an object.
+#[derive(serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(inline)]
 struct Object {
+    /// The kind of event.
     #[serde(default)]
     kind: String,
+    /// Fields, each with its value or with `above`, `at_least`, `below`, `at_most` or `not` a value.
     #[serde(default, rename = "where")]
     conditions: BTreeMap<String, Value>,
 }

@@ -80,18 +80,16 @@ impl Check {
                 .into(),
             None => diffuse.channels().map(|k_d| k_d.min(1.0)).into(),
         };
-        let highlight = match file.highlight.as_deref() {
-            None => default.highlight,
-            Some("blinn") => Highlight::Blinn,
-            Some("phong") => Highlight::Phong,
-            Some(other) => {
+        let highlight = file.highlight.map_or(default.highlight, |written| {
+            Highlight::from_name(&written).unwrap_or_else(|| {
+                let known = Highlight::ALL.map(Highlight::name).join(", ");
                 self.refuse(
                     &place.key("highlight"),
-                    format!("found {other:?}; allowed are \"blinn\" and \"phong\""),
+                    format!("found {written:?}; allowed are {known}"),
                 );
-                Highlight::Blinn
-            }
-        };
+                default.highlight
+            })
+        });
         let texture = file.texture.map(|Keyed(texture)| {
             let Keyed(checker) = texture.checker;
             let place = place.key("texture");

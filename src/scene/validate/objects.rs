@@ -5,7 +5,7 @@ use super::{Limits, ReadFile};
 use crate::scene::document::{Keyed, Place};
 use crate::scene::file::ObjectFile;
 use crate::scene::values::{Count, PatchCounts};
-use crate::scene::{Material, MeshData, Object, Shape, VertexNormals};
+use crate::scene::{Material, MeshData, NormalsFrom, Object, Shape, VertexNormals};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 use std::rc::Rc;
@@ -128,27 +128,28 @@ impl<'a, 'f> Objects<'a, 'f> {
         let degrees = file.crease_degrees.map_or(180.0, |degrees| {
             self.check.number(&crease_place, degrees, CREASE)
         });
-        let written = file.normals.as_deref().unwrap_or("averaged");
-        let normals = match written {
-            "averaged" => VertexNormals::Averaged {
+        let averaged = NormalsFrom::Averaged.name();
+        let written = file.normals.as_deref().unwrap_or(averaged);
+        let normals = match NormalsFrom::from_name(written) {
+            Some(NormalsFrom::Averaged) => VertexNormals::Averaged {
                 crease: degrees.to_radians(),
             },
-            "file" if file.mesh.is_none() => {
+            Some(NormalsFrom::File) if file.mesh.is_none() => {
                 let why = "only meshes have normals in a file; those of the faces are averaged";
                 self.check
                     .note(&place, "\"file\" on a shape without a file", why);
                 VertexNormals::AVERAGED
             }
-            "file" => VertexNormals::File,
-            "face" => VertexNormals::Face,
-            other => {
-                let message =
-                    format!("found {other:?}; allowed are \"averaged\", \"file\" and \"face\"");
+            Some(NormalsFrom::File) => VertexNormals::File,
+            Some(NormalsFrom::Face) => VertexNormals::Face,
+            None => {
+                let known = NormalsFrom::ALL.map(NormalsFrom::name).join(", ");
+                let message = format!("found {written:?}; allowed are {known}");
                 self.check.refuse(&place, message);
                 VertexNormals::AVERAGED
             }
         };
-        if file.crease_degrees.is_some() && written != "averaged" {
+        if file.crease_degrees.is_some() && written != averaged {
             let what = format!("a crease angle with normals {written:?}");
             self.check.note(
                 &crease_place,
