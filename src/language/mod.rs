@@ -3,8 +3,10 @@
 
 mod catalogue;
 mod number;
+mod spelling;
 
 pub use number::power_of_ten;
+pub use spelling::suggestion;
 
 /// A language of the window, the panels and the lessons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Default)]

@@ -5,6 +5,7 @@
 //! tagged enums, which lose line, column and path.
 
 use super::mesh_file::misplaced;
+use super::parser_words::in_plain_words;
 pub use super::values::ByName;
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
@@ -191,24 +192,6 @@ fn place_of(path: &serde_path_to_error::Path) -> String {
 
 /// A problem in the words of a user who does not know serde.
 fn described(place: String, error: &serde_json::Error) -> Problem {
-    const IN_OTHER_WORDS: [(&str, &str); 4] = [
-        (
-            "number out of range",
-            "found a number that is not finite; allowed are numbers up to 1.7e308 in magnitude",
-        ),
-        (
-            "expected value",
-            "expected a value: a number, text in double quotes, true, false, a list or an object (NaN and Infinity are none)",
-        ),
-        (
-            "trailing characters",
-            "found more text after the end of the document; a file holds one object",
-        ),
-        (
-            "recursion limit exceeded",
-            "lists or objects are nested too deeply; at most 127 levels are allowed",
-        ),
-    ];
     let text = error.to_string();
     let text = text
         .rsplit_once(" at line ")
@@ -216,10 +199,7 @@ fn described(place: String, error: &serde_json::Error) -> Problem {
     let message = if error.is_eof() {
         "the file ends here, while a text, a list or an object is still open".to_owned()
     } else {
-        IN_OTHER_WORDS
-            .iter()
-            .find(|(serde, _)| *serde == text)
-            .map_or_else(|| text.to_owned(), |(_, words)| (*words).to_owned())
+        in_plain_words(text)
     };
     Problem {
         place,
@@ -313,7 +293,7 @@ mod tests {
     fn a_problem_says_line_column_and_path() {
         assert_eq!(
             problem("{ \"schema\": 1,\n  \"watts\": [40, \"much\"] }"),
-            "line 2, column 22: watts[1]: invalid type: string \"much\", expected u32"
+            "line 2, column 22: watts[1]: found the text \"much\"; expected a whole number of 0 or more"
         );
         assert!(problem("{\"schema\": 1, \"watts\": [1").contains("ends here"));
         assert!(problem("{\"schema\": 1, \"watts\": []} x").contains("after the end"));
@@ -321,9 +301,7 @@ mod tests {
 
     #[test]
     fn the_schema_is_judged_before_the_keys() {
-        assert!(
-            problem("{\"volts\": 1, \"schema\": 2}").contains("schema: invalid value: integer `2`")
-        );
+        assert!(problem("{\"volts\": 1, \"schema\": 2}").contains("schema: found 2; expected 1"));
         assert!(problem("{\"watts\": []}").contains("`schema` is missing"));
         assert!(problem("{\"schema\": null, \"watts\": []}").contains("expected 1"));
     }

@@ -14,6 +14,7 @@ mod mesh_file;
 mod needs;
 mod note;
 mod outside;
+mod parser_words;
 pub mod patch_primitives;
 pub mod patches;
 pub mod primitives;

@@ -62,7 +62,7 @@ fn texts_that_are_no_scene_are_refused() {
         (deep.as_bytes(), "expected an object"),
         (
             deep_inside.as_bytes(),
-            "objects[0]: invalid type: sequence, expected an object",
+            "objects[0]: found a list; expected an object",
         ),
     ];
     for (text, expected) in cases {

@@ -63,7 +63,7 @@ pub const CASES: &[Case] = &[
         expects: "refused at the first, with the stack untouched",
         because: "nothing recurses into what has the wrong type",
         run: || taken(&with_objects(&"[".repeat(100_000))),
-        recorded: refused("objects[0]: invalid type: sequence, expected an object"),
+        recorded: refused("objects[0]: found a list; expected an object"),
     },
     Case {
         name: "refusals/number-1e400",
