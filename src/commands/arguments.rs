@@ -4,16 +4,19 @@ use super::failure::Failure;
 use crate::algorithms::primary::Settings;
 use crate::methods::Method;
 use clap::Args;
+use std::fmt::Display;
 use std::num::NonZeroU32;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
 
 /// How large a scene may be.
 #[derive(Args, Clone, Copy)]
 pub struct LimitArguments {
     /// The most radiosity patches that a scene may ask for
-    #[arg(long, value_name = "N", default_value_t = crate::scene::Limits::default().max_patches)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = parse_whole::<u64>, default_value_t = crate::scene::Limits::default().max_patches)]
     pub max_patches: u64,
     /// The most triangles that its meshes may have
-    #[arg(long, value_name = "N", default_value_t = crate::scene::Limits::default().max_triangles)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = parse_whole::<u64>, default_value_t = crate::scene::Limits::default().max_triangles)]
     pub max_triangles: u64,
 }
 
@@ -21,10 +24,10 @@ pub struct LimitArguments {
 #[derive(Args, Clone, Copy)]
 pub struct RayArguments {
     /// Ray tracing shades rays up to this level; the primary ray is level 1
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::DEEPEST)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = |text: &str| parse_within(text, 1..=Settings::DEEPEST))]
     pub depth: Option<u32>,
     /// A pixel is the mean of N×N rays
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=i64::from(Settings::MOST_SAMPLES)))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = |text: &str| parse_within(text, 1..=Settings::MOST_SAMPLES))]
     pub samples: Option<u32>,
 }
 
@@ -52,6 +55,29 @@ impl From<LimitArguments> for crate::scene::Limits {
             max_triangles: arguments.max_triangles,
         }
     }
+}
+
+/// A whole number, of what is counted from 0.
+pub fn parse_whole<T: FromStr>(text: &str) -> Result<T, String> {
+    let number = text.parse();
+    number.map_err(|_| "allowed are whole numbers of 0 or more".into())
+}
+
+/// A whole number of a range.
+pub fn parse_within<T: FromStr + PartialOrd + Display>(
+    text: &str,
+    range: RangeInclusive<T>,
+) -> Result<T, String> {
+    let number = text.parse().ok().filter(|number| range.contains(number));
+    number.ok_or_else(|| {
+        let (least, most) = range.into_inner();
+        format!("allowed are whole numbers from {least} to {most}")
+    })
+}
+
+pub fn parse_number(text: &str) -> Result<f64, String> {
+    let number = text.parse();
+    number.map_err(|_| "allowed are numbers, such as 0.5 or 1e-6".into())
 }
 
 /// `640x480`

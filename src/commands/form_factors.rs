@@ -1,6 +1,6 @@
 //! `lightwalk form-factors`: the matrix of a scene's form factors.
 
-use super::arguments::LimitArguments;
+use super::arguments::{LimitArguments, parse_whole};
 use super::failure::Failure;
 use super::files;
 use super::notes;
@@ -70,7 +70,7 @@ impl VisibilityArgument {
 #[derive(clap::Args, Clone, Copy)]
 pub struct MemoryArgument {
     /// The most memory that the matrix of form factors may take, in MiB
-    #[arg(long, value_name = "MIB", default_value_t = MAX_MEMORY)]
+    #[arg(long, value_name = "MIB", allow_negative_numbers = true, value_parser = parse_whole::<u64>, default_value_t = MAX_MEMORY)]
     pub max_memory: u64,
 }
 

@@ -1,7 +1,7 @@
 //! `lightwalk radiosity`: the light of a scene, patch by patch.
 
 use super::accuracy;
-use super::arguments::LimitArguments;
+use super::arguments::{LimitArguments, parse_number, parse_whole};
 use super::failure::{Failure, note};
 use super::files;
 use super::form_factors::{MemoryArgument, VisibilityArgument, enclosure, matrix_of, settings};
@@ -45,7 +45,7 @@ pub struct SolutionArguments {
 #[derive(clap::Args, Clone, Copy, Default)]
 pub struct ToleranceArgument {
     /// The relative residual that is small enough [default: 1e-6]
-    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", allow_negative_numbers = true, value_parser = parse_number)]
     tolerance: Option<f64>,
 }
 
@@ -64,7 +64,7 @@ pub struct SystemArguments {
     #[arg(long, value_name = "auto,off", value_parser = PossibleValuesParser::new(["auto", "off"]))]
     closure: Option<String>,
     /// The most iterations, or shots of one patch [default: 1000000]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = parse_whole::<u32>)]
     max_iterations: Option<u32>,
 }
 
@@ -85,7 +85,7 @@ impl ToleranceArgument {
         let tolerance = self.tolerance.unwrap_or(settings.stop.tolerance);
         if !(tolerance > 0.0 && tolerance < 1.0) {
             return Err(Failure::Wrong(format!(
-                "--tolerance {tolerance}: allowed are numbers above 0 and below 1"
+                "--tolerance {tolerance:?}: allowed are numbers above 0 and below 1"
             )));
         }
         settings.stop.tolerance = tolerance;

@@ -1,6 +1,8 @@
 //! `lightwalk render`: a picture of a scene.
 
-use super::arguments::{LimitArguments, RayArguments, method, method_names, parse_size};
+use super::arguments::{
+    LimitArguments, RayArguments, method, method_names, parse_number, parse_size, parse_within,
+};
 use super::failure::Failure;
 use super::form_factors::MemoryArgument;
 use super::progress::Progress;
@@ -22,17 +24,18 @@ pub struct Arguments {
     /// How to draw it
     #[arg(long, value_parser = method_names(), value_name = "METHOD")]
     method: String,
-    #[arg(long, value_parser = parse_size, value_name = "WxH", default_value = "640x480")]
+    #[arg(long, allow_hyphen_values = true, value_parser = parse_size, value_name = "WxH", default_value = "640x480")]
     size: [u32; 2],
     /// As many as cores unless given, at most 256
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=256))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = |text: &str| parse_within(text, 1..=256_u16))]
     threads: Option<u16>,
     /// Scales a PNG by 2^EV
     #[arg(
         long,
         value_name = "EV",
         default_value_t = 0.0,
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = parse_number
     )]
     exposure: f64,
     /// FILE.png (8 bits, sRGB) or FILE.pfm (linear float)
@@ -72,7 +75,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let format = format(out)?;
     if !(-64.0..=64.0).contains(exposure) {
         return Err(Failure::Wrong(format!(
-            "--exposure {exposure}: allowed are numbers from -64 to 64"
+            "--exposure {exposure:?}: allowed are numbers from -64 to 64"
         )));
     }
     files::check_output(out)?;

@@ -1,7 +1,7 @@
 //! `lightwalk steps`: every step of a run, a JSON object a line.
 
 use super::arguments::{
-    LimitArguments, RayArguments, method, method_names, parse_range, parse_size,
+    LimitArguments, RayArguments, method, method_names, parse_range, parse_size, parse_whole,
 };
 use super::failure::{Failure, note};
 use super::files::{self, Document};
@@ -40,7 +40,7 @@ pub struct Recorded {
     #[arg(long, value_parser = method_names(), value_name = "METHOD")]
     method: Option<String>,
     /// Of the picture; a lesson has its own
-    #[arg(long, value_parser = parse_size, value_name = "WxH")]
+    #[arg(long, allow_hyphen_values = true, value_parser = parse_size, value_name = "WxH")]
     size: Option<[u32; 2]>,
     #[command(flatten)]
     focus: FocusArguments,
@@ -57,22 +57,22 @@ pub struct Recorded {
 #[group(multiple = false)]
 struct FocusArguments {
     /// One pixel, from the top left, counted from 0
-    #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true, value_parser = parse_pixel)]
     pixel: Option<[u32; 2]>,
     /// One scan line, from the top, counted from 0
-    #[arg(long, value_name = "Y")]
+    #[arg(long, value_name = "Y", allow_hyphen_values = true, value_parser = parse_whole::<u32>)]
     scan_line: Option<u32>,
     /// One polygon, counted from 0 over all objects
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = parse_whole::<usize>)]
     polygon: Option<usize>,
     /// Of radiosity: iterations (or shots), counted from 0
-    #[arg(long, value_name = "A..B", value_parser = parse_range)]
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true, value_parser = parse_range)]
     iterations: Option<Range<usize>>,
     /// Of radiosity: what one patch exchanges, counted from 0 over all objects
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = parse_whole::<u32>)]
     patch: Option<u32>,
     /// Of radiosity: how the form factor from patch I to patch J is found
-    #[arg(long, value_name = "I,J", value_parser = parse_pair)]
+    #[arg(long, value_name = "I,J", allow_hyphen_values = true, value_parser = parse_pair)]
     form_factor: Option<[u32; 2]>,
 }
 
@@ -112,11 +112,11 @@ impl FocusArguments {
 }
 
 fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
-    two(text).ok_or_else(|| "a pixel is written as 12,34".into())
+    two(text).ok_or_else(|| "a pixel is written as 12,34; it counts from 0".into())
 }
 
 fn parse_pair(text: &str) -> Result<[u32; 2], String> {
-    two(text).ok_or_else(|| "a pair of patches is written as 12,34".into())
+    two(text).ok_or_else(|| "a pair of patches is written as 12,34; it counts from 0".into())
 }
 
 fn two(text: &str) -> Option<[u32; 2]> {
@@ -167,7 +167,6 @@ impl Recorded {
     }
 
     pub fn record(&self, tolerance: ToleranceArgument) -> Result<Recording, Failure> {
-        let wrong = |message: &str| Failure::Wrong(message.to_owned());
         let focus = self.focus.focus();
         let method = self.method.as_deref().map(method).transpose()?;
         match files::lesson_or_scene(&self.name, &self.limits.into())? {
@@ -204,7 +203,10 @@ impl Recorded {
             }
             Document::Scene(scene) => {
                 let method = method.ok_or_else(|| {
-                    wrong("--method is missing: a scene can be drawn in several ways")
+                    let known = Method::ALL.map(Method::name).join(", ");
+                    Failure::Wrong(format!(
+                        "--method is missing: a scene can be drawn in several ways; allowed are {known}"
+                    ))
                 })?;
                 let size = self.size.unwrap_or([640, 480]);
                 let settings = self.settings(Settings::default(), tolerance)?;

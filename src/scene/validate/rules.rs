@@ -93,7 +93,13 @@ impl Check {
     }
 
     pub fn color(&mut self, place: &Place, written: Triple) -> Rgb {
-        self.triple(place, written, NOT_NEGATIVE).into()
+        let color: Rgb = self.triple(place, written, NOT_NEGATIVE).into();
+        let brightest = color.max_channel();
+        if brightest > LARGEST {
+            let why = "all that it reaches is white in a picture, and products of such numbers can be infinite";
+            self.note(place, format!("a channel of {brightest:?}"), why);
+        }
+        color
     }
 
     pub fn point(&mut self, place: &Place, written: Triple) -> DVec3 {
