@@ -38,13 +38,13 @@ pub fn show(
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) {
-    page.thumbnails.bring_on(&session.lesson().id, ui.ctx());
+    page.thumbnails.bring_on(session, ui.ctx());
     let margin = Margin::symmetric(18, 0);
     let frame = Frame::new().inner_margin(margin);
     egui::CentralPanel::no_frame().frame(frame).show(ui, |ui| {
         ui.add_space(14.0);
         let language = session.look.language;
-        let first_found = head(session, page, commands, ui);
+        let is_found = head(session, page, commands, ui);
         if let Some(notice) = notice {
             let warn = style::color(session.look.theme, Ink::Warn);
             ui.label(RichText::new(notice).color(warn));
@@ -52,17 +52,25 @@ pub fn show(
         ui.add_space(4.0);
         let opened = !std::mem::replace(&mut page.was_open, true);
         ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-            for (chapter, title) in strings::CHAPTERS {
-                let lessons = listed().iter().filter(|listed| {
-                    listed.chapter == Some(chapter) && listed.says(&page.search, language)
-                });
-                let lessons: Vec<&Listed> = lessons.collect();
+            let found = |listed: &&Listed| listed.says(&page.search, language);
+            if let Some((name, own)) = session.own_lessons() {
+                let lessons: Vec<&Listed> = own.iter().filter(found).collect();
                 if !lessons.is_empty() {
-                    heading(session, chapter, title.text(language), commands, ui);
+                    heading(session, None, name, commands, ui);
                     cards(session, page, &lessons, opened, commands, ui);
                 }
             }
-            if first_found.is_none() {
+            for (chapter, title) in strings::CHAPTERS {
+                let lessons = listed().iter().filter(found);
+                let lessons = lessons.filter(|listed| listed.chapter == Some(chapter));
+                let lessons: Vec<&Listed> = lessons.collect();
+                if !lessons.is_empty() {
+                    let title = title.text(language);
+                    heading(session, Some(chapter), title, commands, ui);
+                    cards(session, page, &lessons, opened, commands, ui);
+                }
+            }
+            if !is_found {
                 ui.label(session.localize(strings::NO_LESSON_FOUND));
             }
             ui.add_space(GAP);
@@ -70,15 +78,15 @@ pub fn show(
     });
 }
 
-/// The way back to the lesson, and the search; returns the first lesson that is found.
+/// The way back to the lesson, and the search; returns whether a lesson is found.
 fn head(
     session: &mut Session,
     page: &mut HomePage,
     commands: &mut Vec<Command>,
     ui: &mut Ui,
-) -> Option<&'static Listed> {
+) -> bool {
     let language = session.look.language;
-    let mut found = None;
+    let mut is_found = false;
     ui.horizontal(|ui| {
         let theme = session.look.theme;
         let title = session.title();
@@ -112,21 +120,21 @@ fn head(
             if std::mem::take(&mut session.search_wanted) {
                 response.request_focus();
             }
-            found = listed()
-                .iter()
-                .find(|listed| listed.says(&page.search, language));
+            let mut found = session.all_lessons();
+            let found = found.find(|listed| listed.says(&page.search, language));
+            is_found = found.is_some();
             let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
             if let Some(first) = found.filter(|_| entered && !text.trim().is_empty()) {
-                commands.push(Command::Open(first.id.to_owned()));
+                commands.push(Command::Open(first.id.clone()));
             }
         });
     });
-    found
+    is_found
 }
 
 fn heading(
     session: &Session,
-    chapter: Chapter,
+    chapter: Option<Chapter>,
     title: &str,
     commands: &mut Vec<Command>,
     ui: &mut Ui,
@@ -134,7 +142,7 @@ fn heading(
     ui.add_space(10.0);
     ui.horizontal(|ui| {
         ui.label(style::strong(title, 17.0));
-        if chapter == Chapter::Study {
+        if chapter == Some(Chapter::Study) {
             let name = session.localize(strings::STUDIES);
             let view = Command::Study(StudyCommand::View);
             let link = Button::new(RichText::new(name));
@@ -163,7 +171,7 @@ fn cards(
         for (column, listed) in row.iter().enumerate() {
             let corner = place.min + egui::vec2(column as f32 * (width + GAP), 0.0);
             let card = Rect::from_min_size(corner, size);
-            let thumbnail = page.thumbnails.of(listed.id);
+            let thumbnail = page.thumbnails.of(&listed.id);
             let response = lesson_card::show(session, listed, thumbnail, card, ui);
             if opened && listed.id == session.lesson().id {
                 response.request_focus();
@@ -173,7 +181,7 @@ fn cards(
                 response.scroll_to_me(None);
             }
             if response.clicked() {
-                commands.push(Command::Open(listed.id.to_owned()));
+                commands.push(Command::Open(listed.id.clone()));
             }
         }
         ui.add_space(GAP - ui.spacing().item_spacing.y);

@@ -32,7 +32,7 @@ pub fn show(
     rect: Rect,
     ui: &mut Ui,
 ) -> Response {
-    let id = ui.scope_id().with(listed.id);
+    let id = ui.scope_id().with(&listed.id);
     let response = ui.interact(rect, id, Sense::click());
     let language = session.look.language as usize;
     let (title, summary) = (&listed.title[language], &listed.summary[language]);
@@ -58,7 +58,7 @@ pub fn show(
     let below = words.min + egui::vec2(0.0, title_height + 2.0);
     let lines = if title_height > 28.0 { 3 } else { 4 };
     text(
-        prose(session, summary, 12.5, Ink::Muted),
+        said(session, listed, 12.5, Ink::Muted),
         lines,
         words,
         below,
@@ -81,14 +81,33 @@ pub fn show(
     }
     response
         .on_hover_cursor(egui::CursorIcon::PointingHand)
-        .on_hover_text(prose(session, summary, 13.0, Ink::Text))
+        .on_hover_text(said(session, listed, 13.0, Ink::Text))
+}
+
+/// What the lesson is about, or what is wrong with it: what that quotes of the file is no notation.
+fn said(session: &Session, listed: &Listed, size: f32, ink: Ink) -> LayoutJob {
+    let summary = &listed.summary[session.look.language as usize];
+    if !listed.has_errors {
+        return prose(session, summary, size, ink);
+    }
+    let warn = style::color(session.look.theme, Ink::Warn);
+    LayoutJob::simple(
+        summary.clone(),
+        FontId::proportional(size),
+        warn,
+        f32::INFINITY,
+    )
 }
 
 /// How far one has come, and the score, in words.
 fn state(session: &Session, listed: &Listed) -> [String; 2] {
     let language = session.look.language;
+    if listed.has_errors {
+        let errors = strings::HAS_ERRORS.text(language);
+        return [errors.to_owned(), String::new()];
+    }
     let count = listed.explanations.to_string();
-    let Some(progress) = session.progress_in(listed.id) else {
+    let Some(progress) = session.progress_in(&listed.id) else {
         let whole = strings::EXPLANATIONS.format(language, &[("count", &count)]);
         return [whole, String::new()];
     };
@@ -137,7 +156,7 @@ fn picture(session: &Session, thumbnail: Option<&Thumbnail>, rect: Rect, ui: &Ui
 
 /// How far one has come, as a line along the bottom of the picture.
 fn bar(session: &Session, listed: &Listed, picture: Rect, ui: &Ui) {
-    let Some(progress) = session.progress_in(listed.id) else {
+    let Some(progress) = session.progress_in(&listed.id) else {
         return;
     };
     let theme = session.look.theme;

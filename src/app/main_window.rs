@@ -1,8 +1,8 @@
 //! The window on the screen: eframe's part of the app.
 
 use super::keeper::{self, Keeper};
-use super::opened::{Opened, ReadDocument};
-use super::session::{Kept, Session, listed};
+use super::opened::{Opened, Readers};
+use super::session::{FolderOfLessons, Kept, Session, listed};
 use super::style;
 use super::window;
 use super::window_state::Window;
@@ -28,17 +28,23 @@ impl eframe::App for App {
     }
 }
 
-/// Opens the window on a lesson, where it was left unless a step is given; without a lesson on the page of all lessons. Returns when
-/// it is closed. `read` reads what is dropped on the window, and the file at the path, which the lesson is from, when it is saved again.
-///
-/// Errors: one line on why there is no window, and what works without.
-pub fn open(
-    lesson: Option<Lesson>,
-    step: Option<usize>,
-    (read, path): (ReadDocument, Option<PathBuf>),
-) -> Result<(), String> {
+/// What the window opens with.
+pub struct Start {
+    /// A lesson, and its file where it is not one of the program's own; the page of all lessons unless given.
+    pub lesson: Option<(Lesson, Option<PathBuf>)>,
+    /// Of the lesson; where it was left unless given.
+    pub step: Option<usize>,
+    /// A folder, and its lessons.
+    pub folder: Option<(PathBuf, FolderOfLessons)>,
+    /// For what is dropped on the window or saved again.
+    pub readers: Readers,
+}
+
+/// Opens the window, and returns when it is closed. Errors: one line on why there is no window, and what works without.
+pub fn open(start: Start) -> Result<(), String> {
+    let (path, folder) = start.folder.unzip();
     let mut window = Window {
-        opened: Some(Opened::new(read, path)),
+        opened: Some(Opened::new(start.readers, path)),
         ..Window::default()
     };
     let mut kept = Kept::default();
@@ -51,23 +57,22 @@ pub fn open(
         }
         window.keeper = Some(keeper);
     }
-    let at_home = lesson.is_none();
-    let lesson = match lesson {
+    let at_home = start.lesson.is_none();
+    let (lesson, file) = match start.lesson {
         Some(lesson) => lesson,
-        None => {
-            let last = kept.lesson.as_deref().and_then(builtin);
-            let first = last.or(builtins().first().copied());
-            let read = first.ok_or("there is no lesson")?.read();
-            read.map_err(|error| error.to_string())?
-        }
+        None => to_go_on_with(kept.lesson.as_deref(), folder.as_ref())?,
     };
     // Read here, so that no frame waits for it.
     listed();
     let mut session = Session::new(lesson).map_err(|error| error.to_string())?;
     kept.language = kept.language.or_else(sys_locale::get_locale);
+    session.file = file;
+    if let Some(folder) = folder {
+        session.show_folder(folder);
+    }
     session.restore(kept);
     session.look.home = at_home;
-    if let Some(step) = step {
+    if let Some(step) = start.step {
         session.start_at(step);
     }
     window.notice = trouble.map(|trouble| trouble.in_language(session.look.language));
@@ -76,6 +81,24 @@ pub fn open(
             "cannot open a window: {problem}; `lightwalk frames LESSON --out DIR` and `lightwalk render SCENE --method gouraud --out FILE.png` work without one"
         )
     })
+}
+
+/// The lesson that was open last, or else the first one; of the folder where there is one.
+fn to_go_on_with(
+    last: Option<&str>,
+    folder: Option<&FolderOfLessons>,
+) -> Result<(Lesson, Option<PathBuf>), String> {
+    let own = folder.and_then(|folder| {
+        let last = last.and_then(|last| folder.lesson(last));
+        last.or_else(|| folder.first())
+    });
+    if let Some((lesson, path)) = own {
+        return Ok((lesson.clone(), Some(path.to_owned())));
+    }
+    let last = last.and_then(builtin);
+    let first = last.or(builtins().first().copied());
+    let read = first.ok_or("there is no lesson")?.read();
+    Ok((read.map_err(|error| error.to_string())?, None))
 }
 
 fn show(session: Session, window: Window) -> Result<(), String> {

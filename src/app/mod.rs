@@ -50,6 +50,6 @@ mod window_state;
 #[cfg(test)]
 mod tests;
 
-pub use main_window::open;
-pub use opened::ReadDocument;
-pub use session::{Command, Session};
+pub use main_window::{Start, open};
+pub use opened::Readers;
+pub use session::{Command, FolderOfLessons, LessonFromFile, Session};

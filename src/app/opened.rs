@@ -1,64 +1,122 @@
-//! A file that was opened in the window: dropped on it or named on the command line. When it is saved again, it is read again.
+//! Files that were opened in the window: dropped on it or named on the command line. When one is saved again, it is read again, and
+//! so is a folder of lessons.
 
-use super::session::Session;
+use super::session::{FolderOfLessons, Session};
 use crate::lesson::Lesson;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 use web_time::Duration;
 
-/// Reads a lesson, or a scene or mesh as one. Errors: what is wrong with the file.
-pub type ReadDocument = fn(&Path) -> Result<Lesson, String>;
+/// What reads files. Errors: what is wrong with them, one problem a line.
+#[derive(Clone, Copy)]
+pub struct Readers {
+    /// Reads a lesson, or a scene or mesh as one.
+    pub document: fn(&Path) -> Result<Lesson, String>,
+    pub folder: fn(&Path) -> Result<FolderOfLessons, String>,
+}
 
-/// How often it is looked whether the file was saved.
+/// How often it is looked whether something was saved.
 pub(super) const LOOK: Duration = Duration::from_millis(500);
 
-/// What reads files, and the file that is shown.
+/// When a file was saved; none where it is gone.
+type Saved = Option<SystemTime>;
+
+/// The file that is shown and the folder whose lessons are listed, each as it was when it was read.
 pub(super) struct Opened {
-    read: ReadDocument,
-    file: Option<(PathBuf, Option<SystemTime>)>,
+    readers: Readers,
+    file: Option<(PathBuf, Saved)>,
+    folder: Option<(PathBuf, Vec<(PathBuf, Saved)>)>,
 }
 
 impl Opened {
-    pub fn new(read: ReadDocument, path: Option<PathBuf>) -> Self {
-        let file = path.map(|path| {
-            let saved = saved(&path);
-            (path, saved)
+    /// The lessons of the folder were read already.
+    pub fn new(readers: Readers, folder: Option<PathBuf>) -> Self {
+        let folder = folder.map(|path| {
+            let files = files(&path);
+            (path, files)
         });
-        Opened { read, file }
+        let file = None;
+        Opened {
+            readers,
+            file,
+            folder,
+        }
     }
 
     pub fn has_file(&self) -> bool {
-        self.file.is_some()
+        self.file.is_some() || self.folder.is_some()
     }
 
-    /// Opens a file in place of what is shown. Errors: what is wrong with it; nothing has changed then.
+    /// Opens a file in place of what is shown, or a folder in place of the one that is listed. Errors: what is wrong with it; nothing
+    /// has changed then.
     pub fn open(&mut self, session: &mut Session, path: &Path) -> Result<(), String> {
+        if path.is_dir() {
+            let files = files(path);
+            session.show_folder((self.readers.folder)(path)?);
+            session.look.home = true;
+            self.folder = Some((path.to_owned(), files));
+            return Ok(());
+        }
         let saved = saved(path);
-        let lesson = (self.read)(path)?;
-        session
-            .open_document(lesson)
-            .map_err(|error| error.to_string())?;
+        let lesson = (self.readers.document)(path)?;
+        session.open_document(lesson, Some(path.to_owned()))?;
         self.file = Some((path.to_owned(), saved));
         Ok(())
     }
 
-    /// Reads the file again if it was saved since. None where there is nothing new; else what is wrong with it: then the last that was
-    /// right stays.
+    /// Reads again what was saved since: the file that is shown; on the page of lessons, the folder. None where nothing new is shown;
+    /// else whether it is right: the last that was right stays.
     pub fn look(&mut self, session: &mut Session) -> Option<Result<(), String>> {
-        let (path, known) = self.file.as_mut()?;
-        let now = saved(path);
-        // A file that is being written anew may be gone for a moment.
-        if now.is_none() || now == *known {
-            return None;
+        if session.look.home {
+            return self.look_into_folder(session).err().map(Err);
         }
-        *known = now;
-        let read = (self.read)(path);
-        Some(read.and_then(|lesson| session.reload(lesson).map_err(|error| error.to_string())))
+        let path = session.file.clone()?;
+        let known = match &self.file {
+            Some((of, known)) if *of == path => *known,
+            // It was opened from the list.
+            _ => self
+                .saved_when_listed(&path)
+                .unwrap_or_else(|| saved(&path)),
+        };
+        let now = saved(&path);
+        // A file that is being written anew may be gone for a moment.
+        let is_new = now.is_some() && now != known;
+        let read = is_new.then(|| (self.readers.document)(&path));
+        self.file = Some((path, now.or(known)));
+        Some(read?.and_then(|lesson| session.reload(lesson)))
+    }
+
+    fn look_into_folder(&mut self, session: &mut Session) -> Result<(), String> {
+        let Some((path, known)) = &mut self.folder else {
+            return Ok(());
+        };
+        let now = files(path);
+        if now != *known {
+            *known = now;
+            session.show_folder((self.readers.folder)(path)?);
+        }
+        Ok(())
+    }
+
+    fn saved_when_listed(&self, file: &Path) -> Option<Saved> {
+        let (_, files) = self.folder.as_ref()?;
+        let found = files.iter().find(|(path, _)| path == file);
+        found.map(|(_, saved)| *saved)
     }
 }
 
-fn saved(path: &Path) -> Option<SystemTime> {
+fn saved(path: &Path) -> Saved {
     std::fs::metadata(path)
         .and_then(|file| file.modified())
         .ok()
+}
+
+/// What is in a folder, by name.
+fn files(folder: &Path) -> Vec<(PathBuf, Saved)> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut files: Vec<_> = entries
+        .map(|entry| (entry.path(), saved(&entry.path())))
+        .collect();
+    files.sort();
+    files
 }

@@ -59,6 +59,7 @@ pub const NO_NEXT_LESSON: Message = Message("app-no-next-lesson");
 pub const NO_PREVIOUS_LESSON: Message = Message("app-no-previous-lesson");
 pub const NOT_IN_THE_LIST: Message = Message("app-not-in-the-list");
 pub const SEARCH_LESSONS: Message = Message("app-search-lessons");
+pub const HAS_ERRORS: Message = Message("app-has-errors");
 pub const NO_LESSON_FOUND: Message = Message("app-no-lesson-found");
 pub const BEGIN: Message = Message("app-begin");
 pub const CONTINUE: Message = Message("app-continue");

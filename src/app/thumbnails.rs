@@ -1,6 +1,6 @@
 //! Small pictures of all lessons, each drawn by the lesson's own method, in the background and one after the other.
 
-use super::session::listed;
+use super::session::Session;
 use crate::algorithms::frame::Frame;
 use crate::lesson::{Lesson, builtin};
 use crate::render::{Cancelled, preview};
@@ -25,7 +25,7 @@ pub struct Thumbnail {
 /// The pictures made so far.
 #[derive(Default)]
 pub struct Thumbnails {
-    made: HashMap<&'static str, Thumbnail>,
+    made: HashMap<String, Thumbnail>,
     maker: Option<Maker>,
 }
 
@@ -36,7 +36,7 @@ struct Maker {
 }
 
 struct Made {
-    id: &'static str,
+    id: String,
     image: ColorImage,
     background: Color32,
 }
@@ -48,17 +48,20 @@ impl Drop for Maker {
 }
 
 impl Thumbnails {
-    /// Takes what has been made, and lets what is missing be made: first what stands near the lesson `here` in the list.
-    pub fn bring_on(&mut self, here: &str, ctx: &Context) {
+    /// Takes what has been made, and lets what is missing be made: first what stands near the open lesson in the list.
+    pub fn bring_on(&mut self, session: &Session, ctx: &Context) {
         let maker = self.maker.get_or_insert_with(|| {
-            let ids = listed().iter().map(|listed| listed.id);
-            let at = ids.clone().position(|id| id == here).unwrap_or(0);
-            let missing = ids
-                .enumerate()
-                .filter(|(_, id)| !self.made.contains_key(id));
-            let mut missing: Vec<(usize, &'static str)> = missing.collect();
-            missing.sort_by_key(|(index, _)| index.abs_diff(at));
-            let missing = missing.into_iter().map(|(_, id)| id);
+            let ids: Vec<&String> = session.all_lessons().map(|listed| &listed.id).collect();
+            let here = ids.iter().position(|&id| *id == session.lesson().id);
+            let missing = ids.into_iter().enumerate();
+            let missing = missing.filter(|(_, id)| !self.made.contains_key(*id));
+            let mut missing: Vec<(usize, &String)> = missing.collect();
+            missing.sort_by_key(|(index, _)| index.abs_diff(here.unwrap_or(0)));
+            let missing = missing.into_iter().map(|(_, id)| {
+                let own = session.own_lesson(id);
+                let own = own.and_then(|own| own.lesson.clone().ok());
+                (id.clone(), own)
+            });
             Maker::start(missing.collect(), ctx.clone())
         });
         for Made {
@@ -67,7 +70,7 @@ impl Thumbnails {
             background,
         } in maker.made.try_iter()
         {
-            let texture = ctx.load_texture(id, image, TextureOptions::LINEAR);
+            let texture = ctx.load_texture(&id, image, TextureOptions::LINEAR);
             let thumbnail = Thumbnail {
                 texture,
                 background,
@@ -87,13 +90,15 @@ impl Thumbnails {
 }
 
 impl Maker {
-    fn start(missing: Vec<&'static str>, ctx: Context) -> Self {
+    /// The lessons that are not given are the program's own.
+    fn start(missing: Vec<(String, Option<Lesson>)>, ctx: Context) -> Self {
         let cancelled = Arc::new(AtomicBool::new(false));
         let (sender, made) = channel();
         let stop = cancelled.clone();
         let make = move || {
-            for id in missing {
-                let Some(lesson) = builtin(id).and_then(|builtin| builtin.read().ok()) else {
+            for (id, own) in missing {
+                let read = || builtin(&id)?.read().ok();
+                let Some(lesson) = own.or_else(read) else {
                     continue;
                 };
                 let background = color(lesson.scene.background);

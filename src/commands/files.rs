@@ -1,13 +1,13 @@
 //! Reading scenes and lessons from files, and writing files that appear whole or not at all.
 
 use super::failure::{Failure, note};
+use super::kind::is_lesson;
 use super::{interrupt, progress};
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::lesson::{Lesson, builtin};
+use crate::language::suggestion;
+use crate::lesson::{Lesson, builtin, builtins};
 use crate::methods::{Method, Settings};
 use crate::scene::{self, Limits, Scene, Tessellation, View, document};
-use serde::Deserialize;
-use serde::de::IgnoredAny;
 use std::fs;
 use std::io::{BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
@@ -23,18 +23,30 @@ pub enum Document {
 
 /// Reads a lesson of the program's own by its id, or else a lesson or scene file by its path.
 pub fn lesson_or_scene(name: &str, limits: &Limits) -> Result<Document, Failure> {
+    let path = Path::new(name);
     match builtin(name) {
         Some(lesson) => lesson
             .read()
             .map(|lesson| Document::Lesson(lesson.into()))
             .map_err(|error| wrong(&name, &error)),
-        None => document(Path::new(name), limits),
+        None if !path.exists() && path.extension().is_none() => {
+            let ids = builtins().iter().map(|lesson| lesson.id);
+            let meant = suggestion(name, ids);
+            Err(wrong(
+                &name,
+                &format!(
+                    "there is no such lesson or file{meant}; `lightwalk list` lists the lessons"
+                ),
+            ))
+        }
+        None => document(path, limits),
     }
 }
 
-/// Reads what the window can walk through: a lesson, a scene, or a mesh, which gets a camera and a light.
+/// Reads what the window can walk through: a lesson, a scene, or a mesh, which gets a camera and a light; with its path, where it is
+/// no lesson of the program's own.
 #[cfg(feature = "gui")]
-pub fn to_walk(name: &str) -> Result<Lesson, Failure> {
+pub fn to_walk(name: &str) -> Result<(Lesson, Option<PathBuf>), Failure> {
     let path = Path::new(name);
     let limits = Limits::default();
     let extension = path
@@ -50,7 +62,10 @@ pub fn to_walk(name: &str) -> Result<Lesson, Failure> {
             .map_err(|error| wrong(&path.display(), &error))?
     } else {
         match lesson_or_scene(name, &limits)? {
-            Document::Lesson(lesson) => return Ok(*lesson),
+            Document::Lesson(lesson) => {
+                let file = builtin(name).is_none().then(|| path.to_owned());
+                return Ok((*lesson, file));
+            }
             Document::Scene(scene) => *scene,
         }
     };
@@ -61,34 +76,38 @@ pub fn to_walk(name: &str) -> Result<Lesson, Failure> {
         Method::RayTracing,
         &path.display(),
     )?;
-    Ok(Lesson::of_scene(&title, checked))
+    Ok((Lesson::of_scene(&title, checked), Some(path.to_owned())))
 }
 
-/// Reads a lesson or scene file: what has the key `steps` is a lesson.
+/// Whether a file can be read and is no lesson.
+#[cfg(feature = "gui")]
+pub fn is_scene(path: &Path) -> bool {
+    read(path, document::MAX_BYTES as u64).is_ok_and(|bytes| !is_lesson(&bytes))
+}
+
+/// Reads a lesson or scene file.
 pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
-    #[derive(Deserialize)]
-    struct Kind {
-        steps: Option<IgnoredAny>,
-    }
-    let bytes = read(path, document::MAX_BYTES as u64)
-        .map_err(|reason| wrong(&path.display(), &format!("cannot be read: {reason}")))?;
+    let bytes = read(path, document::MAX_BYTES as u64).map_err(|reason| {
+        let meant = match path.exists() {
+            true => String::new(),
+            false => like_it(path),
+        };
+        wrong(&path.display(), &format!("cannot be read: {reason}{meant}"))
+    })?;
     let folder = folder_of(path);
     let mut read_file = |name: &str| read_inside(&folder, name);
     let wrong = |error: &dyn std::fmt::Display| wrong(&path.display(), &error);
-    let is_lesson = match serde_json::from_slice(&bytes) {
-        Ok(Kind { steps }) => steps.is_some(),
-        // Broken JSON: its problem is told in the words of what it most likely is.
-        Err(_) => bytes.windows(7).any(|window| window == b"\"steps\""),
-    };
-    progress::named(&format!("reading {}", path.display()), || match is_lesson {
-        true => match Lesson::read(&bytes, limits, &mut read_file) {
-            Ok(lesson) => Ok(Document::Lesson(lesson.into())),
-            Err(error) => Err(wrong(&error)),
-        },
-        false => match scene::read(&bytes, limits, &mut read_file) {
-            Ok(scene) => Ok(Document::Scene(scene.into())),
-            Err(error) => Err(wrong(&error)),
-        },
+    progress::named(&format!("reading {}", path.display()), || {
+        match is_lesson(&bytes) {
+            true => match Lesson::read(&bytes, limits, &mut read_file) {
+                Ok(lesson) => Ok(Document::Lesson(lesson.into())),
+                Err(error) => Err(wrong(&error)),
+            },
+            false => match scene::read(&bytes, limits, &mut read_file) {
+                Ok(scene) => Ok(Document::Scene(scene.into())),
+                Err(error) => Err(wrong(&error)),
+            },
+        }
     })
 }
 
@@ -209,7 +228,24 @@ fn read(path: &Path, limit: u64) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-fn reason(error: &std::io::Error) -> String {
+/// What may be meant by the path of a file that is not there: a lesson of the program, or a file of the folder with a name like it.
+fn like_it(path: &Path) -> String {
+    if path.to_str().and_then(builtin).is_some() {
+        return "; it is a lesson of the program, and what is read here is a file".into();
+    }
+    let entries = fs::read_dir(folder_of(path))
+        .into_iter()
+        .flatten()
+        .flatten();
+    let names: Vec<String> = entries
+        .filter_map(|entry| entry.file_name().into_string().ok())
+        .collect();
+    let ids = builtins().iter().map(|lesson| lesson.id);
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    suggestion(&name, names.iter().map(String::as_str).chain(ids))
+}
+
+pub fn reason(error: &std::io::Error) -> String {
     match error.kind() {
         std::io::ErrorKind::NotFound => "no such file".into(),
         std::io::ErrorKind::PermissionDenied => "no permission to read it".into(),
@@ -241,7 +277,10 @@ pub fn check_output_folder(path: &Path) -> Result<(), Failure> {
     let nearest = path.ancestors().find(|folder| folder.exists());
     let nearest = match nearest {
         Some(folder) if !folder.is_dir() => {
-            return Err(wrong(&format!("{} is no folder", folder.display())));
+            return Err(wrong(&format!(
+                "{} is a file; name a folder",
+                folder.display()
+            )));
         }
         Some(folder) => folder,
         None => Path::new("."),

@@ -12,6 +12,9 @@ mod follow;
 mod form_factors;
 mod frames;
 mod interrupt;
+mod kind;
+#[cfg(feature = "gui")]
+mod lesson_folder;
 mod list;
 mod needs;
 mod notes;
@@ -39,7 +42,7 @@ struct CommandLine {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Opens the window, on a lesson or on a lesson file (this is also what happens without a command)
+    /// Opens the window, on a lesson, a file or a folder of lessons (this is also what happens without a command)
     Open(open::Arguments),
     /// Lists the lessons
     List(list::Arguments),

@@ -1,42 +1,86 @@
 //! `lightwalk open`: the window.
 
+use super::arguments::parse_whole;
 use super::failure::Failure;
+use std::path::PathBuf;
 
 #[derive(clap::Args, Default)]
 pub struct Arguments {
-    /// The id of a lesson, or a lesson, scene or mesh file; the page of all lessons unless given
+    /// The id of a lesson, a lesson, scene or mesh file, or a folder of lessons; the page of all lessons unless given
     lesson: Option<String>,
+    /// A folder of lessons of your own, which stand on the page of all lessons too
+    #[arg(long, value_name = "DIR")]
+    lessons: Option<PathBuf>,
     /// The step to open it at, counted from 0; where it was left unless given
-    #[arg(long, value_name = "N", requires = "lesson")]
+    #[arg(long, value_name = "N", requires = "lesson", allow_hyphen_values = true, value_parser = parse_whole::<usize>)]
     step: Option<usize>,
 }
 
 #[cfg(feature = "gui")]
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    use super::files;
-    use crate::lesson::builtin;
-    use std::path::{Path, PathBuf};
-    let path = arguments.lesson.as_ref();
-    let path = path
-        .filter(|name| builtin(name).is_none())
-        .map(PathBuf::from);
-    let lesson = match arguments.lesson {
+    use super::{files, lesson_folder};
+    use crate::app::{self, FolderOfLessons, Readers, Start};
+    use crate::lesson::Lesson;
+    use std::path::Path;
+
+    let Arguments {
+        mut lesson,
+        mut lessons,
+        step,
+    } = arguments;
+    if let Some(folder) = lesson.take_if(|name| Path::new(name).is_dir()) {
+        if lessons.replace(folder.clone().into()).is_some() || step.is_some() {
+            let message = "it is a folder; `--lessons` and `--step` are for a lesson beside it";
+            return Err(files::wrong(&folder, &message));
+        }
+    }
+    let folder = match lessons {
+        None => None,
+        Some(path) => {
+            let folder = lesson_folder::read(&path)?;
+            if folder.lessons.is_empty() {
+                return Err(files::wrong(
+                    &path.display(),
+                    &"there is no lesson in this folder",
+                ));
+            }
+            Some((path, folder))
+        }
+    };
+    let lesson = match lesson {
         None => None,
         Some(name) => {
-            let lesson = files::to_walk(&name)?;
+            let own = folder.as_ref().and_then(|(_, folder)| folder.lesson(&name));
+            let (lesson, path) = match own {
+                Some((lesson, path)) => (lesson.clone(), Some(path.to_owned())),
+                None => files::to_walk(&name)?,
+            };
             // A lesson that does not resolve is a wrong file, whether or not there is a display.
             lesson
                 .clone()
                 .open()
                 .map_err(|error| files::wrong(&name, &error))?;
-            Some(lesson)
+            Some((lesson, path))
         }
     };
-    let read = |path: &Path| {
-        let lesson = files::to_walk(&path.to_string_lossy());
-        lesson.map_err(|failure| failure.to_string())
+    fn document(path: &Path) -> Result<Lesson, String> {
+        let read = files::to_walk(&path.to_string_lossy());
+        read.map(|(lesson, _)| lesson)
+            .map_err(|failure| failure.to_string())
+    }
+    fn folder_of_lessons(path: &Path) -> Result<FolderOfLessons, String> {
+        lesson_folder::read(path).map_err(|failure| failure.to_string())
+    }
+    let start = Start {
+        lesson,
+        step,
+        folder,
+        readers: Readers {
+            document,
+            folder: folder_of_lessons,
+        },
     };
-    crate::app::open(lesson, arguments.step, (read, path)).map_err(Failure::Failed)
+    app::open(start).map_err(Failure::Failed)
 }
 
 #[cfg(not(feature = "gui"))]

@@ -53,6 +53,7 @@ app-no-next-lesson = This is the last lesson.
 app-no-previous-lesson = This is the first lesson.
 app-not-in-the-list = This lesson is not in the list of lessons.
 app-search-lessons = search in all lessons
+app-has-errors = It has errors.
 app-no-lesson-found = No lesson has all of these words.
 app-begin = Begin: { $title }
 app-continue = Continue: { $title }

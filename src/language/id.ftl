@@ -53,6 +53,7 @@ app-no-next-lesson = Ini pelajaran terakhir.
 app-no-previous-lesson = Ini pelajaran pertama.
 app-not-in-the-list = Pelajaran ini tidak ada dalam daftar pelajaran.
 app-search-lessons = cari di semua pelajaran
+app-has-errors = Ada kesalahan di dalamnya.
 app-no-lesson-found = Tidak ada pelajaran yang memuat semua kata itu.
 app-begin = Mulai: { $title }
 app-continue = Lanjutkan: { $title }

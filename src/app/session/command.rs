@@ -99,7 +99,7 @@ pub enum Command {
     Study(StudyCommand),
     /// Another method for a scene that one walks through freely.
     Method(Method),
-    /// A built-in lesson by its id.
+    /// A lesson of the list, by its id.
     Open(String),
     NextLesson,
     PreviousLesson,

@@ -8,18 +8,10 @@ use crate::lesson::{Lesson, LessonError};
 use crate::methods::Method;
 
 impl Session {
-    /// Shows a lesson that was read from a file. Errors: those of the lesson; nothing has changed then.
-    pub fn open_document(&mut self, lesson: Lesson) -> Result<(), LessonError> {
-        self.replace(lesson)?;
-        self.look.home = false;
-        self.studying.is_open = false;
-        Ok(())
-    }
-
     /// Shows the same file as it was saved anew: at the same place of its run, by the same method, with the same panel large.
     ///
     /// Errors: those of the lesson; nothing has changed then.
-    pub fn reload(&mut self, lesson: Lesson) -> Result<(), LessonError> {
+    pub(super) fn show_anew(&mut self, lesson: Lesson) -> Result<(), LessonError> {
         let lesson = match self.lesson().is_free_walk() {
             true => lesson.by_method(self.lesson().method),
             false => lesson,
@@ -91,7 +83,7 @@ mod tests {
             assert!(session.key_panel().is_some());
         }
         let lesson = crate::lesson::builtins()[3].read().unwrap();
-        session.open_document(lesson).unwrap();
+        session.open_document(lesson, None).unwrap();
         let refused = session.update(Command::Method(Method::Phong));
         assert_eq!(refused, Err(strings::METHOD_OF_THE_LESSON.into()));
     }

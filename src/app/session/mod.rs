@@ -11,6 +11,7 @@ mod key_panel;
 mod lessons;
 mod look;
 mod outline;
+mod own;
 mod pick;
 mod pin;
 mod play;
@@ -34,6 +35,7 @@ pub use kept::{Kept, Progress};
 pub use lessons::{Listed, listed};
 pub use look::Look;
 pub use outline::{Entry, Sheet};
+pub use own::{FolderOfLessons, LessonFromFile};
 pub use playing::Direction;
 pub use results::Results;
 pub use study::{Outcome, Studying};
@@ -55,6 +57,7 @@ use playing::{Loop, Play};
 use preview::{Methods, Preview};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
+use std::path::PathBuf;
 
 /// The methods whose pictures are rendered in the background.
 fn methods(open: &OpenLesson) -> Methods {
@@ -88,6 +91,10 @@ pub enum Standing {
 /// Invariant: the run is the recording of `focus`; where that is the lesson's own, the narration belongs to its steps.
 pub struct Session {
     open: OpenLesson,
+    /// The file that the lesson is from, where it is not one of the program's own.
+    pub file: Option<PathBuf>,
+    /// The lessons of a folder.
+    own: Option<own::Chapter>,
     focus: Focus,
     /// The step at which the lesson's own focus was left for another one.
     left_at: usize,
@@ -152,6 +159,8 @@ impl Session {
         let open = lesson.open()?;
         let mut session = Session {
             focus: open.lesson.focus,
+            file: None,
+            own: None,
             left_at: 0,
             narrated: Vec::new(),
             standings: Vec::new(),

@@ -67,6 +67,7 @@ impl Session {
         if let Some(lesson) = lesson {
             self.replace(lesson)
                 .map_err(|error| Refused::Error(error.to_string()))?;
+            self.file = None;
             self.studying.is_open = false;
         }
         Ok(())

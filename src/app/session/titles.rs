@@ -43,11 +43,21 @@ impl Session {
         } else if self.is_changed() {
             Err(strings::SHARE_UNCHANGED_ONLY)
         } else {
-            Ok(format!(
-                "lightwalk open {} --step {}",
-                self.lesson().id,
-                self.step()
-            ))
+            let (id, step) = (&self.lesson().id, self.step());
+            let lesson = match &self.file {
+                None => id.clone(),
+                Some(file) => in_quotes(&file.to_string_lossy()),
+            };
+            Ok(format!("lightwalk open {lesson} --step {step}"))
         }
+    }
+}
+
+/// As a shell takes it for one word.
+fn in_quotes(path: &str) -> String {
+    let plain = |c: char| c.is_alphanumeric() || "/._-".contains(c);
+    match path.chars().all(plain) {
+        true => path.to_owned(),
+        false => format!("'{}'", path.replace('\'', r"'\''")),
     }
 }

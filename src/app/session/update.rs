@@ -6,7 +6,7 @@ use super::{Command, Direction, Drawer, Guess, Refused, Session, TEXT_SIZES};
 use crate::algorithms::focus::Focus;
 use crate::app::strings;
 use crate::language::{Language, Message};
-use crate::lesson::{Thing, builtin};
+use crate::lesson::Thing;
 use crate::picture::{Tag, Theme};
 use crate::replay::moves::{self, Move};
 use crate::replay::{Query, QueryError, query};
@@ -84,13 +84,7 @@ impl Session {
             }
             Command::Sheet(sheet) => self.toggle_sheet(sheet),
             Command::Forget => self.forget(),
-            Command::Open(id) => {
-                let builtin = builtin(&id).ok_or(strings::NO_SUCH_LESSON)?;
-                let opened = builtin.read().and_then(|lesson| self.replace(lesson));
-                opened.map_err(|error| Refused::Error(error.to_string()))?;
-                self.studying.is_open = false;
-                self.look.home = false;
-            }
+            Command::Open(id) => return self.open_listed(&id),
             Command::Method(method) => return self.choose_method(method),
             Command::NextLesson => return self.open_neighbour(Neighbour::Next),
             Command::PreviousLesson => return self.open_neighbour(Neighbour::Previous),

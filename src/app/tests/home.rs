@@ -28,10 +28,10 @@ fn every_lesson_stands_on_the_page_and_can_be_scrolled_to() {
         let mut screen = home(size, []);
         for listed in listed() {
             assert!(listed.chapter.is_some(), "{}", listed.id);
-            card(&screen, listed.id).focus();
+            card(&screen, &listed.id).focus();
             // Scrolling takes its time.
             screen.harness.run_steps(6);
-            let rect = card(&screen, listed.id).rect();
+            let rect = card(&screen, &listed.id).rect();
             let page = screen.harness.ctx.content_rect();
             assert!(page.contains_rect(rect), "{}: {rect} in {page}", listed.id);
         }
@@ -145,7 +145,7 @@ fn one_lesson_leads_to_the_next() {
     ] {
         let session = screen.session_mut();
         session
-            .update(Command::Open(end.id.into()))
+            .update(Command::Open(end.id.clone()))
             .expect("a lesson");
         assert_eq!(session.allows(&command), Err(why.into()));
         assert_eq!(session.update(command), Err(why.into()));

@@ -8,6 +8,7 @@ mod layout;
 mod looking_closer;
 mod meanings;
 mod outline;
+mod own;
 mod painter;
 mod parameters;
 mod pictures;
