@@ -21,7 +21,7 @@ pub struct Arguments {
     /// The id of a lesson, or a lesson file
     lesson: String,
     /// Steps, counted from 0; A is included, B is not
-    #[arg(long, value_name = "A..B", value_parser = parse_range, conflicts_with = "narrated")]
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true, value_parser = parse_range, conflicts_with = "narrated")]
     steps: Option<Range<usize>>,
     /// The steps at which the lesson says something (this is so unless --steps is given)
     #[arg(long)]
@@ -30,7 +30,7 @@ pub struct Arguments {
     #[arg(long, value_name = "PANEL", value_parser = panel_names())]
     panel: Option<String>,
     /// Of a picture
-    #[arg(long, value_parser = parse_size, value_name = "WxH", default_value = "640x480")]
+    #[arg(long, allow_hyphen_values = true, value_parser = parse_size, value_name = "WxH", default_value = "640x480")]
     size: [u32; 2],
     /// Where the pictures go; it is made if it does not exist
     #[arg(long, value_name = "DIR")]
@@ -44,6 +44,7 @@ fn panel_names() -> clap::builder::PossibleValuesParser {
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
+    files::check_output_folder(&arguments.out)?;
     let Document::Lesson(lesson) =
         files::lesson_or_scene(&arguments.lesson, &arguments.limits.into())?
     else {
@@ -93,8 +94,13 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         .map(|&method| compare(&open.setup, method))
         .collect();
 
-    std::fs::create_dir_all(&arguments.out)
-        .map_err(|error| Failure::Wrong(format!("--out {}: {error}", arguments.out.display())))?;
+    std::fs::create_dir_all(&arguments.out).map_err(|error| {
+        Failure::Wrong(format!(
+            "--out {}: {}",
+            arguments.out.display(),
+            files::reason(&error)
+        ))
+    })?;
     let radiosity: enclosure::Settings = open.setup.settings.get();
     let progress = Progress::new("drawing");
     for (done, &step) in steps.iter().enumerate() {

@@ -47,12 +47,103 @@ fn wrong_arguments_say_what_is_allowed() {
             "render scene.json --method flat --out x.png --max-patches 3",
             "patches",
         ),
-        ("steps scene.json", "--method"),
+        (
+            "steps scene.json",
+            "--method is missing: a scene can be drawn in several ways; allowed are wireframe, flat",
+        ),
         (
             "steps scene.json --method flat --pixel 640,0",
             "640 columns",
         ),
-        ("steps no-such-lesson", "no-such-lesson"),
+        (
+            "steps no-such-lesson",
+            "no-such-lesson: there is no such lesson or file; `lightwalk list`",
+        ),
+        (
+            "steps gouraud-triangel",
+            "there is no such lesson or file; did you mean gouraud-triangle?",
+        ),
+        ("open gouraud-tea", "did you mean gouraud-teapot?"),
+        ("frames fast-phnog --out x", "did you mean fast-phong?"),
+        (
+            "check scnee.json",
+            "cannot be read: no such file; did you mean scene.json?",
+        ),
+        (
+            "render scene.jsn --method flat --out x.png",
+            "did you mean scene.json?",
+        ),
+        (
+            "render gouraud-triangel --method flat --out x.png",
+            "did you mean gouraud-triangle?",
+        ),
+        (
+            "render refraction --method flat --out x.png",
+            "it is a lesson of the program, and what is read here is a file",
+        ),
+        (
+            "open refraction --step abc",
+            "allowed are whole numbers of 0 or more",
+        ),
+        (
+            "open refraction --step -1",
+            "allowed are whole numbers of 0 or more",
+        ),
+        ("open meshes", "meshes: there is no lesson in this folder"),
+        ("open --lessons none", "none: no such file"),
+        ("open meshes --step 3", "it is a folder"),
+        (
+            "steps refraction --scan-line -1",
+            "allowed are whole numbers of 0 or more",
+        ),
+        (
+            "steps refraction --patch 1.5",
+            "allowed are whole numbers of 0 or more",
+        ),
+        (
+            "steps refraction --pixel -1,2",
+            "a pixel is written as 12,34; it counts from 0",
+        ),
+        (
+            "steps refraction --iterations -1..2",
+            "a range is written as 3..10",
+        ),
+        (
+            "frames refraction --steps -1..2 --out x",
+            "a range is written as 3..10",
+        ),
+        (
+            "frames refraction --out scene.json",
+            "--out scene.json: scene.json is a file; name a folder",
+        ),
+        (
+            "frames refraction --out scene.json/x",
+            "scene.json is a file; name a folder",
+        ),
+        (
+            "render scene.json --method flat --out x.png --exposure bright",
+            "allowed are numbers, such as 0.5",
+        ),
+        (
+            "render scene.json --method flat --out x.png --exposure 1e300",
+            "--exposure 1e300: allowed are numbers from -64 to 64",
+        ),
+        (
+            "render scene.json --method flat --out x.png --depth deep",
+            "allowed are whole numbers from 1 to",
+        ),
+        (
+            "render scene.json --method flat --out x.png --max-patches -3",
+            "allowed are whole numbers of 0 or more",
+        ),
+        (
+            "radiosity scene.json --tolerance 1e300 --out x",
+            "--tolerance 1e300: allowed",
+        ),
+        (
+            "radiosity scene.json --tolerance small --out x",
+            "allowed are numbers, such as 0.5",
+        ),
         ("frames scene.json --out x", "is a scene"),
     ] {
         let message = refused(&lightwalk(folder.path(), arguments), arguments);
