@@ -28,11 +28,11 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         mut lessons,
         step,
     } = arguments;
-    if let Some(folder) = lesson.take_if(|name| Path::new(name).is_dir()) {
-        if lessons.replace(folder.clone().into()).is_some() || step.is_some() {
-            let message = "it is a folder; `--lessons` and `--step` are for a lesson beside it";
-            return Err(files::wrong(&folder, &message));
-        }
+    if let Some(folder) = lesson.take_if(|name| Path::new(name).is_dir())
+        && (lessons.replace(folder.clone().into()).is_some() || step.is_some())
+    {
+        let message = "it is a folder; `--lessons` and `--step` are for a lesson beside it";
+        return Err(files::wrong(&folder, &message));
     }
     let folder = match lessons {
         None => None,
