@@ -24,7 +24,7 @@
 //! | [`replay`] | timelines with checkpoints, walking, searching; the state of each algorithm at a step |
 //! | [`panels`] | one file a panel: how it lays out a run at its step; values come in computed, which `tests/floors.rs` checks |
 //! | [`lesson`] | lesson files, tied to the steps of their run |
-//! | [`study`] | error against run time, how work grows, and how the algorithms cope with stiff, extreme and wrong input |
+//! | [`study`] | error against run time, how work grows, and how the algorithms cope with stiff, extreme and wrong input; pictures, traces and matrices of other programs, and the mistakes that explain them |
 //! | `app` | the window (feature `gui`) |
 //! | [`commands`] | the command line, one file a command |
 //!

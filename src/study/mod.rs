@@ -5,6 +5,8 @@
 //!
 //! And what is stiff, extreme or wrong: cases of [`stress`], each with the answer that it must give.
 //!
+//! And programs of others: a picture [`against`] ours, a trace to [`follow`], a [`matrix`], and the [`mistakes`] that would make them.
+//!
 //! All times are of one thread. Nothing here touches a file.
 
 pub mod ablation;
