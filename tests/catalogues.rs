@@ -162,6 +162,29 @@ fn every_message_is_there_in_every_language_with_the_same_arguments() {
     }
 }
 
+/// Sentences of steps and notes are set as mathematics, which lowers one letter unless there are braces.
+#[test]
+fn an_index_of_several_letters_stands_in_braces() {
+    for (name, source) in CATALOGUES {
+        for (key, message) in messages(name, source) {
+            if !key.starts_with("event-") && !key.starts_with("note-") {
+                continue;
+            }
+            // Arguments have names of their own.
+            let told = message
+                .split('{')
+                .map(|part| part.split_once('}').map_or(part, |(_, told)| told));
+            for part in told {
+                let indices = part.split('_').skip(1);
+                for index in indices {
+                    let letters = index.chars().take_while(|c| c.is_alphabetic()).count();
+                    assert!(letters < 2, "{name}, {key}: _{index}");
+                }
+            }
+        }
+    }
+}
+
 #[test]
 fn every_key_in_the_code_is_in_the_catalogue_and_every_message_is_used() {
     let (name, source) = CATALOGUES[0];

@@ -668,7 +668,7 @@ event-normal-at-middle = The series are expanded about the triangle's middle on 
 event-normal-slopes = What a pixel to the right and a row down add to the normal.
 event-triangle-corner = A corner of the triangle: its place on the screen, its depth and its normal.
 event-normal-at-middle-of-pieces = The point of expansion of a triangle that was cut: the area-weighted centroid of its pieces, and the normal there.
-event-normal-squared = The length of N changes over the triangle: N·N/|N_0|² = 1 + q_x x + q_y y + q_xx x² + q_xy x y + q_yy y².
+event-normal-squared = The length of N changes over the triangle: N·N/|N_0|² = 1 + q_x x + q_y y + q_{"{"}xx{"}"} x² + q_{"{"}xy{"}"} x y + q_{"{"}yy{"}"} y².
 event-dot-product = The dot product of N/|N_0| with the direction is linear on the screen: p_0 + p_x x + p_y y.
 event-series-n-dot-v = The Taylor series of N·V, which R·V = 2(N·L)(N·V) − L·V needs.
 event-series-n-dot-l = N·L/|N| near the middle, up to second order: what every pixel's division and square root would find.
@@ -761,7 +761,7 @@ event-sights = Lines of sight { $first } to { $last } are tested.
 event-sights-taken = After { $rays } lines of sight: the share that nothing blocks, and its standard error s. Of point k, w_k is what the two would exchange, v_k what passes.
 event-sight-blocked = Something stands between x and y: V(x, y) = 0. K is what they would exchange, cos θ_x cos θ_y / (π r^2).
 event-sight-free = Nothing stands between x and y: V(x, y) = 1. K is what they exchange, cos θ_x cos θ_y / (π r^2).
-event-seen = Seen from x, the other patch is clipped by what stands in front of it: F_x is the form factor of the whole, F_visible of what is left.
+event-seen = Seen from x, the other patch is clipped by what stands in front of it: F_x is the form factor of the whole, F_{"{"}visible{"}"} of what is left.
 event-seen-nothing = From x nothing is seen of the other patch: all of it is hidden.
 event-visible = By { $rays } points or lines of sight: the share of the light that nothing blocks.
 event-form-factor-found-monte-carlo = The form factor: the share of n rays that met patch { $j }.
@@ -778,7 +778,7 @@ event-started = Patch { $i } before the iteration: its radiosity, and its part r
 event-iteration = Iteration { $k } begins.
 event-weighted-over-relaxation = Every patch goes ω times as far as it gathers, by Young’s ω for the bound μ.
 event-weighted-first = The weight of the first iteration of Chebyshev is 1.
-event-weighted-chebyshev = The weight of this iteration of Chebyshev, from the weight ω_old before; in the second iteration 2 stands for ω_old.
+event-weighted-chebyshev = The weight of this iteration of Chebyshev, from the weight ω_{"{"}old{"}"} before; in the second iteration 2 stands for ω_{"{"}old{"}"}.
 event-step-lengths = The step lengths of conjugate gradients: α along the direction p, and β for the next direction.
 event-gathering = Patch { $i } gathers the light of all others: it emits E_i itself and reflects the share ρ_i of what arrives.
 event-exchanged = Of the light that patch { $i } gathers, patch { $j } brings form factor times radiosity.

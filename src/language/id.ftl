@@ -665,7 +665,7 @@ event-normal-at-middle = Deret dikembangkan di tengah segitiga pada layar, denga
 event-normal-slopes = Tambahan pada normal untuk satu piksel ke kanan dan satu baris ke bawah.
 event-triangle-corner = Satu sudut segitiga: tempatnya di layar, kedalamannya, dan normalnya.
 event-normal-at-middle-of-pieces = Titik ekspansi segitiga yang terpotong: titik berat potongan-potongannya, dibobot luas, dan normal di sana.
-event-normal-squared = Panjang N berubah di segitiga: N·N/|N_0|² = 1 + q_x x + q_y y + q_xx x² + q_xy x y + q_yy y².
+event-normal-squared = Panjang N berubah di segitiga: N·N/|N_0|² = 1 + q_x x + q_y y + q_{"{"}xx{"}"} x² + q_{"{"}xy{"}"} x y + q_{"{"}yy{"}"} y².
 event-dot-product = Hasil kali titik N/|N_0| dengan arah itu linear di layar: p_0 + p_x x + p_y y.
 event-series-n-dot-v = Deret Taylor N·V, yang diperlukan R·V = 2(N·L)(N·V) − L·V.
 event-series-n-dot-l = N·L/|N| di sekitar titik tengah, sampai orde kedua: pengganti pembagian dan akar tiap piksel.
@@ -758,7 +758,7 @@ event-sights = Garis pandang { $first } sampai { $last } diuji.
 event-sights-taken = Setelah { $rays } garis pandang: bagian yang tidak terhalang, dan galat bakunya s. Untuk titik k, w_k adalah yang akan dipertukarkan keduanya, v_k yang lolos.
 event-sight-blocked = Ada penghalang antara x dan y: V(x, y) = 0. K adalah pertukaran tanpa penghalang, cos θ_x cos θ_y / (π r^2).
 event-sight-free = Tidak ada penghalang antara x dan y: V(x, y) = 1. K adalah pertukarannya, cos θ_x cos θ_y / (π r^2).
-event-seen = Dilihat dari x, patch yang lain dipotong oleh penghalang di depannya: F_x adalah faktor bentuk seluruhnya, F_visible faktor bentuk sisanya.
+event-seen = Dilihat dari x, patch yang lain dipotong oleh penghalang di depannya: F_x adalah faktor bentuk seluruhnya, F_{"{"}visible{"}"} faktor bentuk sisanya.
 event-seen-nothing = Dari x tidak ada yang terlihat dari patch yang lain: seluruhnya terhalang.
 event-visible = Dari { $rays } titik atau garis pandang: bagian cahaya yang tidak terhalang.
 event-form-factor-found-monte-carlo = Faktor bentuk: bagian dari n sinar yang mengenai patch { $j }.
@@ -775,7 +775,7 @@ event-started = Patch { $i } sebelum iterasi: radiositasnya, dan bagiannya r_i d
 event-iteration = Iterasi { $k } dimulai.
 event-weighted-over-relaxation = Setiap patch melangkah ω kali sejauh yang dikumpulkannya, dengan ω dari Young untuk batas μ.
 event-weighted-first = Bobot iterasi Chebyshev yang pertama adalah 1.
-event-weighted-chebyshev = Bobot iterasi Chebyshev ini, dari bobot ω_old sebelumnya; pada iterasi kedua ω_old diganti 2.
+event-weighted-chebyshev = Bobot iterasi Chebyshev ini, dari bobot ω_{"{"}old{"}"} sebelumnya; pada iterasi kedua ω_{"{"}old{"}"} diganti 2.
 event-step-lengths = Panjang langkah gradien konjugat: α sepanjang arah p, dan β untuk arah berikutnya.
 event-gathering = Patch { $i } mengumpulkan cahaya dari semua patch lain: ia memancarkan E_i sendiri dan memantulkan bagian ρ_i dari yang tiba.
 event-exchanged = Dari cahaya yang dikumpulkan patch { $i }, patch { $j } menyumbang faktor bentuk kali radiositas.

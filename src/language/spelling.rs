@@ -12,10 +12,10 @@ pub fn meant<'a>(written: &str, known: impl IntoIterator<Item = &'a str>) -> Opt
     near.min_by_key(|&(apart, _)| apart).map(|(_, name)| name)
 }
 
-/// "; did you mean …?", or nothing.
+/// " (did you mean …?)", or nothing.
 pub fn suggestion<'a>(written: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     let name = meant(written, known);
-    name.map_or_else(String::new, |name| format!("; did you mean {name}?"))
+    name.map_or_else(String::new, |name| format!(" (did you mean {name}?)"))
 }
 
 #[cfg(test)]
@@ -37,7 +37,7 @@ mod tests {
         ] {
             assert_eq!(meant(written, known), name, "{written}");
         }
-        assert_eq!(suggestion("stpes", known), "; did you mean steps?");
+        assert_eq!(suggestion("stpes", known), " (did you mean steps?)");
         assert_eq!(suggestion("lamp", known), "");
     }
 }

@@ -155,7 +155,7 @@ mod tests {
             ),
             (
                 "unknown field `stpes`, expected one of `schema`, `id`, `steps`",
-                "unknown key `stpes`; did you mean steps?; allowed are schema, id, steps",
+                "unknown key `stpes` (did you mean steps?); allowed are schema, id, steps",
             ),
             (
                 "unknown field `fov`, expected `eye` or `up`",
@@ -163,7 +163,7 @@ mod tests {
             ),
             (
                 "unknown variant `pixle`, expected one of `frame`, `pixel`",
-                "unknown choice `pixle`; did you mean pixel?; allowed are frame, pixel",
+                "unknown choice `pixle` (did you mean pixel?); allowed are frame, pixel",
             ),
             ("trailing comma", "trailing comma"),
         ] {

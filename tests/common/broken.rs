@@ -35,7 +35,7 @@ pub const BROKEN: &[(&str, &str, &[&str])] = &[
     ("\"schema\": 1", "\"schema\": \"1\"", &["line 1", "schema: found the text"]),
     ("\"schema\": 1", "\"schema\": null", &["schema: found null"]),
     ("\"schema\": 1,", "\"schema\": 1, \"schema\": 1,", &["the key `schema` is given twice"]),
-    ("\"background\"", "\"backgruond\"", &["line 2", "unknown key `backgruond`; did you mean background?"]),
+    ("\"background\"", "\"backgruond\"", &["line 2", "unknown key `backgruond` (did you mean background?)"]),
     ("\"objects\"", "\"lights\"", &["lights[0].name: unknown key `name`"]),
     // Types.
     ("[0.2, 0.3, 0.5]", "[0.2, 0.3]", &["line 2", "background", "found 2 elements; expected a list of three numbers"]),
@@ -58,7 +58,7 @@ pub const BROKEN: &[(&str, &str, &[&str])] = &[
     ("\"patches\": [8, 8]", "\"patches\": 1e3", &["objects[2].patches", "found 1000.0; expected a whole number"]),
     // Keys.
     (", \"fov_x_degrees\": 40", "", &["line 5", "camera: the key `fov_x_degrees` is missing"]),
-    ("\"fov_x_degrees\"", "\"fov\"", &["camera.fov: unknown key `fov`; did you mean fov_x_degrees?"]),
+    ("\"fov_x_degrees\"", "\"fov\"", &["camera.fov: unknown key `fov` (did you mean fov_x_degrees?)"]),
     ("\"blue\": {}", "\"blue\": { \"metallic\": 1 }", &["materials.blue.metallic: unknown key"]),
     ("\"blue\": {}", "\"red\": {}", &["the name \"red\" is given twice"]),
     ("\"radius\": 0.8", "\"radius\": 0.8, \"radius\": 0.9", &["objects[0].sphere", "the key `radius` is given twice"]),

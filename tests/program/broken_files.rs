@@ -52,7 +52,7 @@ pub const BROKEN_LESSONS: &[(&str, &str, &[&str])] = &[
     ("\"schema\": 1,", "", &["`schema` is missing"]),
     ("\"number\": 1,", "", &["the key `number` is missing"]),
     ("\"number\": 1,", "\"number\": -1,", &["number", "line 1"]),
-    ("\"number\": 1,", "\"numbr\": 1,", &["unknown key `numbr`; did you mean number?"]),
+    ("\"number\": 1,", "\"numbr\": 1,", &["unknown key `numbr` (did you mean number?)"]),
     ("my-lesson", "My Lesson", &["id: found \"My Lesson\"", "lower-case"]),
     ("\"en\": \"A title\", ", "", &["title", "the key `en` is missing"]),
     ("Judul", "  ", &["title.id: found an empty text"]),

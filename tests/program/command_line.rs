@@ -61,13 +61,13 @@ fn wrong_arguments_say_what_is_allowed() {
         ),
         (
             "steps gouraud-triangel",
-            "there is no such lesson or file; did you mean gouraud-triangle?",
+            "there is no such lesson or file (did you mean gouraud-triangle?)",
         ),
         ("open gouraud-tea", "did you mean gouraud-teapot?"),
         ("frames fast-phnog --out x", "did you mean fast-phong?"),
         (
             "check scnee.json",
-            "cannot be read: no such file; did you mean scene.json?",
+            "cannot be read: no such file (did you mean scene.json?)",
         ),
         (
             "render scene.jsn --method flat --out x.png",

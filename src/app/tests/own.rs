@@ -186,7 +186,7 @@ fn a_mistake_in_a_saved_file_is_told_with_line_column_and_path_and_the_last_righ
         (
             5,
             right.replacen("\"focus\"", "\"focsu\"", 1),
-            "unknown key `focsu`; did you mean focus?",
+            "unknown key `focsu` (did you mean focus?)",
         ),
         (10, lost, "steps[0].at: no step"),
     ] {
