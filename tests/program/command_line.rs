@@ -5,6 +5,21 @@ use serde_json::Value;
 use std::fs;
 use std::path::Path;
 
+#[cfg(feature = "gui")]
+#[test]
+fn what_the_window_cannot_open_is_told() {
+    let folder = folder();
+    for (arguments, said) in [
+        ("open gouraud-tea", "did you mean gouraud-teapot?"),
+        ("open meshes", "meshes: there is no lesson in this folder"),
+        ("open --lessons none", "none: no such file"),
+        ("open meshes --step 3", "it is a folder"),
+    ] {
+        let message = refused(&lightwalk(folder.path(), arguments), arguments);
+        assert!(message.contains(said), "{message} lacks {said}");
+    }
+}
+
 #[test]
 fn wrong_arguments_say_what_is_allowed() {
     let folder = folder();
@@ -63,7 +78,6 @@ fn wrong_arguments_say_what_is_allowed() {
             "steps gouraud-triangel",
             "there is no such lesson or file (did you mean gouraud-triangle?)",
         ),
-        ("open gouraud-tea", "did you mean gouraud-teapot?"),
         ("frames fast-phnog --out x", "did you mean fast-phong?"),
         (
             "check scnee.json",
@@ -89,9 +103,6 @@ fn wrong_arguments_say_what_is_allowed() {
             "open refraction --step -1",
             "allowed are whole numbers of 0 or more",
         ),
-        ("open meshes", "meshes: there is no lesson in this folder"),
-        ("open --lessons none", "none: no such file"),
-        ("open meshes --step 3", "it is a folder"),
         (
             "steps refraction --scan-line -1",
             "allowed are whole numbers of 0 or more",
