@@ -8,7 +8,9 @@ use crate::language::Language;
 use crate::panels::{said, written_formulas};
 use crate::picture::plain;
 use crate::replay::Run;
-use crate::study::follow::{Difference, Followed, Told, ToldValue, explained_by, follow};
+use crate::study::follow::{
+    Difference, Followed, OtherValue, Told, ToldValue, explained_by, follow,
+};
 use crate::study::mistakes::Mistake;
 use serde_json::{Map, Value as Json, json};
 use std::io::Write;
@@ -124,8 +126,9 @@ fn told(value: &Json) -> Option<ToldValue> {
 }
 
 /// The channel in which the two values differ the most.
-fn channel(theirs: &ToldValue, ours: &Option<ToldValue>) -> usize {
-    let (ToldValue::Three(theirs), Some(ToldValue::Three(ours))) = (theirs, ours) else {
+fn channel(other: &OtherValue) -> usize {
+    let (ToldValue::Three(theirs), Some(ToldValue::Three(ours))) = (&other.theirs, &other.ours)
+    else {
         return 0;
     };
     let off = |&c: &usize| (theirs[c] - ours[c]).abs();
@@ -133,9 +136,9 @@ fn channel(theirs: &ToldValue, ours: &Option<ToldValue>) -> usize {
 }
 
 /// What the step does, and its formulas with our numbers.
-fn explained(run: &Run, step: usize, channel: usize) -> Vec<String> {
-    let sentence = said(run, step, Language::English);
-    let formulas = written_formulas(run, step, channel, Language::English);
+fn explained(run: &Run, other: &OtherValue) -> Vec<String> {
+    let sentence = said(run, other.step, Language::English);
+    let formulas = written_formulas(run, other.step, channel(other), Language::English);
     std::iter::once(sentence)
         .filter(|said| !said.is_empty())
         .chain(formulas)
@@ -149,23 +152,20 @@ fn in_words(followed: &Followed, trace: &[Told], mistakes: &[Mistake], run: &Run
         Some(Difference::More { line, kind, count }) => lines.push(format!(
             "line {line}: one more {kind}, of which the run has {count}"
         )),
-        Some(Difference::Value {
-            line,
-            step,
-            kind,
-            field,
-            theirs,
-            ours,
-        }) => {
-            let reference = match ours {
+        Some(Difference::Value(other)) => {
+            let step = other.step;
+            let reference = match &other.ours {
                 Some(ours) => format!("{} at step {step} of the run", json!(ours)),
                 None => format!("step {step} of the run has none"),
             };
             lines.push(format!(
-                "line {line}, {kind}: {field} is {}, and {reference}",
-                json!(theirs)
+                "line {}, {}: {} is {}, and {reference}",
+                other.line,
+                other.kind,
+                other.field,
+                json!(other.theirs)
             ));
-            let explained = explained(run, *step, channel(theirs, ours));
+            let explained = explained(run, other);
             lines.extend(explained.iter().map(|line| format!("  {line}")));
         }
     }
@@ -183,16 +183,9 @@ fn in_json(followed: &Followed, trace: &[Told], mistakes: &[Mistake], run: &Run)
         Some(Difference::More { line, kind, count }) => {
             json!({ "line": line, "kind": kind, "count": count })
         }
-        Some(Difference::Value {
-            line,
-            step,
-            kind,
-            field,
-            theirs,
-            ours,
-        }) => json!({
-            "line": line, "step": step, "kind": kind, "field": field, "mine": theirs, "reference": ours,
-            "explained": explained(run, *step, channel(theirs, ours)),
+        Some(Difference::Value(other)) => json!({
+            "line": other.line, "step": other.step, "kind": other.kind, "field": other.field,
+            "mine": other.theirs, "reference": other.ours, "explained": explained(run, other),
         }),
     };
     json!({ "agree": followed.agree, "of": trace.len(), "difference": difference, "mistakes": names })

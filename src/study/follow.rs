@@ -34,22 +34,25 @@ pub enum ToldValue {
 /// Where a trace and the run part. Lines of the trace count from 1, steps of the run from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Difference {
-    /// A value of a line is not that of the step, of all here the one with the most equal values.
-    Value {
-        line: usize,
-        step: usize,
-        kind: &'static str,
-        field: String,
-        theirs: ToldValue,
-        /// None where the step has no such value.
-        ours: Option<ToldValue>,
-    },
+    Value(OtherValue),
     /// The trace goes on telling steps of a kind of which the run has no more than `count`.
     More {
         line: usize,
         kind: String,
         count: usize,
     },
+}
+
+/// A value of a line is not that of the step, of all here the one with the most equal values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OtherValue {
+    pub line: usize,
+    pub step: usize,
+    pub kind: &'static str,
+    pub field: String,
+    pub theirs: ToldValue,
+    /// None where the step has no such value.
+    pub ours: Option<ToldValue>,
 }
 
 /// How far a trace was followed.
@@ -161,14 +164,14 @@ fn first_difference(
         {
             equal += 1;
         } else if difference.is_none() {
-            difference = Some(Difference::Value {
+            difference = Some(Difference::Value(OtherValue {
                 line: told.line,
                 step,
                 kind: walk.kind(step),
                 field: field.clone(),
                 theirs: theirs.clone(),
                 ours,
-            });
+            }));
         }
     }
     Ok((equal, difference))

@@ -134,14 +134,7 @@ impl Mistake {
                 let scene = setup.prepared.scene.clone();
                 let wider = with(setup, scene, wider, setup.settings.clone());
                 let wider = drawn(&wider, setup, method, threads)?;
-                let mut frame = Frame::new(view.width, 0..view.height, Rgb::BLACK);
-                for y in 0..view.height {
-                    for x in 0..view.width {
-                        let index = frame.index(x, y);
-                        frame.color[index] = wider.pixel(x, y);
-                    }
-                }
-                frame
+                filled([view.width, view.height], |x, y| wider.pixel(x, y))
             }
             Mistake::NoSrgb | Mistake::SrgbTwice => {
                 let encoding = match self {
@@ -290,26 +283,25 @@ fn drawn(wrong: &Setup, setup: &Setup, method: Method, threads: NonZeroUsize) ->
 fn seen(setup: &Setup, view: &View, enclosure: &Enclosure, light: &[Rgb]) -> Frame {
     let primary::Settings { samples, .. } = setup.settings.get();
     let patches = PatchView::new(view, samples, enclosure, light);
-    let mut frame = Frame::new(view.width, 0..view.height, Rgb::BLACK);
-    for y in 0..view.height {
-        for x in 0..view.width {
-            let index = frame.index(x, y);
-            frame.color[index] = patches.pixel(x, y);
-        }
-    }
-    frame
+    filled([view.width, view.height], |x, y| patches.pixel(x, y))
 }
 
 /// The pixels of a picture in other places.
 fn rearranged(frame: &Frame, from: impl Fn(u32, u32, [u32; 2]) -> [u32; 2]) -> Frame {
     let size = [frame.width, frame.rows.len() as u32];
-    let mut moved = frame.clone();
-    for y in 0..size[1] {
-        for x in 0..size[0] {
-            let [from_x, from_y] = from(x, y, size);
-            let index = moved.index(x, y);
-            moved.color[index] = frame.pixel(from_x, from_y);
+    filled(size, |x, y| {
+        let [from_x, from_y] = from(x, y, size);
+        frame.pixel(from_x, from_y)
+    })
+}
+
+fn filled([width, height]: [u32; 2], color: impl Fn(u32, u32) -> Rgb) -> Frame {
+    let mut frame = Frame::new(width, 0..height, Rgb::BLACK);
+    for y in 0..height {
+        for x in 0..width {
+            let index = frame.index(x, y);
+            frame.color[index] = color(x, y);
         }
     }
-    moved
+    frame
 }

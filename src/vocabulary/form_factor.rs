@@ -1,12 +1,11 @@
 //! Form factors, by every method.
 
-use super::Declared;
-use super::entry::{Formula, When, entry, is, only};
-use crate::algorithms::form_factor::{
-    Event, PSEUDOCODE, area_to_area, auto, contour, element_to_polygon, hemicube, monte_carlo,
-    sampled, visibility,
-};
-use crate::record::{self, Fields, Line, Listing};
+mod lines;
+mod shared;
+
+use super::entry::{When, entry, is, only};
+use crate::algorithms::form_factor::Event;
+use shared::*;
 
 vocabulary! {
     [] Event {
@@ -382,87 +381,4 @@ vocabulary! {
                     ],
             ),
         ];
-}
-
-const BY_DISTANCE: &[Formula] = &[
-    is("{d=distance} = |C_j − C_i|"),
-    is("{R_i=radius_i} = 'max |P_k − C_i|'").unevaluated(FARTHEST),
-    is("{R_j=radius_j} = 'max |P_k − C_j|'").unevaluated(FARTHEST),
-];
-const FARTHEST: &str = "the largest of the distances to the corners";
-const PIECE: &str = "the corners of a part of a patch are not recorded";
-/// Patch i, or j, faces the other one as a whole.
-const WHOLE_I: When = When::Known("corners_of_i");
-const WHOLE_J: When = When::Known("corners_of_j");
-/// An edge that does not point at x.
-const SPANS: When = When::Not(&When::Zero("Gamma_k"));
-const INTEGRAL: &str = "an integral";
-/// The pieces of the two patches have sums.
-const SUMMED: When = When::All(&[When::Not(&ADAPTIVE), When::Known("{sum/Pieces}")]);
-/// Nothing was summed up, as nothing passes between the patches.
-const UNSUMMED: When = When::All(&[When::Not(&ADAPTIVE), When::Not(&SUMMED)]);
-const PARTS: &str = "each part of the patch begins a sum of its own";
-/// The smaller patch is divided further and further.
-const ADAPTIVE: When = When::Equals("points", 0);
-const EDGES: &[Formula] = &[
-    is("I = '∫∫ ln r ds dt'").unevaluated(INTEGRAL),
-    is("{A_i F_{ij}=sum} = {(A_i F_{ij})_{old}=sum<0/Pieces} + 'L^2' [e_dot_f · I; 2π]")
-        .unevaluated("the extent L is not recorded"),
-];
-const RAY: &[Formula] = &[is("x"), is("{u=direction}"), is("hits")];
-const ACROSS: &str = "{u=u_pixel} := 2 ({x=pixel_x} + 0.5) / {n=resolution} − 1";
-const ALONG: &str = "{v=v_pixel} := 2 ({y=pixel_y} + 0.5) / {n=resolution} − 1";
-const AREA: &str = "{ΔA=pixel_area} := ([2; {n=resolution}])^2";
-const SEEN: &str = "F_x = {F_{x,old}=F_x<0} + delta_F";
-const SIGHT: &[Formula] = &[is("{V_{ij}=share} = ['Σ K V(x, y)'; 'Σ K']")
-    .unevaluated("what single lines of sight would carry is not recorded")];
-const SEEN_FROM: &[Formula] = &[is("x"), is("F_x"), is("F_visible")];
-
-/// The listings of all methods; a label stands in one of them only.
-static LISTINGS: [&Listing; 9] = [
-    &PSEUDOCODE,
-    &auto::PSEUDOCODE,
-    &area_to_area::PSEUDOCODE,
-    &element_to_polygon::PSEUDOCODE,
-    &contour::PSEUDOCODE,
-    &monte_carlo::PSEUDOCODE,
-    &hemicube::PSEUDOCODE,
-    &visibility::PSEUDOCODE,
-    &sampled::PSEUDOCODE,
-];
-
-impl record::Event for Event {
-    fn kind(&self) -> &'static str {
-        Declared::kind(self).name
-    }
-
-    fn line(&self) -> Line {
-        let label = match *self {
-            // Each choice has a line of its own.
-            Event::Chosen { method, .. } => method,
-            _ => self.label(),
-        };
-        let line = LISTINGS.iter().find_map(|listing| listing.labelled(label));
-        line.unwrap_or_else(|| PSEUDOCODE.line(label))
-    }
-
-    /// The values of one point do not hold for the next.
-    fn holds_on(&self) -> bool {
-        !matches!(
-            self,
-            Event::Points { .. }
-                | Event::Pair { .. }
-                | Event::Edge { .. }
-                | Event::EdgeAdded { .. }
-                | Event::EdgePair { .. }
-                | Event::Ray { .. }
-                | Event::Pixel { .. }
-                | Event::Sight { .. }
-                | Event::Seen { .. }
-        )
-    }
-
-    fn fields(&self, fields: &mut Fields) {
-        self.push_fields(fields);
-    }
 }

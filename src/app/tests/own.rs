@@ -171,14 +171,20 @@ fn what_is_saved_in_the_folder_stands_on_the_page() {
     assert!(screen.harness.query_by_label("2.json").is_none());
 }
 
-#[test]
-fn a_mistake_in_a_saved_file_is_told_with_line_column_and_path_and_the_last_right_one_stays() {
+/// The folder, with its first lesson opened.
+fn first_opened() -> (tempfile::TempDir, Screen) {
     let (folder, mut screen) = own_lessons([1280, 800]);
     screen
         .session_mut()
         .update(Command::Open("own-first".into()))
         .unwrap();
     screen.harness.run_steps(3);
+    (folder, screen)
+}
+
+#[test]
+fn a_mistake_in_a_saved_file_is_told_with_line_column_and_path_and_the_last_right_one_stays() {
+    let (folder, mut screen) = first_opened();
     let path = folder.path().join("1.json");
     let right = lesson("own-first");
     let lost = right.replacen("\"at\": \"", "\"at\": \"Lost", 1);
@@ -208,12 +214,7 @@ fn a_mistake_in_a_saved_file_is_told_with_line_column_and_path_and_the_last_righ
 /// It was opened first, then left for a lesson of the program.
 #[test]
 fn a_file_that_is_not_shown_any_more_is_not_read_again() {
-    let (folder, mut screen) = own_lessons([1280, 800]);
-    screen
-        .session_mut()
-        .update(Command::Open("own-first".into()))
-        .unwrap();
-    screen.harness.run_steps(3);
+    let (folder, mut screen) = first_opened();
     screen
         .session_mut()
         .update(Command::Open("distance".into()))

@@ -94,14 +94,14 @@ fn the_first_value_that_differs_is_told_with_ours() {
     let wrong = ToldValue::Three([0.25, 0.5, 0.75]);
     trace[at].values.last_mut().unwrap().1 = wrong.clone();
     let followed = follow(run.walk(), &trace, TOLERANCE).unwrap();
-    let difference = Difference::Value {
+    let difference = Difference::Value(OtherValue {
         line: at + 1,
         step: at,
         kind: "Diffuse",
         field,
         theirs: wrong,
         ours: Some(right),
-    };
+    });
     assert_eq!(
         (followed.agree, followed.difference),
         (at, Some(difference))

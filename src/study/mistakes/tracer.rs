@@ -209,9 +209,6 @@ impl<'a> Tracer<'a> {
         if self.errs(Mistake::EtaNotSwappedOnLeaving) && !enters {
             eta = 1.0 / eta;
         }
-        if self.errs(Mistake::EtaInverted) {
-            eta = 1.0 / eta;
-        }
         let cos_i = -u.dot(n);
         let radicand = refraction_radicand(eta, cos_i);
         if radicand < 0.0 {
