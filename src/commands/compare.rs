@@ -115,7 +115,7 @@ fn newest(path: &Path) -> Result<PathBuf, Failure> {
 fn in_words(found: &Comparison, arguments: &Arguments) -> String {
     let [width, height] = found.size;
     let mut lines = vec![
-        format!("{width} × {height} pixels, fits {} better", found.encoding),
+        format!("{width} × {height} pixels, encoding {}", found.encoding),
         format!(
             "{} of {} pixels differ; largest difference {:.4}, rms {:.2e}",
             found.off, found.pixels, found.largest, found.rms

@@ -1,23 +1,25 @@
 //! A picture of another program against the reference: how far off it is, and which classic mistakes explain the difference.
 
+mod explained;
+
 use super::mistakes::{Encoding, Mistake};
 use crate::algorithms::frame::Frame;
 use crate::color::{Rgb, StoredImage};
 use crate::methods::{Method, Setup};
 use crate::render::render;
+use explained::explanations;
 use serde::Serialize;
 use std::num::NonZeroUsize;
 
 /// Pixels that are named as the worst.
 const WORST: usize = 5;
-/// A mistake that explains a smaller share of the differing pixels is not named.
-const EXPLAINED: f64 = 0.1;
 
 /// What was found. Differences are in the numbers of the file, from 0 to 1 where those are integers.
 #[derive(Clone, Debug, Serialize)]
 pub struct Comparison {
     pub size: [u32; 2],
-    /// That which fits better: `linear` or `srgb`.
+    /// `linear` or `srgb`: as the format of the file says, unless the first mistake explains most of the difference, and is one of
+    /// the encoding.
     pub encoding: &'static str,
     /// The largest difference of a channel.
     pub largest: f64,
@@ -69,16 +71,6 @@ pub fn compare(
         false => Encoding::Srgb,
     };
     let reference = encoded(&frame, right, mine.is_float);
-    let other = match right {
-        Encoding::Linear => Encoding::Srgb,
-        _ => Encoding::Linear,
-    };
-    let fits = |encoding| rms(&mine.pixels, &encoded(&frame, encoding, mine.is_float));
-    let encoding = if fits(other) < fits(right) {
-        other
-    } else {
-        right
-    };
     let differs = differing(&mine.pixels, &reference, tolerance);
     let mut worst: Vec<usize> = (0..mine.pixels.len()).filter(|&at| differs[at]).collect();
     let by = |at: &usize| distance(mine.pixels[*at], reference[*at]);
@@ -88,10 +80,16 @@ pub fn compare(
         0 => Vec::new(),
         _ => {
             let mistaken = mistaken(setup, method, &frame, (right, mine.is_float), threads);
-            explanations(mine, tolerance, &differs, &mistaken)
+            explanations(mine, tolerance, &reference, &mistaken)
         }
     };
     let all = 0..mine.pixels.len();
+    let first = mistakes.first().filter(|first| 2 * first.explains > off);
+    let encoding = match first.map(|first| first.mistake) {
+        Some(Mistake::NoSrgb) => Encoding::Linear,
+        Some(Mistake::SrgbTwice) => Encoding::Srgb,
+        _ => right,
+    };
     Comparison {
         size: [mine.width, mine.height],
         encoding: encoding.name(),
@@ -130,57 +128,6 @@ fn mistaken(
         Some((mistake, encoded(&wrong, encoding, is_float)))
     });
     with.collect()
-}
-
-/// The one that explains most first, then always the one that explains most of what is left: two mistakes at once stand first where
-/// they touch different pixels.
-fn explanations(
-    mine: &StoredImage,
-    tolerance: f64,
-    differs: &[bool],
-    mistaken: &[(Mistake, Vec<[f64; 3]>)],
-) -> Vec<Explanation> {
-    let of = differs.iter().filter(|&&differs| differs).count();
-    let explained = |(mistake, wrong): &(Mistake, Vec<[f64; 3]>)| {
-        let still = differing(&mine.pixels, wrong, tolerance);
-        let pairs = differs.iter().zip(still);
-        let explained: Vec<bool> = pairs.map(|(&was, is)| was && !is).collect();
-        let explanation = Explanation {
-            name: mistake.name(),
-            mistake: *mistake,
-            explains: explained.iter().filter(|&&is| is).count(),
-            of,
-            rms_after: rms(&mine.pixels, wrong),
-        };
-        (explanation, explained)
-    };
-    let mut suspects: Vec<(Explanation, Vec<bool>)> = mistaken
-        .iter()
-        .map(explained)
-        .filter(|(found, _)| found.explains as f64 >= EXPLAINED * of as f64)
-        .collect();
-    let mut left = differs.to_vec();
-    let mut found = Vec::new();
-    while !suspects.is_empty() {
-        let adds = |(_, explained): &(Explanation, Vec<bool>)| {
-            let news = explained.iter().zip(&left);
-            news.filter(|&(&explained, &left)| explained && left)
-                .count()
-        };
-        let better = |a: &(Explanation, Vec<bool>), b: &(Explanation, Vec<bool>)| {
-            let adds_more = adds(b).cmp(&adds(a));
-            let explains_more = b.0.explains.cmp(&a.0.explains);
-            let fits_better = a.0.rms_after.total_cmp(&b.0.rms_after);
-            adds_more.then(explains_more).then(fits_better)
-        };
-        suspects.sort_by(better);
-        let (best, explained) = suspects.remove(0);
-        found.push(best);
-        for (left, explained) in left.iter_mut().zip(explained) {
-            *left &= !explained;
-        }
-    }
-    found
 }
 
 /// The numbers that a file would have; integers are rounded to 8 bits.

@@ -37,7 +37,7 @@ named! {
         HalfPixelOff = "half_pixel_off",
         /// Linear numbers written for the screen.
         NoSrgb = "no_srgb",
-        /// Encoded for the screen twice.
+        /// Encoded for the screen once too often.
         SrgbTwice = "srgb_twice",
         /// The ambient term added once a light.
         AmbientPerLight = "ambient_per_light",
@@ -137,11 +137,13 @@ impl Mistake {
                 filled([view.width, view.height], |x, y| wider.pixel(x, y))
             }
             Mistake::NoSrgb | Mistake::SrgbTwice => {
-                let encoding = match self {
-                    Mistake::NoSrgb => Encoding::Linear,
-                    _ => Encoding::SrgbTwice,
+                let encoding = match (self, right) {
+                    (Mistake::NoSrgb, Encoding::Srgb) => Encoding::Linear,
+                    (Mistake::SrgbTwice, Encoding::Srgb) => Encoding::SrgbTwice,
+                    (Mistake::SrgbTwice, Encoding::Linear) => Encoding::Srgb,
+                    _ => return None,
                 };
-                return (right == Encoding::Srgb).then(|| (reference.clone(), encoding));
+                return Some((reference.clone(), encoding));
             }
             Mistake::FormFactorTransposed | Mistake::ReflectanceForgotten | Mistake::PiTwice => {
                 let enclosure = setup.enclosure().ok()?;
