@@ -13,7 +13,7 @@ macro_rules! written_as_name {
             }
 
             fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                schemars::json_schema!({ "type": "string", "enum": <$type>::ALL.map(|one| one.name()) })
+                schemars::json_schema!({ "type": "string", "enum": <$type>::ALL.map(|one| one.name()).as_slice() })
             }
         }
     };

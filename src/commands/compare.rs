@@ -10,10 +10,12 @@ use crate::language::Language;
 use crate::methods::{Method, Settings, Setup};
 use crate::picture::plain;
 use crate::study::against::{Comparison, compare};
+use crate::study::mistakes::Mistake;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 #[derive(clap::Args)]
+#[command(after_long_help = list_of_mistakes())]
 pub struct Arguments {
     /// A scene file
     scene: PathBuf,
@@ -36,6 +38,16 @@ pub struct Arguments {
     rays: RayArguments,
     #[command(flatten)]
     limits: LimitArguments,
+}
+
+/// Every mistake, a line each.
+fn list_of_mistakes() -> String {
+    let mut lines = vec!["Mistakes that are tried:".to_owned()];
+    lines.extend(Mistake::ALL.iter().map(|mistake| {
+        let words = plain(&mistake.in_words(Language::English));
+        format!("  {:<30} {words}", mistake.name())
+    }));
+    lines.join("\n")
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {

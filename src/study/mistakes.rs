@@ -1,8 +1,12 @@
 //! Classic mistakes in programs that render: for each the picture that the reference would be with it. A mistake is a wrong scene, a
 //! wrong setting, a wrong use of the picture, or a small program that errs; the textbook bodies know none of them.
 
+mod inclusive;
+mod input;
+mod model;
 mod normals;
 mod room;
+mod scan_line;
 mod tracer;
 
 use crate::algorithms::enclosure::Enclosure;
@@ -14,8 +18,10 @@ use crate::color::Rgb;
 use crate::language::{Language, called};
 use crate::methods::{Family, Method, Settings, Setup};
 use crate::render::render;
-use crate::scene::{Camera, Light, Scene, View};
-use std::num::{NonZeroU32, NonZeroUsize};
+use crate::scene::{Scene, View};
+use std::num::NonZeroUsize;
+
+pub(super) use scan_line::ScanConverter;
 pub(super) use tracer::Tracer;
 
 named! {
@@ -75,6 +81,18 @@ named! {
         ReflectanceForgotten = "reflectance_forgotten",
         /// Form factors are divided by π once more.
         PiTwice = "pi_twice",
+        /// L is as long as the light is far away.
+        LightNotNormalized = "light_not_normalized",
+        /// The ambient term is left out.
+        AmbientForgotten = "ambient_forgotten",
+        /// The cosine of the highlight is not raised to n.
+        ExponentForgotten = "exponent_forgotten",
+        /// R·V where N·H is meant, or N·H where R·V is.
+        HighlightSwapped = "highlight_swapped",
+        /// No ray goes to the lights.
+        NoShadows = "no_shadows",
+        /// Both ends of a span are drawn, rounded outward, and so are the first and the last row.
+        InclusiveScanRule = "inclusive_scan_rule",
         /// Red and blue changed places.
         ChannelsSwapped = "channels_swapped",
     }
@@ -159,10 +177,15 @@ impl Mistake {
             | Mistake::CosNotClamped
             | Mistake::SpecularWithoutNdotl
             | Mistake::ReflectSign
-            | Mistake::LightToPoint => {
-                let only_casts = method == Method::RayCasting;
-                Tracer::new(setup, only_casts, Some(self)).picture(threads)
-            }
+            | Mistake::LightToPoint
+            | Mistake::LightNotNormalized
+            | Mistake::InclusiveScanRule => match method {
+                Method::RayCasting | Method::RayTracing => {
+                    let only_casts = method == Method::RayCasting;
+                    Tracer::new(setup, only_casts, Some(self)).picture(threads)
+                }
+                _ => ScanConverter::new(setup, method, Some(self)).picture(),
+            },
             Mistake::EtaInverted
             | Mistake::FovVertical
             | Mistake::FovHalfAngle
@@ -171,55 +194,15 @@ impl Mistake {
             | Mistake::DepthMinusOne
             | Mistake::DepthPlusOne
             | Mistake::ReflectionForgotten
+            | Mistake::AmbientForgotten
+            | Mistake::ExponentForgotten
+            | Mistake::HighlightSwapped
+            | Mistake::NoShadows
             | Mistake::VertexNormalsByArea => {
                 drawn(&self.wrong_input(setup)?, setup, method, threads)?
             }
         };
         (frame.color != reference.color).then_some((frame, right))
-    }
-
-    /// What a right program would have to be given to err like this; none where no input does that.
-    pub fn wrong_input(self, setup: &Setup) -> Option<Setup> {
-        let prepared = &setup.prepared;
-        let mut scene = prepared.scene.clone();
-        let mut view = prepared.view;
-        let mut rays: primary::Settings = setup.settings.get();
-        match self {
-            Mistake::EtaInverted => {
-                let materials = scene.materials.iter_mut();
-                materials.for_each(|material| material.ior = 1.0 / material.ior);
-            }
-            Mistake::FovVertical | Mistake::FovHalfAngle => {
-                let camera = scene.camera?;
-                let fov_x = if self == Mistake::FovHalfAngle {
-                    2.0 * camera.fov_x
-                } else {
-                    let aspect = f64::from(view.width) / f64::from(view.height);
-                    2.0 * ((0.5 * camera.fov_x).tan() * aspect).atan()
-                };
-                if fov_x > WIDEST {
-                    return None;
-                }
-                view = View::new(&Camera { fov_x, ..camera }, view.width, view.height);
-            }
-            Mistake::AmbientPerLight => scene.ambient = scene.ambient * scene.lights.len() as f64,
-            Mistake::NoAttenuation => {
-                for light in &mut scene.lights {
-                    if let Light::Point { attenuation, .. } = light {
-                        *attenuation = [1.0, 0.0, 0.0];
-                    }
-                }
-            }
-            Mistake::DepthMinusOne => rays.depth = NonZeroU32::new(rays.depth.get() - 1)?,
-            Mistake::DepthPlusOne => rays.depth = rays.depth.saturating_add(1),
-            Mistake::ReflectionForgotten => {
-                let materials = scene.materials.iter_mut();
-                materials.for_each(|material| material.reflection = Rgb::BLACK);
-            }
-            Mistake::VertexNormalsByArea => scene = normals::weighted_by_area(prepared),
-            _ => return None,
-        }
-        Some(with(setup, scene, view, setup.settings.clone().with(rays)))
     }
 
     /// Whether a program that draws by that method can make it at all.
@@ -233,20 +216,29 @@ impl Mistake {
             | Mistake::TirBlack
             | Mistake::DepthMinusOne
             | Mistake::DepthPlusOne
+            | Mistake::NoShadows
             | Mistake::ReflectionForgotten => method == Method::RayTracing,
             Mistake::NormalNotFlipped
             | Mistake::NormalNotNormalized
             | Mistake::CosNotClamped
             | Mistake::SpecularWithoutNdotl
             | Mistake::ReflectSign
-            | Mistake::LightToPoint => [Method::RayCasting, Method::RayTracing].contains(&method),
+            | Mistake::LightToPoint
+            | Mistake::LightNotNormalized => {
+                family == Family::Rays || ScanConverter::METHODS.contains(&method)
+            }
+            Mistake::InclusiveScanRule => ScanConverter::METHODS.contains(&method),
             Mistake::VertexNormalsByArea => {
                 [Method::Gouraud, Method::Phong, Method::FastPhong].contains(&method)
             }
             Mistake::FormFactorTransposed | Mistake::ReflectanceForgotten | Mistake::PiTwice => {
                 family == Family::Exchange
             }
-            Mistake::AmbientPerLight | Mistake::NoAttenuation => family != Family::Exchange,
+            Mistake::AmbientPerLight
+            | Mistake::AmbientForgotten
+            | Mistake::ExponentForgotten
+            | Mistake::HighlightSwapped
+            | Mistake::NoAttenuation => family != Family::Exchange,
             Mistake::FovVertical
             | Mistake::FovHalfAngle
             | Mistake::FlipY
@@ -258,9 +250,6 @@ impl Mistake {
         }
     }
 }
-
-/// Wider than this an angle of the camera is none, in radians.
-const WIDEST: f64 = 3.1;
 
 fn with(setup: &Setup, scene: Scene, view: View, settings: Settings) -> Setup {
     Setup::new(PreparedScene::new(scene, view), settings).with_forced(setup.forced())

@@ -115,3 +115,18 @@ fn what_is_no_picture_is_refused() {
     );
     assert!(refused(&tolerance, "a negative tolerance").contains("--tolerance"));
 }
+
+#[test]
+fn help_and_the_readme_list_every_mistake() {
+    let readme = fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/README.md")).unwrap();
+    let help = succeeded(std::path::Path::new("."), "help compare").stdout;
+    let help = text(&help);
+    let (_, list) = help.split_once("Mistakes that are tried:\n").unwrap();
+    let lines: Vec<&str> = list.lines().collect();
+    assert!(lines.len() > 30, "{help}");
+    for line in lines {
+        let (name, words) = line.trim().split_once("  ").unwrap();
+        let row = format!("| `{name}` | {} |", words.trim());
+        assert!(readme.contains(&row), "{row}");
+    }
+}

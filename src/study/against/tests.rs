@@ -1,4 +1,4 @@
-use super::super::mistakes::Tracer;
+use super::super::mistakes::{ScanConverter, Tracer};
 use super::*;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
@@ -81,9 +81,9 @@ fn stored(frame: &Frame, encoding: Encoding, is_float: bool) -> StoredImage {
 const ONE: NonZeroUsize = NonZeroUsize::MIN;
 const TOLERANCE: f64 = 1.0 / 255.0;
 
-/// Ten scenes, each drawn by a method.
-fn scenes() -> [(&'static str, &'static str, Method); 10] {
-    use Method::{Gouraud, Phong, Radiosity, RayCasting, RayTracing};
+/// Scenes, each drawn by a method.
+fn scenes() -> [(&'static str, &'static str, Method); 12] {
+    use Method::{Flat, Gouraud, Phong, Radiosity, RayCasting, RayTracing};
     let mirror = include_str!("../../../lessons/scenes/one-mirror.json");
     let grey_room = include_str!("../../../lessons/scenes/grey-room.json");
     [
@@ -92,6 +92,8 @@ fn scenes() -> [(&'static str, &'static str, Method); 10] {
         ("glass", GLASS, Phong),
         ("open", OPEN, RayTracing),
         ("open", OPEN, Gouraud),
+        ("open", OPEN, Flat),
+        ("open", OPEN, Phong),
         ("open", OPEN, RayCasting),
         ("mirror", mirror, RayTracing),
         ("mirror", mirror, RayCasting),
@@ -160,14 +162,18 @@ fn two_mistakes_at_once_are_named_first_where_they_touch_different_pixels() {
 }
 
 #[test]
-fn the_small_program_without_a_mistake_draws_the_reference() {
+fn the_small_programs_without_a_mistake_draw_the_reference() {
     for (name, scene, method) in scenes() {
-        if ![Method::RayTracing, Method::RayCasting].contains(&method) {
-            continue;
-        }
         let setup = setup(scene, [40, 30]);
         let frame = render(&setup, method, ONE, &|_, _| {});
-        let own = Tracer::new(&setup, method == Method::RayCasting, None).picture(ONE);
+        let only_casts = method == Method::RayCasting;
+        let own = match method {
+            Method::Radiosity => continue,
+            Method::RayCasting | Method::RayTracing => {
+                Tracer::new(&setup, only_casts, None).picture(ONE)
+            }
+            _ => ScanConverter::new(&setup, method, None).picture(),
+        };
         let off = |(a, b): (&Rgb, &Rgb)| distance(a.channels(), b.channels());
         let largest = frame
             .color
@@ -238,12 +244,13 @@ fn a_picture_that_is_wrong_in_another_way_names_no_mistake_that_makes_it_worse()
                 }
             }),
         ];
+        let encoding = (Encoding::Srgb, false);
+        let mistaken = mistaken(&setup, method, &frame, encoding, ONE);
         for (number, mine) in wrongs.iter().enumerate() {
-            let found = compare(mine, &setup, method, TOLERANCE, ONE);
-            assert_eq!(found.encoding, "srgb");
-            for mistake in &found.mistakes {
-                let place = format!("{name} by {}, {number}: {mistake:?}", method.name());
-                assert!(mistake.rms_after < 0.96 * found.rms, "{place}");
+            let before = rms(&mine.pixels, &right.pixels);
+            for found in explanations(mine, TOLERANCE, &right.pixels, &mistaken) {
+                let place = format!("{name} by {}, {number}: {found:?}", method.name());
+                assert!(found.rms_after < 0.96 * before, "{place}");
             }
         }
     }

@@ -38,7 +38,7 @@ fn with_weighted_normals(mesh: &Mesh) -> Mesh {
     Mesh::with_normals(&points, faces(), &uvs, &normals)
 }
 
-fn area(mesh: &Mesh, face: usize) -> f64 {
+pub fn area(mesh: &Mesh, face: usize) -> f64 {
     let corners: Vec<DVec3> = mesh
         .face(face)
         .iter()

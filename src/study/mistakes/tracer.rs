@@ -4,7 +4,9 @@
 //! reference draws.
 
 use super::Mistake;
+use super::model::Model;
 use crate::algorithms::frame::Frame;
+use crate::algorithms::illumination::SurfacePoint;
 use crate::algorithms::incidence::{Incidence, divisor};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary;
@@ -13,11 +15,11 @@ use crate::algorithms::surface::without_object;
 use crate::algorithms::visible::{Bvh, Intersection, visible};
 use crate::color::Rgb;
 use crate::methods::Setup;
-use crate::numeric::{power_of_cosine, refracted, refraction_radicand};
+use crate::numeric::{refracted, refraction_radicand};
 use crate::record::Unrecorded;
 use crate::render::Painter;
+use crate::scene::Material;
 use crate::scene::primitives::{Hit, Part, Ray, Surface, leaving, short_of};
-use crate::scene::{Highlight, Material};
 use glam::DVec3;
 use std::convert::Infallible;
 use std::num::NonZeroUsize;
@@ -28,7 +30,7 @@ pub struct Tracer<'a> {
     settings: primary::Settings,
     /// Ray casting: no shadows, and no rays but primary ones.
     only_casts: bool,
-    mistake: Option<Mistake>,
+    model: Model<'a>,
 }
 
 /// Where a ray meets a surface.
@@ -51,7 +53,10 @@ impl<'a> Tracer<'a> {
             prepared: &setup.prepared,
             settings: setup.settings.get(),
             only_casts,
-            mistake,
+            model: Model {
+                scene: &setup.prepared.scene,
+                mistake,
+            },
         }
     }
 
@@ -94,12 +99,11 @@ impl<'a> Tracer<'a> {
     }
 
     fn normal(&self, ray: &Ray, hit: &Hit, surface: &Surface) -> DVec3 {
-        let mut normal = surface.normal;
-        if self.errs(Mistake::NormalNotNormalized) {
-            normal = self.of_any_length(hit, surface);
-        }
-        let is_turned = ray.direction.dot(normal) > 0.0 && !self.errs(Mistake::NormalNotFlipped);
-        if is_turned { -normal } else { normal }
+        let normal = match self.model.errs(Mistake::NormalNotNormalized) {
+            true => self.of_any_length(hit, surface),
+            false => surface.normal,
+        };
+        self.model.turned(normal, -ray.direction)
     }
 
     /// A normal as it comes out of the equation of the surface.
@@ -117,65 +121,28 @@ impl<'a> Tracer<'a> {
     }
 
     fn local(&self, place: &Place) -> Rgb {
-        let scene = &self.prepared.scene;
-        let (n, material) = (place.normal, place.material);
-        let mut k_d = material.diffuse;
-        if let Some(texture) = material.texture {
+        let mut point = SurfacePoint {
+            position: place.surface.position,
+            normal: place.normal,
+            to_eye: -place.ray.direction,
+            material: place.material,
+            diffuse: place.material.diffuse,
+        };
+        if let Some(texture) = place.material.texture {
             let uv = self
                 .prepared
                 .primitives()
                 .uv(&place.hit, place.surface.position);
-            k_d = k_d * texture.color_at(uv);
+            point.diffuse = point.diffuse * texture.color_at(uv);
         }
-        let mut sum = material.ambient * scene.ambient + material.emission;
-        for (light, source) in scene.lights.iter().enumerate() {
-            let incidence = Incidence::of(light, source, place.surface.position);
-            let mut to_light = incidence.to_light;
-            if self.errs(Mistake::LightToPoint) {
-                to_light = -to_light;
-            }
-            let n_dot_l = n.dot(to_light);
-            let is_lit = n_dot_l > 0.0;
-            let with_diffuse = is_lit || self.errs(Mistake::CosNotClamped);
-            let with_highlight = is_lit || self.errs(Mistake::SpecularWithoutNdotl);
-            if !(with_diffuse || with_highlight) || self.in_shadow(place, &incidence) {
-                continue;
-            }
-            let arriving = incidence.color * incidence.attenuation;
-            if with_diffuse {
-                sum += k_d * arriving * n_dot_l;
-            }
-            if with_highlight {
-                let power = power_of_cosine(self.cosine(place, to_light), material.shininess);
-                sum += material.specular * arriving * power;
-            }
-        }
-        sum.finite()
-    }
-
-    /// R·V or N·H.
-    fn cosine(&self, place: &Place, to_light: DVec3) -> f64 {
-        let (n, to_eye) = (place.normal, -place.ray.direction);
-        let cosine = match place.material.highlight {
-            Highlight::Phong => -self.mirrored(to_light, n).dot(to_eye),
-            Highlight::Blinn => n.dot((to_light + to_eye).normalize_or_zero()),
-        };
-        cosine.min(1.0)
-    }
-
-    /// u − 2(u·N)N
-    fn mirrored(&self, u: DVec3, n: DVec3) -> DVec3 {
-        let along = 2.0 * u.dot(n) * n;
-        if self.errs(Mistake::ReflectSign) {
-            u + along
-        } else {
-            u - along
-        }
+        let arrives = |incidence: &Incidence| !self.in_shadow(place, incidence);
+        let lit = self.model.intensity(&point, arrives).whole;
+        (lit + place.material.emission).finite()
     }
 
     fn in_shadow(&self, place: &Place, incidence: &Incidence) -> bool {
         let (direction, mut distance) = (incidence.to_light, incidence.distance);
-        let ray = if self.errs(Mistake::NoShadowOffset) {
+        let ray = if self.model.errs(Mistake::NoShadowOffset) {
             let origin = place.ray.at(place.hit.t);
             Ray { origin, direction }
         } else {
@@ -183,14 +150,14 @@ impl<'a> Tracer<'a> {
             distance = short_of(&ray, &place.surface, distance);
             ray
         };
-        if self.errs(Mistake::ShadowIgnoresLightDistance) {
+        if self.model.errs(Mistake::ShadowIgnoresLightDistance) {
             distance = f64::INFINITY;
         }
         !self.only_casts && self.prepared.primitives().blocked(&ray, distance)
     }
 
     fn reflected(&self, place: &Place, level: u32, media: &Media) -> Rgb {
-        let direction = self.mirrored(place.ray.direction, place.normal);
+        let direction = self.model.mirrored(place.ray.direction, place.normal);
         self.followed(place, place.material.reflection, direction, level, media)
     }
 
@@ -206,16 +173,16 @@ impl<'a> Tracer<'a> {
         let enters = u.dot(place.surface.normal) < 0.0;
         let beyond = self.beyond(place, media, enters);
         let mut eta = self.ior(media) / self.ior(&beyond);
-        if self.errs(Mistake::EtaNotSwappedOnLeaving) && !enters {
+        if self.model.errs(Mistake::EtaNotSwappedOnLeaving) && !enters {
             eta = 1.0 / eta;
         }
         let cos_i = -u.dot(n);
         let radicand = refraction_radicand(eta, cos_i);
         if radicand < 0.0 {
-            if self.errs(Mistake::TirBlack) {
+            if self.model.errs(Mistake::TirBlack) {
                 return Rgb::BLACK;
             }
-            return self.followed(place, k_t, self.mirrored(u, n), level, media);
+            return self.followed(place, k_t, self.model.mirrored(u, n), level, media);
         }
         let direction = refracted(u.to_array(), n.to_array(), eta, cos_i, radicand);
         self.followed(place, k_t, direction.into(), level, &beyond)
@@ -266,9 +233,5 @@ impl<'a> Tracer<'a> {
     fn material(&self, object: u32) -> &'a Material {
         let scene = &self.prepared.scene;
         &scene.materials[scene.objects[object as usize].material]
-    }
-
-    fn errs(&self, mistake: Mistake) -> bool {
-        self.mistake == Some(mistake)
     }
 }
