@@ -341,13 +341,18 @@ pub fn panel_on(
         let step = step_at(&session.panel_input(), size, at);
         command = (step != session.step()).then_some(Command::Seek(step));
     }
-    if panel == Panel::Vectors && session.arrow_asked().is_some() {
-        command = drag::turned(session, &response).or(command);
-    } else if matches!(panel, Panel::Space | Panel::Vectors)
-        && drag::dragged(session, panel, &response, &mut command, ui)
-    {
-        // What the pointer holds is moved, and the view stays as it is.
-    } else if panel == Panel::Space && !(went && command.is_some()) {
+    // What the pointer holds is moved, and the view stays as it is.
+    let holds = match panel {
+        Panel::Vectors if session.arrow_asked().is_some() => {
+            command = drag::turned(session, &response).or(command);
+            false
+        }
+        Panel::Space | Panel::Vectors | Panel::Image | Panel::ScanLine => {
+            drag::dragged(session, panel, &response, &mut command, ui)
+        }
+        _ => false,
+    };
+    if panel == Panel::Space && !holds && !(went && command.is_some()) {
         command = space_controls::pointed(session, &response, ui).or(command);
     }
     // A double click on a node goes there, and does not fit the tree; so it is in the scene.
@@ -357,7 +362,8 @@ pub fn panel_on(
     if panel == Panel::Inspector {
         command = inspector_drawer::pointed(session, &response, ui).or(command);
     }
-    if matches!(panel, Panel::Image | Panel::Comparison | Panel::Difference) {
+    let is_image = matches!(panel, Panel::Image | Panel::Comparison | Panel::Difference);
+    if is_image && !holds {
         command = image_controls::pointed(session, panel, &response, ui).or(command);
     }
     if panel == Panel::Image {

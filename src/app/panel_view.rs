@@ -87,6 +87,7 @@ impl PanelView {
                     | Panel::Space
                     | Panel::Vectors
                     | Panel::Image
+                    | Panel::ScanLine
                     | Panel::Comparison
                     | Panel::Difference
             ) {

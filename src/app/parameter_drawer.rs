@@ -7,8 +7,9 @@ use crate::language::{Language, Message};
 use crate::lesson::{
     ByPath, Change, Coefficient, DIVISIONS, Kind, Parameter, PathValue, read_number,
 };
+use crate::panels::object_name;
 use crate::picture::Ink;
-use crate::scene::Scene;
+use crate::scene::{Movable, Scene};
 use egui::{Button, DragValue, FontId, Rect, Response, RichText, Slider, Ui, WidgetInfo};
 use glam::DVec3;
 use std::ops::RangeInclusive;
@@ -26,8 +27,8 @@ const SHININESS: RangeInclusive<f64> = 1.0..=1000.0;
 enum Cell {
     /// A slider.
     Value(Parameter),
-    /// Of a light or the eye: x, y and z.
-    Place(Parameter),
+    /// x, y and z.
+    Place(Movable),
     /// One of several values.
     Choice(usize),
 }
@@ -36,15 +37,19 @@ fn cells(session: &Session) -> Vec<Cell> {
     let parameters = session.lesson().parameters.iter();
     parameters
         .flat_map(|&parameter| {
-            let has_place = matches!(parameter, Parameter::Light(_) | Parameter::Eye);
-            let place = has_place.then_some(Cell::Place(parameter));
-            let first = match parameter {
-                Parameter::ByPath(index) if options(session, index).is_some() => {
-                    Cell::Choice(index)
-                }
-                _ => Cell::Value(parameter),
+            let place = match parameter {
+                Parameter::Place(of) => Some(Cell::Place(of)),
+                _ => None,
             };
-            std::iter::once(first).chain(place)
+            let first = match parameter {
+                // Their distance from what the camera looks at says little.
+                Parameter::Place(Movable::Object(_) | Movable::Vertex { .. }) => None,
+                Parameter::ByPath(index) if options(session, index).is_some() => {
+                    Some(Cell::Choice(index))
+                }
+                _ => Some(Cell::Value(parameter)),
+            };
+            first.into_iter().chain(place)
         })
         .collect()
 }
@@ -61,7 +66,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
             let mut ui = ui.new_child(inside(place).id_salt(index));
             let change = match cell {
                 Cell::Value(parameter) => value(session, parameter, &mut on_slider, &mut ui),
-                Cell::Place(parameter) => coordinates(session, parameter, &mut ui),
+                Cell::Place(of) => coordinates(session, of, &mut ui),
                 Cell::Choice(index) => choice(session, index, &mut ui),
             };
             commands.extend(change.map(Command::Change));
@@ -114,7 +119,7 @@ fn value(
     let range = rail.in_words(session.look.language);
     named(&response, &name, rail.value, &range);
     *on_slider |= response.has_focus();
-    if matches!(parameter, Parameter::Light(_) | Parameter::Eye) {
+    if matches!(parameter, Parameter::Place(_)) {
         response.on_hover_text(session.localize(strings::FROM_THE_TARGET));
     }
     let speed = (0.01 * value).max(0.01);
@@ -227,11 +232,8 @@ impl Rail {
                 of_path = (*whole, unit.map(str::to_owned));
                 (value, range.clone(), *logarithmic)
             }
-            Change::Light { position, .. } | Change::Eye { position } => {
-                let at_first = match session.lesson().value(parameter, &[])? {
-                    Change::Light { position, .. } | Change::Eye { position } => position,
-                    _ => position,
-                };
+            Change::Place { of, position } => {
+                let at_first = of.position(opened)?;
                 let decade = distance(opened, at_first).log10().floor();
                 let range = 10_f64.powf(decade - 1.0)..=10_f64.powf(decade + 2.0);
                 (distance(opened, position), range, true)
@@ -252,7 +254,7 @@ impl Rail {
             range,
             logarithmic,
             whole: of_path.0 || matches!(now, Change::Divisions { .. }),
-            is_length: matches!(now, Change::Light { .. } | Change::Eye { .. }),
+            is_length: matches!(now, Change::Place { .. }),
             unit: of_path.1,
         })
     }
@@ -289,11 +291,8 @@ fn change_to(session: &Session, parameter: Parameter, value: f64) -> Option<Chan
             parameter,
             value: PathValue::Number(value),
         },
-        Change::Light { light, position } => Change::Light {
-            light,
-            position: along(position),
-        },
-        Change::Eye { position } => Change::Eye {
+        Change::Place { of, position } => Change::Place {
+            of,
             position: along(position),
         },
         Change::Coefficient {
@@ -313,16 +312,12 @@ fn change_to(session: &Session, parameter: Parameter, value: f64) -> Option<Chan
 }
 
 /// x, y and z, to be dragged or typed.
-fn coordinates(session: &Session, parameter: Parameter, ui: &mut Ui) -> Option<Change> {
-    let now = session.value(parameter)?;
-    let (Change::Light { position, .. } | Change::Eye { position }) = now else {
+fn coordinates(session: &Session, of: Movable, ui: &mut Ui) -> Option<Change> {
+    let Change::Place { position, .. } = session.value(Parameter::Place(of))? else {
         return None;
     };
     let speed = 0.01 * distance(&session.lesson().scene, position).max(0.1);
-    let who = match parameter {
-        Parameter::Light(light) => light_name(session, light),
-        _ => session.localize(strings::EYE).to_owned(),
-    };
+    let who = place_name(session, of);
     let mut place = position;
     ui.spacing_mut().item_spacing.x = 4.0;
     ui.label(RichText::new(who.as_str()).size(13.0));
@@ -336,12 +331,9 @@ fn coordinates(session: &Session, parameter: Parameter, ui: &mut Ui) -> Option<C
         let unit = session.localize(strings::LENGTHS);
         named(&response, &format!("{who}, {axis}"), before, unit);
     }
-    (place != position).then_some(match now {
-        Change::Light { light, .. } => Change::Light {
-            light,
-            position: place,
-        },
-        _ => Change::Eye { position: place },
+    (place != position).then_some(Change::Place {
+        of,
+        position: place,
     })
 }
 
@@ -360,8 +352,7 @@ fn name(session: &Session, parameter: Parameter) -> String {
     let language = session.look.language;
     let distance = |thing: &str| strings::DISTANCE.format(language, &[("thing", thing)]);
     match parameter {
-        Parameter::Light(light) => distance(&light_name(session, light)),
-        Parameter::Eye => distance(session.localize(strings::EYE)),
+        Parameter::Place(of) => distance(&place_name(session, of)),
         Parameter::ByPath(index) => by_path(session, index).map_or_else(String::new, |parameter| {
             parameter.name.in_language(language).to_owned()
         }),
@@ -379,11 +370,27 @@ fn name(session: &Session, parameter: Parameter) -> String {
     }
 }
 
-fn light_name(session: &Session, light: usize) -> String {
-    match session.prepared().scene.lights.len() {
-        1 => session.localize(strings::LIGHT).to_owned(),
-        _ => {
-            Message("names-light").format(session.look.language, &[("number", &light.to_string())])
+/// What stands somewhere.
+pub fn place_name(session: &Session, of: Movable) -> String {
+    let language = session.look.language;
+    let object = |object| object_name(session.prepared(), object as u32, language);
+    match of {
+        Movable::Eye => session.localize(strings::EYE).to_owned(),
+        Movable::Light(_) if session.prepared().scene.lights.len() == 1 => {
+            session.localize(strings::LIGHT).to_owned()
+        }
+        Movable::Light(light) => {
+            Message("names-light").format(language, &[("number", &light.to_string())])
+        }
+        Movable::Object(number) => object(number).to_owned(),
+        Movable::Vertex {
+            object: number,
+            vertex,
+        } => {
+            // As all that people read, counted from 1.
+            let vertex = (vertex + 1).to_string();
+            let names = [("vertex", &*vertex), ("object", object(number))];
+            strings::VERTEX_OF.format(language, &names)
         }
     }
 }

@@ -214,8 +214,8 @@ pub const IS_KEY_PANEL: Message = Message("app-is-key-panel");
 pub const NO_PARAMETERS: Message = Message("app-no-parameters");
 pub const CLICK_A_ROW: Message = Message("app-click-a-row");
 
-pub const DRAG_THE_LIGHT: Message = Message("app-drag-the-light");
-pub const DRAG_THE_EYE: Message = Message("app-drag-the-eye");
+pub const DRAG: Message = Message("app-drag");
+pub const VERTEX_OF: Message = Message("app-vertex-of");
 pub const PARAMETERS: Message = Message("app-parameters");
 pub const LIGHT: Message = Message("common-light");
 pub const EYE: Message = Message("common-eye");

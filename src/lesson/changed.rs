@@ -32,10 +32,9 @@ fn values(parameter: Parameter, lesson: &Lesson) -> Vec<Change> {
                 .map(|value| Change::ByPath { parameter, value })
                 .collect()
         }
-        Change::Light { light, position } => {
-            around(position, &|position| Change::Light { light, position })
+        Change::Place { of, position } => {
+            around(position, &|position| Change::Place { of, position })
         }
-        Change::Eye { position } => around(position, &|position| Change::Eye { position }),
         Change::Divisions { object, .. } => [2, 3, 5, 24, 64]
             .map(|divisions| Change::Divisions { object, divisions })
             .into(),

@@ -9,7 +9,7 @@ use crate::methods::{Family, Settings};
 use crate::methods::{Method, Setup};
 use crate::panels::Panel;
 use crate::replay::Query;
-use crate::scene::{Light, Scene};
+use crate::scene::{Light, Movable, Scene};
 
 impl Lesson {
     /// The size of the picture of a scene that is walked through freely.
@@ -42,6 +42,14 @@ impl Lesson {
     /// Whether it is a walk through a scene, whose method can be chosen.
     pub fn is_free_walk(&self) -> bool {
         self.number == Lesson::UNNUMBERED && self.id == FREE_WALK
+    }
+
+    /// Whether a parameter may be changed: those of the lesson, and in a walk through a scene the place of everything but of patches
+    /// that exchange light.
+    pub fn may_change(&self, parameter: Parameter) -> bool {
+        let is_free = || self.is_free_walk() && self.method.family() != Family::Exchange;
+        self.parameters.contains(&parameter)
+            || matches!(parameter, Parameter::Place(_)) && is_free()
     }
 
     /// The same walk by another method.
@@ -114,7 +122,7 @@ const MATERIALS: usize = 4;
 fn parameters(scene: &Scene) -> Vec<Parameter> {
     let lights = scene.lights.iter().enumerate();
     let lamps = lights.filter(|(_, light)| matches!(light, Light::Point { .. }));
-    let lamps = lamps.map(|(light, _)| Parameter::Light(light));
+    let lamps = lamps.map(|(light, _)| Movable::Light(light));
     let materials = 0..scene.materials.len().min(MATERIALS);
     let coefficients = [
         Coefficient::Diffuse,
@@ -124,5 +132,6 @@ fn parameters(scene: &Scene) -> Vec<Parameter> {
     let of_materials = materials.flat_map(|material| {
         coefficients.map(|coefficient| Parameter::Coefficient(material, coefficient))
     });
-    lamps.chain([Parameter::Eye]).chain(of_materials).collect()
+    let places = lamps.chain([Movable::Eye]).map(Parameter::Place);
+    places.chain(of_materials).collect()
 }

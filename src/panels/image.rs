@@ -15,6 +15,7 @@ mod view;
 pub use value::value;
 pub use view::{ImageView, PixelLayer};
 
+use super::grip::Sight;
 use super::horizon::{after_your_answer, hatch, srgb_bytes};
 use super::strings::focus;
 use super::values::{sentence, step_in_words};
@@ -126,6 +127,17 @@ fn area(input: &PanelInput, size: Vec2) -> Rect {
 pub fn place(input: &PanelInput, size: Vec2) -> Rect {
     let is_part = input.image.shown.zoom > 1.0;
     Placing::of_whole(pixels(input).as_vec2(), area(input, size), is_part)
+}
+
+/// How the world is seen in a panel of that size; none where there is no room.
+pub fn sight(input: &PanelInput, size: Vec2) -> Option<Sight> {
+    let pixels = pixels(input).as_vec2();
+    let placing = Placing::new(pixels, area(input, size), &input.image.shown, middle(input))?;
+    Some(Sight::Camera {
+        view: input.run.prepared().view,
+        fit: placing.fit,
+        area: placing.frame,
+    })
 }
 
 /// What is in the middle, in shares of the picture: what was chosen, or the current pixel.

@@ -15,11 +15,12 @@ pub use list::image::{
 };
 pub use list::inspector::{InspectorView, scrolled as inspector_scrolled};
 pub use list::ray_tree::{HeldNode, TreeView, node_near};
-pub use list::space::{Grip, Orbit, Pixels, Preset, SpaceView, grip};
+pub use list::space::{Orbit, Pixels, Preset, SpaceView};
 pub use list::time_line::{heights as time_line_heights, step_at};
-pub use list::vectors::{Held, PlaneGrip, degrees_toward, grip as vector_grip};
+pub use list::vectors::{PlaneGrip, degrees_toward, grip as vector_grip};
 pub use shared::answered::{Answered, AskedArrow};
 pub use shared::finding::found;
+pub use shared::grip::{Grip, Handle, handles};
 pub use shared::horizon::Hidden;
 #[cfg(test)]
 pub use shared::names::word as word_name;
@@ -42,7 +43,7 @@ use glam::Vec2;
 use shared::fixture;
 #[cfg(test)]
 pub(crate) use shared::fixtures;
-use shared::{channels, horizon, message, names, patches, values};
+use shared::{channels, grip, horizon, message, names, patches, values};
 use strings::Language;
 
 /// What is known of a panel without drawing it.

@@ -6,6 +6,7 @@ mod corners;
 mod line;
 mod polygon;
 
+use super::grip::Sight;
 use super::message::{NO_POLYGONS, message};
 use super::values::step_as_sentence;
 use super::{PanelInput, Properties};
@@ -44,13 +45,9 @@ fn of_state(input: &PanelInput, state: &State, size: Vec2) -> Picture {
         return silent(input, NO_POLYGON, size);
     }
     let mut picture = Picture::new(size.x, size.y);
-    // The bars keep their place whether they are filled or not, so that the polygon stands still.
-    let bars = match state.names {
-        Some(names) => bars::height(names.zero, size),
-        None => 0.0,
-    };
-    let area = Rect::new(0.0, 0.0, size.x, size.y - bars);
+    let area = room(state, size);
     polygon::draw(&mut picture, state, input.language, area);
+    let bars = size.y - area.bottom();
     if bars > 0.0 {
         let area = Rect::new(0.0, area.bottom(), size.x, bars).grown(-2.0);
         match bars::Interpolation::current(state) {
@@ -68,6 +65,40 @@ fn of_state(input: &PanelInput, state: &State, size: Vec2) -> Picture {
     }
     picture.alt = step_as_sentence(input);
     picture
+}
+
+/// Where the polygon stands, above the bars of that step.
+fn room(state: &State, size: Vec2) -> Rect {
+    // The bars keep their place whether they are filled or not, so that the polygon stands still.
+    let bars = match state.names {
+        Some(names) => bars::height(names.zero, size),
+        None => 0.0,
+    };
+    Rect::new(0.0, 0.0, size.x, size.y - bars)
+}
+
+/// The object of the current polygon.
+pub fn object(input: &PanelInput) -> Option<usize> {
+    let Run::Shading(_, replay) = input.run else {
+        return None;
+    };
+    let state = replay.state();
+    let polygon = state.polygon?.polygon as usize;
+    Some(state.prepared.polygon(polygon)?.object)
+}
+
+/// How the polygon is seen in a panel of that size.
+pub fn sight(input: &PanelInput, size: Vec2) -> Option<Sight> {
+    let Run::Shading(_, replay) = input.run else {
+        return None;
+    };
+    let state = replay.state();
+    let area = room(state, size);
+    Some(Sight::Camera {
+        view: state.prepared.view,
+        fit: polygon::fit(&corners::corners(state), area)?,
+        area,
+    })
 }
 
 /// Says why there is nothing to see.

@@ -7,7 +7,6 @@ mod edges;
 mod exchange;
 mod extent;
 mod fan;
-mod grip;
 mod lights;
 mod orbit;
 mod rays;
@@ -16,7 +15,6 @@ mod surfaces;
 mod vectors;
 
 pub use choice::{Pixels, SpaceView};
-pub use grip::{Grip, grip};
 pub use orbit::{Orbit, Preset};
 
 use super::message::{NO_STEPS, message};
@@ -140,6 +138,11 @@ fn space(input: &PanelInput, size: Vec2) -> (Space, f64) {
     };
     let space = frame.looked_at(&orbit, prepared, [&shown, &lights], area.grown(-MARGIN));
     (Space { area, ..space }, extent_of(&shown))
+}
+
+/// How the panel of that size shows the world.
+pub fn sight(input: &PanelInput, size: Vec2) -> Space {
+    space(input, size).0
 }
 
 /// What is shown, in words.

@@ -11,7 +11,7 @@ pub(super) mod met;
 mod plane;
 pub(super) mod point;
 
-pub use plane::{Held, PlaneGrip};
+pub use plane::PlaneGrip;
 
 use super::message::{NO_STEPS, centered, message};
 use super::names;

@@ -5,7 +5,7 @@ use crate::app::strings;
 use crate::language::Message;
 use crate::lesson::{Change, NotAllowed, Parameter};
 use crate::methods::{Settings, Setup};
-use crate::scene::Scene;
+use crate::scene::{Movable, NoRoom, Scene};
 use std::sync::Arc;
 
 /// What has other values than the lesson gives it, and what it was before.
@@ -44,6 +44,16 @@ impl Session {
         self.open.lesson.value(parameter, &self.changes.now)
     }
 
+    /// What may be put elsewhere.
+    pub fn movable(&self) -> impl Iterator<Item = Movable> {
+        let all = Movable::all(&self.open.setup.prepared.scene);
+        all.filter(|&of| self.may_move(of))
+    }
+
+    pub fn may_move(&self, of: Movable) -> bool {
+        self.open.lesson.may_change(Parameter::Place(of))
+    }
+
     /// What the explanation here was followed by, or preceded, and does not happen with the values chosen.
     pub fn not_happening_here(&self) -> Vec<(Option<&str>, Option<&str>)> {
         let said = self.narration_here().into_iter();
@@ -58,7 +68,7 @@ impl Session {
 
     /// Why a parameter cannot be changed, if it cannot.
     pub(super) fn cannot_change(&self, parameter: Parameter) -> Option<Message> {
-        let may = self.open.lesson.parameters.contains(&parameter);
+        let may = self.open.lesson.may_change(parameter);
         (!may).then_some(strings::STAYS)
     }
 
@@ -126,10 +136,12 @@ impl Session {
     fn show_changes(&mut self, changes: Vec<Change>) -> Result<(), Refused> {
         let changed = self.open.lesson.changed(&changes);
         let (scene, settings) = changed.map_err(|why| match why {
-            NotAllowed::TooFar => strings::TOO_FAR.into(),
-            NotAllowed::NoView => strings::NO_VIEW.into(),
+            NotAllowed::NoRoom(NoRoom::TooFar) => strings::TOO_FAR.into(),
+            NotAllowed::NoRoom(NoRoom::NoView) => strings::NO_VIEW.into(),
             NotAllowed::OutOfRange => strings::OUT_OF_RANGE.into(),
-            NotAllowed::Refused(why) => Refused::Error(why),
+            NotAllowed::NoRoom(NoRoom::Refused(why)) | NotAllowed::Refused(why) => {
+                Refused::Error(why)
+            }
         })?;
         let by_path = |changes: &[Change]| {
             let all = changes.iter().copied();

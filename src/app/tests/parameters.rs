@@ -1,9 +1,9 @@
 //! Lights that the pointer drags, and the card of parameters.
 
 use super::*;
-use crate::panels::{Held, Panel, draw, vector_grip};
+use crate::panels::{Panel, draw, vector_grip};
 use crate::picture::Shape;
-use crate::scene::Light;
+use crate::scene::{Light, Movable};
 use egui::Role;
 use glam::DVec3;
 
@@ -131,7 +131,7 @@ fn the_eye_is_dragged_by_its_vector_and_stays_as_far_away() {
         (0..rect.height() as u32).flat_map(|y| (0..rect.width() as u32).map(move |x| [x, y]));
     let mut places = places.map(|at| glam::Vec2::from(at.map(|x| x as f32)));
     let input = screen.session().panel_input();
-    let held = |at| vector_grip(&input, size, at).is_some_and(|grip| grip.held == Held::Eye);
+    let held = |at| vector_grip(&input, size, at).is_some_and(|grip| grip.held == Movable::Eye);
     let at = places.find(|&at| held(at)).expect("the eye can be held");
     let eye = |screen: &Screen| screen.session().prepared().view.eye;
     let target = DVec3::new(0.48, 0.64, 0.6);
@@ -143,4 +143,79 @@ fn the_eye_is_dragged_by_its_vector_and_stays_as_far_away() {
     let distances = [before, after].map(|eye| eye.distance(target));
     assert!((distances[0] - distances[1]).abs() < 1e-6, "{distances:?}");
     assert!(screen.session().is_changed());
+}
+
+/// Where a panel draws the first thing with that tag, on the screen.
+fn drawn_at(screen: &Screen, panel: Panel, tag: Tag) -> egui::Pos2 {
+    let node = screen
+        .harness
+        .get_by_role_and_label(Role::Image, panel.title().text(Language::English));
+    let rect = node.rect();
+    let size = glam::Vec2::new(rect.width(), rect.height());
+    let picture = draw(panel, &screen.session().panel_input(), size);
+    let at = picture.tagged_bounds(tag).expect("it is drawn").center();
+    rect.min + egui::vec2(at.x, at.y)
+}
+
+#[test]
+fn a_vertex_is_dragged_in_the_scan_line_panel_and_the_run_follows() {
+    let commands = vec![Command::NextNarrated, Command::Key(Panel::ScanLine)];
+    let mut screen = screen("gouraud-triangle", [1280, 800], 1.0, commands);
+    let vertex = Movable::Vertex {
+        object: 0,
+        vertex: 0,
+    };
+    let place = |screen: &Screen| vertex.position(&screen.session().prepared().scene).unwrap();
+    let (before, recording) = (place(&screen), screen.session().recording());
+    let from = drawn_at(&screen, Panel::ScanLine, Tag::Vertex(0));
+    screen.harness.hover_at(from);
+    screen.harness.run();
+    screen.keep("vertex-handles");
+    drag(&mut screen, from, egui::vec2(40.0, 30.0));
+    let after = place(&screen);
+    // To the right and down, and in the plane of the picture.
+    assert!(after.x > before.x && after.y < before.y, "{before} {after}");
+    assert!((after.z - before.z).abs() < 1e-9);
+    assert!(screen.session().recording() > recording);
+    screen.keep("dragged-vertex");
+    screen.press(Modifiers::COMMAND, Key::Z);
+    assert_eq!(place(&screen), before);
+}
+
+#[test]
+fn an_object_is_dragged_in_the_picture_of_a_scene_that_was_opened() {
+    let json = r#"{ "schema": 1, "materials": { "chalk": { "diffuse": [1, 1, 1] } },
+        "camera": { "eye": [0, 0, 4], "target": [0, 0, 0], "up": [0, 1, 0], "fov_x_degrees": 40 },
+        "objects": [{ "name": "ball", "material": "chalk", "sphere": { "center": [0, 0, 0], "radius": 0.3 } }],
+        "lights": [{ "point": { "position": [1, 2, 1] } }] }"#;
+    let scene = crate::scene::read(
+        json.as_bytes(),
+        &Default::default(),
+        &mut |_| unreachable!(),
+    );
+    let scene = scene.unwrap();
+    let [width, height] = Lesson::SIZE_OF_A_WALK;
+    let view = crate::scene::View::new(&scene.camera.unwrap(), width, height);
+    let walk = Lesson::of_scene(
+        "own",
+        crate::algorithms::prepared_scene::PreparedScene::new(scene, view),
+    );
+    let mut screen = screen_of(walk, [1280, 800], 1.0, [Command::Key(Panel::Image)]);
+    let middle = screen
+        .harness
+        .get_by_role_and_label(Role::Image, Panel::Image.title().text(Language::English))
+        .rect()
+        .center();
+    // The caption takes a row at the bottom.
+    drag(
+        &mut screen,
+        middle - egui::vec2(0.0, 10.0),
+        egui::vec2(60.0, -40.0),
+    );
+    let at = Movable::Object(0)
+        .position(&screen.session().prepared().scene)
+        .unwrap();
+    assert!(at.x > 0.1 && at.y > 0.05 && at.z.abs() < 1e-9, "{at}");
+    assert!(screen.session().is_changed());
+    screen.keep("dragged-ball");
 }

@@ -26,9 +26,22 @@ struct Drawing<'a> {
 
 pub(super) fn draw(picture: &mut Picture, state: &State, language: Language, area: Rect) {
     let corners = corners(state);
-    if corners.is_empty() {
+    let Some(fit) = fit(&corners, area) else {
         return;
-    }
+    };
+    let mut drawing = Drawing {
+        state,
+        fit,
+        corners,
+        area,
+        labels: Labels::new(area.grown(-2.0)),
+        language,
+    };
+    picture.clipped(area, |picture| drawing.draw(picture));
+}
+
+/// How the polygon stands in `area`; none without corners.
+pub(super) fn fit(corners: &[Corner], area: Rect) -> Option<Fit> {
     // Room for the labels of the outermost corners, and for y_1, y_2 at the left and y_4 at the right.
     let side = (0.15 * area.width).clamp(34.0, 76.0);
     let above = (0.09 * area.height).clamp(14.0, 34.0);
@@ -38,15 +51,8 @@ pub(super) fn draw(picture: &mut Picture, state: &State, language: Language, are
         area.width - 2.0 * side,
         area.height - 2.0 * above,
     );
-    let mut drawing = Drawing {
-        state,
-        fit: Fit::around(corners.iter().map(|corner| corner.place), inner),
-        corners,
-        area,
-        labels: Labels::new(area.grown(-2.0)),
-        language,
-    };
-    picture.clipped(area, |picture| drawing.draw(picture));
+    let places = corners.iter().map(|corner| corner.place);
+    (!corners.is_empty()).then(|| Fit::around(places, inner))
 }
 
 impl Drawing<'_> {

@@ -7,6 +7,7 @@ pub mod finding;
 pub mod fixture;
 #[cfg(test)]
 pub mod fixtures;
+pub mod grip;
 pub mod horizon;
 pub mod message;
 pub mod names;

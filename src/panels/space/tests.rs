@@ -6,7 +6,6 @@ use crate::algorithms::radiosity::Solver;
 use crate::color::Rgb;
 use crate::picture::{Dash, Shape as Drawn, Tag};
 use crate::render::Method;
-use crate::scene::Light;
 
 fn looked_at(orbit: Orbit) -> SpaceView {
     SpaceView {
@@ -144,36 +143,6 @@ fn turned_and_moved_as_far_as_one_likes_something_stays_in_sight() {
             let around = Rect::around(places).expect("something lies before the viewer");
             let in_sight = around.intersection(&space.area);
             assert!(!in_sight.is_empty(), "{preset:?}, {by}, {zoom}: {around:?}");
-        }
-    }
-}
-
-#[test]
-fn a_light_follows_the_pointer_across_the_line_of_sight() {
-    let fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
-    for preset in Preset::ALL {
-        let input = PanelInput {
-            space: looked_at(Orbit::preset(preset)),
-            ..fixture.input()
-        };
-        let (space, _) = space(&input, LARGE);
-        for (number, light) in input.run.prepared().scene.lights.iter().enumerate() {
-            let Light::Point { position, .. } = *light else {
-                continue;
-            };
-            let Some(at) = space.place(position).filter(|&at| space.area.contains(at)) else {
-                continue;
-            };
-            let grip = grip(&input, LARGE, at + Vec2::new(2.0, 1.0)).expect("a light");
-            assert_eq!(grip.light, number);
-            // Taken and not moved, it stays.
-            let stays = grip.position(at + Vec2::new(2.0, 1.0));
-            assert!(stays.distance(position) < 1e-3, "{preset:?}");
-            let moved = grip.position(at + Vec2::new(32.0, -19.0));
-            assert!((moved - position).dot(space.toward).abs() < 1e-9);
-            // Far outside it stops at the border.
-            let outside = space.place(grip.position(Vec2::splat(1e6))).unwrap();
-            assert!(space.area.grown(0.1).contains(outside));
         }
     }
 }

@@ -2,11 +2,12 @@
 
 use super::super::names;
 use super::arrows::V_LENGTH;
-use super::plane::{Held, Tip};
+use super::plane::Tip;
 use crate::language::{Language, Message};
 use crate::replay::VectorPlane;
 use crate::replay::rays::{CurrentSurface, RayState, State, Verdict};
 use crate::replay::shading::{CurrentLight, CurrentPoint};
+use crate::scene::Movable;
 use glam::{DVec3, Vec2};
 
 const AIR: Message = Message("vectors-air");
@@ -49,7 +50,7 @@ impl<'a> SurfaceInSight<'a> {
         let lengths = [1.0, V_LENGTH].into_iter();
         let primary = lengths.filter(|_| self.ray.parent.is_none());
         let primary = primary.map(|length| Tip {
-            held: Held::Eye,
+            held: Movable::Eye,
             distance: eye.distance(self.surface.position),
             direction: -self.ray.ray.direction,
             length,
@@ -61,7 +62,7 @@ impl<'a> SurfaceInSight<'a> {
             .filter_map(|light| {
                 let (direction, _) = light.to_light?;
                 Some(Tip {
-                    held: Held::Light(light.light as usize),
+                    held: Movable::Light(light.light as usize),
                     distance: light.distance,
                     direction,
                     length: 1.0,

@@ -1,22 +1,15 @@
 //! The plane in which the vectors at a point are drawn, and how the pointer turns one of them in it.
 
 use crate::replay::VectorPlane;
+use crate::scene::Movable;
 use glam::{DVec3, Vec2};
 
 /// How near the pointer must be to the tip of a vector, in points.
 const REACH: f32 = 14.0;
 
-/// What can be moved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Held {
-    /// By its index.
-    Light(usize),
-    Eye,
-}
-
 /// A vector toward something that can be moved.
 pub struct Tip {
-    pub held: Held,
+    pub held: Movable,
     pub distance: f64,
     /// Unit.
     pub direction: DVec3,
@@ -75,7 +68,7 @@ impl Plane {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlaneGrip {
     plane: Plane,
-    pub held: Held,
+    pub held: Movable,
     distance: f64,
     /// The part of the unit vector that is across the plane.
     out: DVec3,
@@ -105,7 +98,7 @@ mod tests {
         };
         let direction = DVec3::new(0.48, 0.64, 0.6);
         let tip = Tip {
-            held: Held::Light(2),
+            held: Movable::Light(2),
             distance: 5.0,
             direction,
             length: 1.0,
@@ -113,7 +106,7 @@ mod tests {
         let tips = [tip];
         assert!(plane.grip(&tips, Vec2::new(48.0, -40.0)).is_none());
         let grip = plane.grip(&tips, Vec2::new(50.0, -60.0)).unwrap();
-        assert_eq!(grip.held, Held::Light(2));
+        assert_eq!(grip.held, Movable::Light(2));
         // To the left, level with the surface: 0.8 of the unit vector lies in the plane, 0.6 across it.
         let moved = grip.position(Vec2::new(-70.0, 0.0)) - point;
         assert!(

@@ -1,12 +1,13 @@
 //! The vectors of the illumination model at a point of a polygon, in the plane of N and V: N is up, V leans to the right.
 
 use super::asked;
-use super::plane::{Held, Plane, Tip};
+use super::plane::{Plane, Tip};
 use crate::figure::{Arrow, Labels};
 use crate::panels::PanelInput;
 use crate::picture::{Ink, Picture, Rect, Style, Tag};
 use crate::replay::VectorPlane;
 use crate::replay::shading::CurrentPoint;
+use crate::scene::Movable;
 use glam::{DVec3, Vec2};
 
 const POINT: f32 = 4.0;
@@ -20,7 +21,7 @@ pub struct Named {
     pub ink: Ink,
     pub tag: Tag,
     /// What holds it up, if it can be dragged.
-    held: Option<(Held, f64)>,
+    held: Option<(Movable, f64)>,
 }
 
 /// The vectors recorded so far: N and V, L of each light, R or H of the current light.
@@ -36,7 +37,7 @@ pub fn vectors(point: &CurrentPoint, eye: DVec3) -> Vec<Named> {
     let mut vectors = vec![field("N", point.normal, "Illumination", Ink::Text)];
     if let Some(to_eye) = point.to_eye {
         vectors.push(Named {
-            held: Some((Held::Eye, eye.distance(point.position))),
+            held: Some((Movable::Eye, eye.distance(point.position))),
             ..field("V", to_eye, "Viewer", Ink::Series(4))
         });
     }
@@ -49,7 +50,7 @@ pub fn vectors(point: &CurrentPoint, eye: DVec3) -> Vec<Named> {
         vectors.push(Named {
             name: format!("L_{number}"),
             tag: Tag::Light(number),
-            held: near.then_some((Held::Light(number), light.distance)),
+            held: near.then_some((Movable::Light(number), light.distance)),
             ..field("L", to_light, "ToLight", Ink::Series(1))
         });
     }

@@ -15,6 +15,7 @@ use rules::Check;
 
 pub use rules::LARGEST;
 pub(super) use rules::unit;
+pub(super) use shapes::check_polygon;
 
 /// How large a scene may be. Both hold for the whole scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

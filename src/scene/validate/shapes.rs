@@ -2,7 +2,7 @@
 
 use super::objects::{Division, Objects};
 use super::rules::{COORDINATE, LARGEST, LENGTH, SMALLEST};
-use crate::scene::division::divided;
+use crate::scene::division::{Divided, divided};
 use crate::scene::document::{Keyed, Place};
 use crate::scene::file::{
     BezierFile, CylinderFile, MeshFile, PlaneFile, PolygonFile, SphereFile, TransformFile,
@@ -47,37 +47,24 @@ impl Objects<'_, '_> {
             self.check.refuse(place, message);
             return None;
         }
-        let face: Vec<u32> = (0..count as u32).collect();
-        let divided = match divided(Mesh::new(&vertices, [face], &[])) {
-            Ok(divided) => divided,
+        let (bent, crossing) = match divided_polygon(&vertices) {
+            Ok(divided) => (divided.bent > 0, divided.crossing > 0),
             Err(message) => {
                 self.check.refuse(place, message);
                 return None;
             }
         };
-        let has_area = match divided.bent + divided.crossing {
-            0 => has_area(&vertices),
-            _ => divided.mesh.face_count() > 0,
-        };
-        if !has_area {
-            self.check.refuse(
-                place,
-                "found vertices on one line, or a turn that undoes itself; a polygon has an area"
-                    .into(),
-            );
-            return None;
-        }
-        if divided.crossing > 0 {
+        if crossing {
             self.check
                 .note(place, "a polygon that crosses itself", EVEN_ODD);
         }
-        if divided.bent > 0 && count > 4 {
+        if bent && count > 4 {
             self.check
                 .note(place, "a polygon that is not planar", TRIANGLES);
         }
         let division = match count {
             3 => Division::Triangles(1),
-            4 if divided.crossing == 0 => Division::Quadrilateral,
+            4 if !crossing => Division::Quadrilateral,
             4 => Division::Never("a polygon that crosses itself"),
             _ => Division::Never("a polygon of more than 4 vertices"),
         };
@@ -279,6 +266,27 @@ impl Objects<'_, '_> {
         let data = Rc::new(data);
         self.meshes.insert(path.to_owned(), data.clone());
         data
+    }
+}
+
+/// Whether three vertices or more make a polygon. Errors: why they do not.
+pub fn check_polygon(vertices: &[DVec3]) -> Result<(), String> {
+    divided_polygon(vertices).map(drop)
+}
+
+fn divided_polygon(vertices: &[DVec3]) -> Result<Divided, String> {
+    let face: Vec<u32> = (0..vertices.len() as u32).collect();
+    let divided = divided(Mesh::new(vertices, [face], &[]))?;
+    let has_area = match divided.bent + divided.crossing {
+        0 => has_area(vertices),
+        _ => divided.mesh.face_count() > 0,
+    };
+    match has_area {
+        true => Ok(divided),
+        false => Err(
+            "found vertices on one line, or a turn that undoes itself; a polygon has an area"
+                .into(),
+        ),
     }
 }
 

@@ -13,7 +13,7 @@ use crate::panels::{Panel, draw};
 use crate::picture::Picture;
 use crate::record::Value;
 use crate::render::render;
-use crate::scene::Light;
+use crate::scene::{Light, Movable};
 use glam::DVec3;
 use std::num::NonZeroUsize;
 
@@ -21,7 +21,7 @@ const THERE: DVec3 = DVec3::new(-1.0, 2.0, 2.5);
 
 fn lesson() -> Lesson {
     let mut lesson = builtin("gouraud-triangle").unwrap().read().unwrap();
-    lesson.parameters = vec![Parameter::Light(0)];
+    lesson.parameters = vec![Parameter::Place(Movable::Light(0))];
     lesson
 }
 
@@ -32,7 +32,10 @@ fn session() -> Session {
 fn put(session: &mut Session, position: DVec3) {
     let light = 0;
     session
-        .update(Command::Change(Change::Light { light, position }))
+        .update(Command::Change(Change::Place {
+            of: Movable::Light(light),
+            position,
+        }))
         .unwrap();
 }
 
@@ -107,7 +110,10 @@ fn a_light_goes_where_the_lesson_and_numbers_allow_and_nowhere_else() {
         (0, DVec3::NEG_INFINITY, strings::TOO_FAR),
         (0, far, strings::TOO_FAR),
     ] {
-        let command = Command::Change(Change::Light { light, position });
+        let command = Command::Change(Change::Place {
+            of: Movable::Light(light),
+            position,
+        });
         assert_eq!(
             session.update(command),
             Err(why.into()),
@@ -116,8 +122,8 @@ fn a_light_goes_where_the_lesson_and_numbers_allow_and_nowhere_else() {
     }
     assert!(!session.is_changed() && session.recording() == 1);
     session.open.lesson.parameters.clear();
-    let command = Command::Change(Change::Light {
-        light: 0,
+    let command = Command::Change(Change::Place {
+        of: Movable::Light(0),
         position: THERE,
     });
     assert_eq!(session.allows(&command), Err(strings::STAYS.into()));
@@ -133,14 +139,15 @@ fn every_parameter_changes_run_and_picture_as_a_scene_with_that_value_would() {
         red(Coefficient::Diffuse),
         red(Coefficient::Specular),
         red(Coefficient::Shininess),
-        Parameter::Eye,
+        Parameter::Place(Movable::Eye),
     ];
     let of_material = |coefficient, value| Change::Coefficient {
         material: 0,
         coefficient,
         value,
     };
-    let eye = Change::Eye {
+    let eye = Change::Place {
+        of: Movable::Eye,
         position: DVec3::new(1.0, -0.5, 4.0),
     };
     for change in [
@@ -222,9 +229,14 @@ fn a_ball_is_divided_as_finely_as_requested() {
 #[test]
 fn the_eye_goes_where_there_is_a_view() {
     let mut lesson = lesson();
-    lesson.parameters = vec![Parameter::Eye];
+    lesson.parameters = vec![Parameter::Place(Movable::Eye)];
     let mut session = Session::new(lesson).unwrap();
-    let mut eye = |position| session.update(Command::Change(Change::Eye { position }));
+    let mut eye = |position| {
+        session.update(Command::Change(Change::Place {
+            of: Movable::Eye,
+            position,
+        }))
+    };
     assert_eq!(eye(DVec3::ZERO), Err(strings::NO_VIEW.into()));
     assert_eq!(eye(DVec3::new(0.0, 5.0, 0.0)), Err(strings::NO_VIEW.into()));
     assert_eq!(eye(DVec3::INFINITY), Err(strings::TOO_FAR.into()));
@@ -321,7 +333,10 @@ fn what_does_not_happen_any_more_is_not_narrated() {
     let mut put = |z: f64| {
         let position = DVec3::new(0.0, 0.0, z);
         session
-            .update(Command::Change(Change::Light { light: 1, position }))
+            .update(Command::Change(Change::Place {
+                of: Movable::Light(1),
+                position,
+            }))
             .unwrap();
         (
             session.is_silent(),
@@ -378,7 +393,7 @@ fn a_question_that_no_option_answers_says_so_and_stops_nobody() {
 #[test]
 fn the_panel_that_was_chosen_stays_large_while_a_light_is_moved() {
     let mut lesson = builtin("reflection").unwrap().read().unwrap();
-    lesson.parameters = vec![Parameter::Light(0)];
+    lesson.parameters = vec![Parameter::Place(Movable::Light(0))];
     let mut session = Session::new(lesson).unwrap();
     session.update(Command::Questions).unwrap();
     for _ in 0..4 {
