@@ -6,8 +6,8 @@ use super::panel_view::{self, PanelView, Scale};
 use super::row_end::{before_end, row_end};
 use super::session::{Command, Drawer, Session};
 use super::{
-    drag, image_controls, inspector_drawer, parameter_drawer, results_drawer, room_controls,
-    space_controls, strings, style, tree_controls,
+    against_drawer, drag, image_controls, inspector_drawer, parameter_drawer, results_drawer,
+    room_controls, space_controls, strings, style, tree_controls,
 };
 use crate::language::Message;
 use crate::panels::{Panel, step_at};
@@ -274,6 +274,7 @@ fn show_drawer(
     let (title, command) = match drawer {
         Drawer::Inspector => (strings::INSPECTOR, Command::Inspector),
         Drawer::Parameters => (strings::PARAMETERS, Command::Parameters),
+        Drawer::Against => (strings::COMPARISON, Command::Against),
         Drawer::Results => (strings::RESULTS, Command::Results),
     };
     let (_, mut row) = head(session, title, rect, ui);
@@ -282,6 +283,10 @@ fn show_drawer(
     match drawer {
         Drawer::Parameters => {
             parameter_drawer::show(session, commands, inside(rect), ui);
+            None
+        }
+        Drawer::Against => {
+            against_drawer::show(session, commands, inside(rect), ui);
             None
         }
         Drawer::Results => {

@@ -1,5 +1,6 @@
 //! The window: a [`Session`] holds what is shown, [`window`] shows it, [`open`] puts it on the screen.
 
+mod against_drawer;
 mod arrow_focus;
 mod binding;
 mod button;

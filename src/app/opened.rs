@@ -2,6 +2,9 @@
 //! so is a folder of lessons.
 
 use super::session::{FolderOfLessons, Session};
+use super::strings;
+use crate::color::StoredImage;
+use crate::language::Message;
 use crate::lesson::Lesson;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
@@ -13,6 +16,7 @@ pub struct Readers {
     /// Reads a lesson, or a scene or mesh as one.
     pub document: fn(&Path) -> Result<Lesson, String>,
     pub folder: fn(&Path) -> Result<FolderOfLessons, String>,
+    pub picture: fn(&Path) -> Result<StoredImage, String>,
 }
 
 /// How often it is looked whether something was saved.
@@ -21,10 +25,12 @@ pub(super) const LOOK: Duration = Duration::from_millis(500);
 /// When a file was saved; none where it is gone.
 type Saved = Option<SystemTime>;
 
-/// The file that is shown and the folder whose lessons are listed, each as it was when it was read.
+/// The file that is shown, the picture that it is compared with, and the folder whose lessons are listed, each as it was when it was
+/// read.
 pub(super) struct Opened {
     readers: Readers,
     file: Option<(PathBuf, Saved)>,
+    picture: Option<(PathBuf, Saved)>,
     folder: Option<(PathBuf, Vec<(PathBuf, Saved)>)>,
 }
 
@@ -35,20 +41,20 @@ impl Opened {
             let files = files(&path);
             (path, files)
         });
-        let file = None;
         Opened {
             readers,
-            file,
+            file: None,
+            picture: None,
             folder,
         }
     }
 
     pub fn has_file(&self) -> bool {
-        self.file.is_some() || self.folder.is_some()
+        self.file.is_some() || self.picture.is_some() || self.folder.is_some()
     }
 
-    /// Opens a file in place of what is shown, or a folder in place of the one that is listed. Errors: what is wrong with it; nothing
-    /// has changed then.
+    /// Opens a file in place of what is shown, a folder in place of the one that is listed, or a picture beside what is shown. Errors:
+    /// what is wrong with it; nothing has changed then.
     pub fn open(&mut self, session: &mut Session, path: &Path) -> Result<(), String> {
         if path.is_dir() {
             let files = files(path);
@@ -57,6 +63,10 @@ impl Opened {
             self.folder = Some((path.to_owned(), files));
             return Ok(());
         }
+        if is_picture(path) {
+            self.picture = Some((path.to_owned(), saved(path)));
+            return self.compare(session, path);
+        }
         let saved = saved(path);
         let lesson = (self.readers.document)(path)?;
         session.open_document(lesson, Some(path.to_owned()))?;
@@ -64,12 +74,39 @@ impl Opened {
         Ok(())
     }
 
-    /// Reads again what was saved since: the file that is shown; on the page of lessons, the folder. None where nothing new is shown;
-    /// else whether it is right: the last that was right stays.
-    pub fn look(&mut self, session: &mut Session) -> Option<Result<(), String>> {
+    fn compare(&self, session: &mut Session, path: &Path) -> Result<(), String> {
+        let image = (self.readers.picture)(path)?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let compared = session.compare_with(name.into_owned(), image);
+        compared.map_err(|why| why.in_language(session.look.language).to_owned())
+    }
+
+    /// Reads again what was saved since: the file that is shown and the picture beside it; on the page of lessons, the folder. None where
+    /// nothing new is shown; else what to say of it, or what is wrong with it: the last that was right stays.
+    pub fn look(&mut self, session: &mut Session) -> Option<Result<Message, String>> {
         if session.look.home {
             return self.look_into_folder(session).err().map(Err);
         }
+        match self.look_at_file(session) {
+            None => self.look_at_picture(session),
+            looked => looked,
+        }
+    }
+
+    fn look_at_picture(&mut self, session: &mut Session) -> Option<Result<Message, String>> {
+        session.against()?;
+        let (path, known) = self.picture.as_mut()?;
+        let now = saved(path);
+        if now.is_none() || now == *known {
+            return None;
+        }
+        *known = now;
+        let path = path.clone();
+        let compared = self.compare(session, &path);
+        Some(compared.map(|()| strings::PICTURE_READ_AGAIN))
+    }
+
+    fn look_at_file(&mut self, session: &mut Session) -> Option<Result<Message, String>> {
         let path = session.file.clone()?;
         let known = match &self.file {
             Some((of, known)) if *of == path => *known,
@@ -83,7 +120,8 @@ impl Opened {
         let is_new = now.is_some() && now != known;
         let read = is_new.then(|| (self.readers.document)(&path));
         self.file = Some((path, now.or(known)));
-        Some(read?.and_then(|lesson| session.reload(lesson)))
+        let shown = read?.and_then(|lesson| session.reload(lesson));
+        Some(shown.map(|()| strings::READ_AGAIN))
     }
 
     fn look_into_folder(&mut self, session: &mut Session) -> Result<(), String> {
@@ -103,6 +141,17 @@ impl Opened {
         let found = files.iter().find(|(path, _)| path == file);
         found.map(|(_, saved)| *saved)
     }
+}
+
+fn is_picture(path: &Path) -> bool {
+    let extension = path
+        .extension()
+        .map(|extension| extension.to_ascii_lowercase());
+    extension.is_some_and(|extension| {
+        ["png", "ppm", "pfm"]
+            .iter()
+            .any(|known| extension == *known)
+    })
 }
 
 fn saved(path: &Path) -> Saved {

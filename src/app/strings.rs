@@ -46,6 +46,28 @@ pub const MEASURED_AGAIN_BY: Message = Message("app-measured-again-by");
 pub const REFERENCE: Message = Message("app-reference");
 pub const PARETO: Message = Message("app-pareto");
 
+pub const COMPARE: Message = Message("app-compare");
+pub const COMPARISON: Message = Message("app-compare-title");
+pub const COMPARE_HOW: Message = Message("app-compare-how");
+pub const COMPARE_WHERE: Message = Message("app-compare-where");
+pub const COMPARE_SIZE: Message = Message("app-compare-size");
+pub const COMPARE_TOO_LARGE: Message = Message("app-compare-too-large");
+pub const COMPARE_DRAWING: Message = Message("app-compare-drawing");
+pub const COMPARE_TRYING: Message = Message("app-compare-trying");
+pub const COMPARE_SIZE_IS: Message = Message("app-compare-size-is");
+pub const COMPARE_LINEAR: Message = Message("app-compare-linear");
+pub const COMPARE_EQUAL: Message = Message("app-compare-equal");
+pub const COMPARE_OFF: Message = Message("app-compare-off");
+pub const COMPARE_NO_MISTAKE: Message = Message("app-compare-no-mistake");
+pub const COMPARE_EXPLAINS: Message = Message("app-compare-explains");
+pub const COMPARE_MINE: Message = Message("app-compare-mine");
+pub const COMPARE_REFERENCE: Message = Message("app-compare-reference");
+pub const COMPARE_DIFFERENCE: Message = Message("app-compare-difference");
+pub const COMPARE_WORST: Message = Message("app-compare-worst");
+pub const COMPARE_PIXEL: Message = Message("app-compare-pixel");
+pub const PICTURE_READ_AGAIN: Message = Message("app-picture-read-again");
+pub const AFTER_YOUR_ANSWER: Message = Message("panels-after-your-answer");
+
 pub const LESSONS: Message = Message("app-lessons");
 pub const CHAPTERS: [(Chapter, Message); 4] = [
     (Chapter::Shading, Message("app-chapter-shading")),

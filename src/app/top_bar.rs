@@ -193,6 +193,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             (strings::PRESENT, Command::Present),
             (strings::SHARE, Command::Share),
             (strings::LEFT_OUT, Command::Skipped),
+            (strings::COMPARE, Command::Against),
             (strings::FORGET, Command::Sheet(Sheet::Forget)),
         ] {
             let strings = session.localize(strings);

@@ -13,8 +13,9 @@ use egui::{Button, Key, Rect, RichText, TextEdit, Ui};
 const WIDE: f32 = 1100.0;
 /// A row narrower than this has most of its buttons in a menu.
 const NARROW: f32 = 960.0;
-/// Room for the buttons after the search.
+/// Room for the buttons after the search, and for one more.
 const BUTTONS: f32 = 200.0;
+const BUTTON: f32 = 120.0;
 
 /// Shows the row in `rect`.
 pub fn show(
@@ -54,17 +55,20 @@ pub fn show(
     looping(session, commands, ui);
     run_to(session, commands, ui);
     row_end(ui, |ui, room| {
-        search(session, window, room - BUTTONS, commands, ui);
+        let more = session.against().map_or(0.0, |_| BUTTON);
+        search(session, window, room - BUTTONS - more, commands, ui);
         drawers(session, commands, ui);
     });
 }
 
 /// What opens beside the key panel.
 fn drawers(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
-    for (drawer, name, command) in [
+    let mine = (Drawer::Against, strings::COMPARE, Command::Against);
+    let mine = session.against().map(|_| mine);
+    for (drawer, name, command) in mine.into_iter().chain([
         (Drawer::Parameters, strings::PARAMETERS, Command::Parameters),
         (Drawer::Inspector, strings::INSPECTOR, Command::Inspector),
-    ] {
+    ]) {
         let name = session.localize(name);
         let chosen = session.look.drawer == Some(drawer);
         button(

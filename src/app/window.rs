@@ -28,7 +28,8 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     window.open_files(session, &ctx);
     session.take_picture();
     session.take_findings();
-    if session.awaits_picture() {
+    session.take_comparison();
+    if session.awaits_picture() || session.against().is_some_and(|a| a.percent().is_some()) {
         ctx.request_repaint_after(LOOK_AGAIN);
     }
     window.keep_up(session, &ctx);
@@ -186,9 +187,7 @@ impl Window {
         let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
         let told = match dropped {
             Some(file) => Some(opened.open(session, file.path()).map(|()| None)),
-            None => opened
-                .look(session)
-                .map(|read| read.map(|()| Some(strings::READ_AGAIN))),
+            None => opened.look(session).map(|read| read.map(Some)),
         };
         if let Some(told) = told {
             self.notice = match told {

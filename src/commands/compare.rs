@@ -4,12 +4,11 @@ use super::arguments::{LimitArguments, RayArguments, method, method_names};
 use super::failure::Failure;
 use super::files;
 use crate::algorithms::enclosure;
-use crate::color::{Rgb, StoredImage, png_rgb8, read_image};
-use crate::figure::diverging;
+use crate::color::{StoredImage, png_rgb8, read_image};
 use crate::language::Language;
 use crate::methods::{Method, Settings, Setup};
 use crate::picture::plain;
-use crate::study::against::{Comparison, compare};
+use crate::study::against::{Comparison, compare, difference, screen_pixels};
 use crate::study::mistakes::Mistake;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -173,19 +172,10 @@ fn write(folder: &Path, mine: &StoredImage, found: &Comparison) -> Result<(), Fa
             folder.display()
         ))
     })?;
-    let byte = |channel: f64| (255.0 * channel.clamp(0.0, 1.0)).round() as u8;
-    let reference: Vec<u8> = found.reference.iter().flatten().map(|&c| byte(c)).collect();
-    let largest = found.largest.max(f64::MIN_POSITIVE);
-    let mean = |pixel: &[f64; 3]| pixel.iter().sum::<f64>() / 3.0;
-    let difference = mine.pixels.iter().zip(&found.reference);
-    let difference: Vec<u8> = difference
-        .flat_map(|(mine, reference)| -> [u8; 3] {
-            let color: Rgb = diverging((mean(mine) - mean(reference)) / largest);
-            color.to_srgb8()
-        })
-        .collect();
+    let reference = screen_pixels(&found.reference, mine.is_float);
+    let difference = difference(&mine.pixels, found);
     for (name, bytes) in [("reference.png", reference), ("difference.png", difference)] {
-        let png = png_rgb8(mine.width, mine.height, &bytes);
+        let png = png_rgb8(mine.width, mine.height, bytes.as_flattened());
         files::write_whole(&folder.join(name), |writer| writer.write_all(&png))?;
     }
     Ok(())

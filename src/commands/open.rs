@@ -20,6 +20,7 @@ pub struct Arguments {
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     use super::{files, lesson_folder};
     use crate::app::{self, FolderOfLessons, Readers, Start};
+    use crate::color::{StoredImage, read_image};
     use crate::lesson::Lesson;
     use std::path::Path;
 
@@ -71,6 +72,10 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     fn folder_of_lessons(path: &Path) -> Result<FolderOfLessons, String> {
         lesson_folder::read(path).map_err(|failure| failure.to_string())
     }
+    fn picture(path: &Path) -> Result<StoredImage, String> {
+        let bytes = files::picture(path).map_err(|failure| failure.to_string())?;
+        read_image(&bytes).map_err(|error| files::wrong(&path.display(), &error).to_string())
+    }
     let start = Start {
         lesson,
         step,
@@ -78,6 +83,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         readers: Readers {
             document,
             folder: folder_of_lessons,
+            picture,
         },
     };
     app::open(start).map_err(Failure::Failed)

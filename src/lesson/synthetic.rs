@@ -68,6 +68,15 @@ impl Lesson {
         }
     }
 
+    /// The same walk with a picture of another size.
+    pub fn of_size(&self, size: [u32; 2]) -> Lesson {
+        let resized = Lesson {
+            size,
+            ..self.clone()
+        };
+        resized.by_method(self.method)
+    }
+
     /// The number of a lesson that stands in no list.
     pub const UNNUMBERED: u32 = 0;
 

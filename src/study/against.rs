@@ -5,10 +5,12 @@ mod explained;
 use super::mistakes::{Encoding, Mistake};
 use crate::algorithms::frame::Frame;
 use crate::color::{Rgb, StoredImage};
+use crate::figure::diverging;
 use crate::methods::{Method, Setup};
 use crate::render::render;
 use explained::explanations;
 use serde::Serialize;
+use std::convert::Infallible;
 use std::num::NonZeroUsize;
 
 /// Pixels that are named as the worst.
@@ -64,6 +66,25 @@ pub fn compare(
     tolerance: f64,
     threads: NonZeroUsize,
 ) -> Comparison {
+    let Ok(found) = compare_with_progress(mine, setup, method, tolerance, threads, &go_on, |_| {});
+    found
+}
+
+fn go_on(_: usize, _: usize) -> Result<(), Infallible> {
+    Ok(())
+}
+
+/// The same with `progress(done, all)` in between, which may call it off by an error. `first` takes what is known before the mistakes
+/// are tried.
+pub fn compare_with_progress<E>(
+    mine: &StoredImage,
+    setup: &Setup,
+    method: Method,
+    tolerance: f64,
+    threads: NonZeroUsize,
+    progress: &impl Fn(usize, usize) -> Result<(), E>,
+    first: impl FnOnce(&Comparison),
+) -> Result<Comparison, E> {
     let frame = render(setup, method, threads, &|_, _| {});
     // Integers are for the screen, floats are light.
     let right = match mine.is_float {
@@ -76,23 +97,10 @@ pub fn compare(
     let by = |at: &usize| distance(mine.pixels[*at], reference[*at]);
     worst.sort_by(|a, b| by(b).total_cmp(&by(a)));
     let off = worst.len();
-    let mistakes = match off {
-        0 => Vec::new(),
-        _ => {
-            let mistaken = mistaken(setup, method, &frame, (right, mine.is_float), threads);
-            explanations(mine, tolerance, &reference, &mistaken)
-        }
-    };
     let all = 0..mine.pixels.len();
-    let first = mistakes.first().filter(|first| 2 * first.explains > off);
-    let encoding = match first.map(|first| first.mistake) {
-        Some(Mistake::NoSrgb) => Encoding::Linear,
-        Some(Mistake::SrgbTwice) => Encoding::Srgb,
-        _ => right,
-    };
-    Comparison {
+    let mut found = Comparison {
         size: [mine.width, mine.height],
-        encoding: encoding.name(),
+        encoding: right.name(),
         largest: all.map(|at| by(&at)).fold(0.0, f64::max),
         rms: rms(&mine.pixels, &reference),
         off,
@@ -107,27 +115,46 @@ pub fn compare(
                 reference: reference[at],
             })
             .collect(),
-        mistakes,
+        mistakes: Vec::new(),
         reference,
+    };
+    first(&found);
+    if off > 0 {
+        let stored = (right, mine.is_float);
+        let mistaken = mistaken(setup, method, &frame, stored, threads, progress)?;
+        found.mistakes = explanations(mine, tolerance, &found.reference, &mistaken);
+        let best = found.mistakes.first();
+        let best = best.filter(|best| 2 * best.explains > off);
+        found.encoding = match best.map(|best| best.mistake) {
+            Some(Mistake::NoSrgb) => Encoding::Linear.name(),
+            Some(Mistake::SrgbTwice) => Encoding::Srgb.name(),
+            _ => right.name(),
+        };
     }
+    Ok(found)
 }
 
 /// What the file would have with each mistake that a program can make by that method, and that changes the picture.
-fn mistaken(
+fn mistaken<E>(
     setup: &Setup,
     method: Method,
     frame: &Frame,
     (right, is_float): (Encoding, bool),
     threads: NonZeroUsize,
-) -> Vec<(Mistake, Vec<[f64; 3]>)> {
-    let possible = Mistake::ALL
-        .into_iter()
-        .filter(|mistake| mistake.concerns(method));
-    let with = possible.filter_map(|mistake| {
-        let (wrong, encoding) = mistake.picture(setup, method, frame, right, threads)?;
-        Some((mistake, encoded(&wrong, encoding, is_float)))
-    });
-    with.collect()
+    progress: &impl Fn(usize, usize) -> Result<(), E>,
+) -> Result<Vec<(Mistake, Vec<[f64; 3]>)>, E> {
+    let possible = Mistake::ALL.into_iter();
+    let possible: Vec<Mistake> = possible
+        .filter(|mistake| mistake.concerns(method))
+        .collect();
+    let mut mistaken = Vec::new();
+    for (done, mistake) in possible.iter().enumerate() {
+        progress(done, possible.len())?;
+        let wrong = mistake.picture(setup, method, frame, right, threads);
+        mistaken
+            .extend(wrong.map(|(wrong, encoding)| (*mistake, encoded(&wrong, encoding, is_float))));
+    }
+    Ok(mistaken)
 }
 
 /// The numbers that a file would have; integers are rounded to 8 bits.
@@ -142,6 +169,26 @@ fn encoded(frame: &Frame, encoding: Encoding, is_float: bool) -> Vec<[f64; 3]> {
         (Encoding::SrgbTwice, _) => Rgb::from(color.to_srgb8().map(byte)).to_srgb8().map(byte),
     };
     frame.color.iter().map(one).collect()
+}
+
+/// Pixels as they look on the screen: integers as they are, light encoded.
+pub fn screen_pixels(pixels: &[[f64; 3]], is_float: bool) -> Vec<[u8; 3]> {
+    let byte = |channel: f64| (255.0 * channel.clamp(0.0, 1.0)).round() as u8;
+    let one = |pixel: &[f64; 3]| match is_float {
+        true => Rgb::from(*pixel).to_srgb8(),
+        false => pixel.map(byte),
+    };
+    pixels.iter().map(one).collect()
+}
+
+/// The signed difference of the channels' mean from the reference as a picture: orange where yours is brighter, blue where darker.
+pub fn difference(mine: &[[f64; 3]], found: &Comparison) -> Vec<[u8; 3]> {
+    let largest = found.largest.max(f64::MIN_POSITIVE);
+    let mean = |pixel: &[f64; 3]| pixel.iter().sum::<f64>() / 3.0;
+    let pairs = mine.iter().zip(&found.reference);
+    pairs
+        .map(|(mine, reference)| diverging((mean(mine) - mean(reference)) / largest).to_srgb8())
+        .collect()
 }
 
 /// The largest difference of a channel.

@@ -155,6 +155,7 @@ impl Session {
         self.open.setup = setup;
         self.changes.now = changes;
         self.record_again();
+        self.compare_again();
         Ok(())
     }
 

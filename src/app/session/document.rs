@@ -13,12 +13,14 @@ impl Session {
     /// Errors: those of the lesson; nothing has changed then.
     pub(super) fn show_anew(&mut self, lesson: Lesson) -> Result<(), LessonError> {
         let lesson = match self.lesson().is_free_walk() {
-            true => lesson.by_method(self.lesson().method),
+            true => lesson
+                .by_method(self.lesson().method)
+                .of_size(self.lesson().size),
             false => lesson,
         };
         let (here, chosen, focus) = (self.step(), self.chosen, self.focus);
         let place = Place::of(self.walk(), here);
-        self.replace(lesson)?;
+        self.replace_compared(lesson)?;
         // What was looked at may not be there any more: then the file's own part is.
         if self.focus_on(focus).is_ok()
             && let Some(step) = place.nearest(self.walk(), here)
@@ -43,7 +45,7 @@ impl Session {
             return Err(why.into());
         }
         let lesson = self.lesson().by_method(method);
-        self.replace(lesson)
+        self.replace_compared(lesson)
             .map_err(|error| Refused::Error(error.to_string()))
     }
 }

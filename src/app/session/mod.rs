@@ -1,5 +1,6 @@
 //! Everything that the window shows, without a window: a [`Command`] changes it, and nothing else does.
 
+mod against;
 mod change;
 mod command;
 mod document;
@@ -30,6 +31,7 @@ mod update;
 #[cfg(test)]
 mod tests;
 
+pub use against::Against;
 pub use command::{Command, PointAt, Refused, StudyCommand};
 pub use kept::{Kept, Progress};
 pub use lessons::{Listed, listed};
@@ -72,6 +74,8 @@ fn methods(open: &OpenLesson) -> Methods {
 pub enum Drawer {
     Inspector,
     Parameters,
+    /// A picture of the user's own beside ours.
+    Against,
     /// What a search has found.
     Results,
 }
@@ -151,6 +155,8 @@ pub struct Session {
     /// A command line on its way to the clipboard; the window takes this.
     pub shared: Option<String>,
     studying: Studying,
+    /// The picture that is compared with ours.
+    against: Option<Against>,
 }
 
 impl Session {
@@ -194,6 +200,7 @@ impl Session {
             search_wanted: false,
             shared: None,
             studying: Studying::new(),
+            against: None,
             open,
         };
         session.start_over();
@@ -204,6 +211,7 @@ impl Session {
     fn replace(&mut self, lesson: Lesson) -> Result<(), LessonError> {
         let open = lesson.open()?;
         self.note_progress();
+        self.forget_comparison();
         self.preview = Preview::new(open.setup.clone(), methods(&open));
         self.focus = open.lesson.focus;
         self.changes = Default::default();

@@ -100,6 +100,10 @@ impl Session {
                 }
                 self.toggle_drawer(Drawer::Parameters);
             }
+            Command::Against => match self.against() {
+                Some(_) => self.toggle_drawer(Drawer::Against),
+                None => return Err(strings::COMPARE_HOW.into()),
+            },
             Command::Share => {
                 self.shared = Some(self.command_line()?);
             }
@@ -136,6 +140,7 @@ impl Session {
             Command::Parameters if self.lesson().parameters.is_empty() => {
                 Some(strings::NO_PARAMETERS)
             }
+            Command::Against if self.against().is_none() => Some(strings::COMPARE_HOW),
             Command::Unshot if !self.has_unshot() => Some(strings::NO_UNSHOT),
             Command::Focus(focus @ Focus::FormFactor { .. }) => self.cannot_follow(focus),
             Command::Key(panel) if self.key_panel() == Some(panel) => Some(strings::IS_KEY_PANEL),

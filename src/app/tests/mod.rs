@@ -1,5 +1,6 @@
 //! The whole window, with no screen: keys pressed, buttons clicked, and what is then shown.
 
+mod against;
 mod far_and_found;
 mod home;
 mod kept;

@@ -41,6 +41,7 @@ fn read_folder(path: &Path) -> Result<FolderOfLessons, String> {
 const READERS: Readers = Readers {
     document: read,
     folder: read_folder,
+    picture: |_| Err("no picture".into()),
 };
 
 /// Writes a file as if it had been saved so many seconds later.

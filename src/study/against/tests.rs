@@ -109,7 +109,7 @@ fn every_mistake_is_told_from_all_others_by_its_own_picture() {
         let setup = setup(scene, [40, 30]);
         let frame = render(&setup, method, ONE, &|_, _| {});
         let reference = encoded(&frame, Encoding::Srgb, false);
-        let mistaken = mistaken(&setup, method, &frame, (Encoding::Srgb, false), ONE);
+        let Ok(mistaken) = mistaken(&setup, method, &frame, (Encoding::Srgb, false), ONE, &go_on);
         for (mistake, wrong) in &mistaken {
             let differs = differing(wrong, &reference, TOLERANCE);
             let off = differs.iter().filter(|&&differs| differs).count();
@@ -150,7 +150,7 @@ fn two_mistakes_at_once_are_named_first_where_they_touch_different_pixels() {
     let frame = render(&setup, Method::RayTracing, ONE, &|_, _| {});
     let reference = encoded(&frame, Encoding::Srgb, false);
     let encoding = (Encoding::Srgb, false);
-    let mistaken = mistaken(&setup, Method::RayTracing, &frame, encoding, ONE);
+    let Ok(mistaken) = mistaken(&setup, Method::RayTracing, &frame, encoding, ONE, &go_on);
     let (one, other) = (Mistake::ReflectionForgotten, Mistake::EtaInverted);
     let both = one.wrong_input(&setup).unwrap();
     let both = other.wrong_input(&both).unwrap();
@@ -245,7 +245,7 @@ fn a_picture_that_is_wrong_in_another_way_names_no_mistake_that_makes_it_worse()
             }),
         ];
         let encoding = (Encoding::Srgb, false);
-        let mistaken = mistaken(&setup, method, &frame, encoding, ONE);
+        let Ok(mistaken) = mistaken(&setup, method, &frame, encoding, ONE, &go_on);
         for (number, mine) in wrongs.iter().enumerate() {
             let before = rms(&mine.pixels, &right.pixels);
             for found in explanations(mine, TOLERANCE, &right.pixels, &mistaken) {
@@ -296,7 +296,7 @@ fn nothing_follows_a_mistake_that_explains_everything_but_what_gives_the_same_pi
     let setup = setup(OPEN, [40, 30]);
     let frame = render(&setup, Method::RayTracing, ONE, &|_, _| {});
     let encoding = (Encoding::Srgb, false);
-    let mistaken = mistaken(&setup, Method::RayTracing, &frame, encoding, ONE);
+    let Ok(mistaken) = mistaken(&setup, Method::RayTracing, &frame, encoding, ONE, &go_on);
     let reference = encoded(&frame, Encoding::Srgb, false);
     let (_, wrong) = mistaken
         .iter()

@@ -1,0 +1,194 @@
+//! A picture of the user's own program beside what is shown: compared in the background, and again whenever either changes.
+
+use super::{Drawer, Refused, Session};
+use crate::app::strings;
+use crate::color::StoredImage;
+use crate::lesson::{Lesson, LessonError};
+use crate::methods::{Method, Setup};
+use crate::render::Cancelled;
+use crate::study::against::{Comparison, compare_with_progress};
+use std::num::NonZeroUsize;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
+use std::thread;
+
+/// How far a channel may be off: a step of 8 bits.
+const TOLERANCE: f64 = 1.0 / 255.0;
+/// The largest picture that a scene is walked with.
+const MOST_PIXELS: u64 = 1 << 22;
+
+/// A picture that is compared with ours. Dropped, its thread ends by itself before the next mistake.
+pub struct Against {
+    /// Of its file.
+    pub name: String,
+    pub mine: Arc<StoredImage>,
+    /// What is known so far; the mistakes come last.
+    pub found: Option<Comparison>,
+    /// Counts what has come in over all comparisons, so that what was drawn of an earlier one is known to be old.
+    pub version: u64,
+    news: Option<Receiver<Comparison>>,
+    state: Arc<State>,
+}
+
+/// What the two threads share.
+#[derive(Default)]
+struct State {
+    cancelled: AtomicBool,
+    percent: AtomicUsize,
+}
+
+impl Drop for Against {
+    fn drop(&mut self) {
+        self.state.cancelled.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Against {
+    fn begin(name: String, mine: Arc<StoredImage>, of: (Arc<Setup>, Method), version: u64) -> Self {
+        let state = Arc::new(State::default());
+        let (sender, news) = channel();
+        let (pixels, its_state) = (mine.clone(), state.clone());
+        let thread = thread::Builder::new().name("comparison".into());
+        let begun = thread.spawn(move || compare(&pixels, &of.0, of.1, &its_state, &sender));
+        Against {
+            name,
+            mine,
+            found: None,
+            version,
+            news: begun.is_ok().then_some(news),
+            state,
+        }
+    }
+
+    /// How many of the mistakes have been tried, in percent; none where all have.
+    pub fn percent(&self) -> Option<usize> {
+        self.news.as_ref()?;
+        Some(self.state.percent.load(Ordering::Relaxed))
+    }
+
+    fn keep(&mut self, found: Comparison) {
+        self.found = Some(found);
+        self.version += 1;
+    }
+}
+
+fn compare(
+    mine: &StoredImage,
+    setup: &Setup,
+    method: Method,
+    state: &State,
+    sender: &Sender<Comparison>,
+) {
+    let progress = |done: usize, all: usize| {
+        state
+            .percent
+            .store(100 * done / all.max(1), Ordering::Relaxed);
+        match state.cancelled.load(Ordering::Relaxed) {
+            true => Err(Cancelled),
+            false => Ok(()),
+        }
+    };
+    // The receiver may be gone; then the news is not needed.
+    let first = |found: &Comparison| drop(sender.send(found.clone()));
+    let threads = thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+    let found = compare_with_progress(mine, setup, method, TOLERANCE, threads, &progress, first);
+    if let Ok(found) = found {
+        drop(sender.send(found));
+    }
+}
+
+impl Session {
+    pub fn against(&self) -> Option<&Against> {
+        self.against.as_ref()
+    }
+
+    /// Compares a picture with what is shown. A scene that is walked freely is then walked in a picture of that size. Errors: what of it
+    /// does not fit, and nothing has changed then.
+    pub fn compare_with(&mut self, name: String, mine: StoredImage) -> Result<(), Refused> {
+        if self.look.home || self.studying.is_open {
+            return Err(strings::COMPARE_WHERE.into());
+        }
+        let (size, ours) = ([mine.width, mine.height], self.lesson().size);
+        let in_words = |[width, height]: [u32; 2]| format!("{width} × {height}");
+        let refused = |message: crate::language::Message| {
+            let sizes = [("found", in_words(size)), ("wanted", in_words(ours))];
+            let sizes = sizes.each_ref().map(|(key, size)| (*key, size.as_str()));
+            Refused::Error(message.format(self.look.language, &sizes))
+        };
+        if size != ours {
+            if !self.lesson().is_free_walk() {
+                return Err(refused(strings::COMPARE_SIZE));
+            }
+            if u64::from(mine.width) * u64::from(mine.height) > MOST_PIXELS {
+                return Err(refused(strings::COMPARE_TOO_LARGE));
+            }
+            let resized = self.lesson().of_size(size);
+            self.replace_compared(resized)
+                .map_err(|error| Refused::Error(error.to_string()))?;
+        }
+        self.begin_comparison(name, Arc::new(mine));
+        self.look.drawer = Some(Drawer::Against);
+        Ok(())
+    }
+
+    fn begin_comparison(&mut self, name: String, mine: Arc<StoredImage>) {
+        let version = self.against.as_ref().map_or(0, |old| old.version + 1);
+        let of = (self.open.setup.clone(), self.lesson().method);
+        self.against = Some(Against::begin(name, mine, of, version));
+    }
+
+    /// Compares the picture with what is shown now.
+    pub(super) fn compare_again(&mut self) {
+        if let Some(against) = &self.against {
+            let (name, mine) = (against.name.clone(), against.mine.clone());
+            self.begin_comparison(name, mine);
+        }
+    }
+
+    /// Puts another walk through the same scene in place of this one, and compares the picture with that.
+    pub(super) fn replace_compared(&mut self, lesson: Lesson) -> Result<(), LessonError> {
+        let (against, drawer) = (self.against.take(), self.look.drawer);
+        let replaced = self.replace(lesson);
+        self.against = against;
+        self.look.drawer = drawer;
+        if replaced.is_ok() {
+            self.compare_again();
+        }
+        replaced
+    }
+
+    /// Nothing is compared any more: another lesson is shown.
+    pub(super) fn forget_comparison(&mut self) {
+        self.against = None;
+        if self.look.drawer == Some(Drawer::Against) {
+            self.look.drawer = None;
+        }
+    }
+
+    /// Takes what the comparison has found.
+    pub fn take_comparison(&mut self) {
+        let Some(against) = &mut self.against else {
+            return;
+        };
+        while let Some(news) = &against.news {
+            match news.try_recv() {
+                Ok(found) => against.keep(found),
+                Err(TryRecvError::Empty) => break,
+                Err(TryRecvError::Disconnected) => against.news = None,
+            }
+        }
+    }
+
+    /// Waits until the picture is compared.
+    #[cfg(test)]
+    pub fn wait_for_comparison(&mut self) {
+        let against = self.against.as_mut().expect("a picture");
+        for found in against.news.take().into_iter().flatten() {
+            against.keep(found);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
