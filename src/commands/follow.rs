@@ -3,16 +3,16 @@
 use super::failure::Failure;
 use super::files;
 use super::radiosity::ToleranceArgument;
-use super::steps::{Recorded, Recording};
+use super::steps::{Recorded, Recording, TRUNCATED};
 use crate::language::Language;
 use crate::panels::{said, written_formulas};
 use crate::picture::plain;
 use crate::replay::Run;
 use crate::study::follow::{
-    Difference, Followed, OtherValue, Told, ToldValue, explained_by, follow,
+    Difference, Followed, OtherValue, Told, ToldValue, explained_by, follow, read,
 };
 use crate::study::mistakes::Mistake;
-use serde_json::{Map, Value as Json, json};
+use serde_json::{Value as Json, json};
 use std::io::Write;
 use std::path::PathBuf;
 
@@ -47,17 +47,14 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let wrong = |error: String| files::wrong(&place, &error);
     let trace = read(&files::text(&arguments.with)?).map_err(wrong)?;
     let Recording {
-        run,
-        setup,
-        method,
-        focus,
+        run, setup, focus, ..
     } = arguments.recorded.record(ToleranceArgument::default())?;
+    if run.walk().truncated() {
+        return Err(Failure::Failed(TRUNCATED.into()));
+    }
     let followed = follow(run.walk(), &trace, tolerance);
     let followed = followed.map_err(|unknown| wrong(unknown.to_string()))?;
-    let mistakes = match followed.difference {
-        None => Vec::new(),
-        Some(_) => explained_by(&setup, method, focus, &trace, (tolerance, followed.agree)),
-    };
+    let mistakes = explained_by(&setup, (&run, focus), &trace, (tolerance, &followed));
     let mut out = std::io::stdout();
     let told = match arguments.json {
         true => in_json(&followed, &trace, &mistakes, &run).to_string() + "\n",
@@ -67,62 +64,11 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     match followed.difference {
         None => Ok(()),
         Some(_) => Err(Failure::Failed(format!(
-            "{place} parts from the run after {} of {} steps",
+            "{place} differs from the run after {} of {} steps",
             followed.agree,
             trace.len()
         ))),
     }
-}
-
-/// The steps of a trace. Empty lines are passed over; `step` and `depth` are those of the program that wrote it.
-fn read(text: &str) -> Result<Vec<Told>, String> {
-    let mut trace = Vec::new();
-    for (line, text) in (1..).zip(text.lines()) {
-        if text.trim().is_empty() {
-            continue;
-        }
-        let object: Map<String, Json> =
-            serde_json::from_str(text).map_err(|error| format!("line {line}: {error}"))?;
-        let Some(kind) = object.get("kind").and_then(Json::as_str) else {
-            return Err(format!(
-                "line {line}: the key `kind` is missing; it names the step, as in {{\"kind\": \"Diffuse\"}}"
-            ));
-        };
-        let others = object
-            .iter()
-            .filter(|(key, _)| !["kind", "step", "depth"].contains(&key.as_str()));
-        let values = others
-            .map(|(key, value)| match told(value) {
-                Some(value) => Ok((key.clone(), value)),
-                None => Err(format!(
-                    "line {line}: {key} is {value}; allowed are a number, a list of three numbers, true, false, a word, and null for a number without end"
-                )),
-            })
-            .collect::<Result<_, _>>()?;
-        trace.push(Told {
-            line,
-            kind: kind.to_owned(),
-            values,
-        });
-    }
-    match trace.is_empty() {
-        true => Err("there is no step in it: one JSON object a line is expected".into()),
-        false => Ok(trace),
-    }
-}
-
-fn told(value: &Json) -> Option<ToldValue> {
-    Some(match value {
-        Json::Null => ToldValue::Number(None),
-        Json::Bool(truth) => ToldValue::Truth(*truth),
-        Json::Number(number) => ToldValue::Number(number.as_f64()),
-        Json::String(word) => ToldValue::Word(word.clone()),
-        Json::Array(list) => {
-            let numbers: Option<Vec<f64>> = list.iter().map(Json::as_f64).collect();
-            ToldValue::Three(numbers?.try_into().ok()?)
-        }
-        Json::Object(_) => return None,
-    })
 }
 
 /// The channel in which the two values differ the most.
@@ -145,25 +91,42 @@ fn explained(run: &Run, other: &OtherValue) -> Vec<String> {
         .collect()
 }
 
+/// Both values, to as many digits as it takes to tell them apart.
+fn written(other: &OtherValue) -> [String; 2] {
+    let short = |value: &ToldValue| match value {
+        ToldValue::Number(Some(number)) => Language::English.number(*number),
+        ToldValue::Number(None) => "not finite".to_owned(),
+        ToldValue::Three(three) => {
+            let numbers = three.map(|number| Language::English.number(number));
+            format!("[{}]", Language::English.list(numbers))
+        }
+        other => json!(other).to_string(),
+    };
+    let Some(ours) = &other.ours else {
+        return [short(&other.theirs), "none".to_owned()];
+    };
+    let short_ones = [&other.theirs, ours].map(short);
+    match short_ones[0] == short_ones[1] {
+        true => [&other.theirs, ours].map(|value| json!(value).to_string()),
+        false => short_ones,
+    }
+}
+
 fn in_words(followed: &Followed, trace: &[Told], mistakes: &[Mistake], run: &Run) -> String {
     let mut lines = vec![format!("{} of {} steps agree", followed.agree, trace.len())];
     match &followed.difference {
         None => {}
         Some(Difference::More { line, kind, count }) => lines.push(format!(
-            "line {line}: one more {kind}, of which the run has {count}"
+            "line {line}: one more {kind} than the run has, which is {count}"
         )),
         Some(Difference::Value(other)) => {
-            let step = other.step;
-            let reference = match &other.ours {
-                Some(ours) => format!("{} at step {step} of the run", json!(ours)),
-                None => format!("step {step} of the run has none"),
-            };
+            let [theirs, ours] = written(other);
             lines.push(format!(
-                "line {}, {}: {} is {}, and {reference}",
+                "line {}, {}: your {field} is {theirs}, and the run has {ours} at step {}",
                 other.line,
                 other.kind,
-                other.field,
-                json!(other.theirs)
+                other.step,
+                field = other.field
             ));
             let explained = explained(run, other);
             lines.extend(explained.iter().map(|line| format!("  {line}")));

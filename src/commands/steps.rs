@@ -124,18 +124,20 @@ fn two(text: &str) -> Option<[u32; 2]> {
     Some([a.parse().ok()?, b.parse().ok()?])
 }
 
+/// What is said of a run that is too long to be recorded whole.
+pub const TRUNCATED: &str = "the recording met its memory limit, and tells only the beginning; choose --polygon, --scan-line or --pixel";
+
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     if let Some(out) = &arguments.out {
         files::check_output(out)?;
     }
     let Recording { run, .. } = arguments.recorded.record(arguments.tolerance)?;
     if run.walk().truncated() {
-        const TOLD: &str = "the recording met its memory limit, and tells only the beginning; choose --polygon, --scan-line or --pixel";
         // A file appears whole or not at all.
         if arguments.out.is_some() {
-            return Err(Failure::Failed(TOLD.into()));
+            return Err(Failure::Failed(TRUNCATED.into()));
         }
-        note(format_args!("lightwalk: {TOLD}"));
+        note(format_args!("lightwalk: {TRUNCATED}"));
     }
     match &arguments.out {
         Some(path) => files::write_whole(path, |writer| write_steps(run.walk(), writer)),
@@ -151,7 +153,6 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 pub struct Recording {
     pub run: Run,
     pub setup: Arc<Setup>,
-    pub method: Method,
     pub focus: Focus,
 }
 
@@ -183,7 +184,6 @@ impl Recorded {
                     .map_err(|error| files::wrong(&self.name, &error))?;
                 notes::print(&self.name, &open.setup.notes(open.lesson.method));
                 Ok(Recording {
-                    method: open.lesson.method,
                     focus: open.lesson.focus,
                     setup: open.setup,
                     run: open.run,
@@ -256,12 +256,7 @@ fn record_on(setup: Setup, method: Method, focus: Focus, name: &str) -> Result<R
     let run = progress::named("recording", || {
         Run::record(setup.clone(), method, focus, RecordingLimit::default())
     });
-    Ok(Recording {
-        run,
-        setup,
-        method,
-        focus,
-    })
+    Ok(Recording { run, setup, focus })
 }
 
 fn write_steps(walk: &dyn Walk, out: &mut dyn Write) -> std::io::Result<()> {

@@ -19,7 +19,7 @@ use crate::record::Value;
 use crate::replay::Run;
 use crate::vocabulary::expression::{Equation, Expression, Relation, evaluate};
 use crate::vocabulary::{Entry, Formula, Kind, When, counted};
-pub use evaluated::{Evaluated, evaluated};
+pub use evaluated::{Evaluated, Slip, evaluated, slipped};
 use glam::Vec2;
 use known::Known;
 use layout::{DETAILS, Detail, Layout, SHORT, Values};

@@ -5,7 +5,7 @@
 //! tagged enums, which lose line, column and path.
 
 use super::mesh_file::misplaced;
-use super::parser_words::in_plain_words;
+use super::parser_words::what_the_parser_says;
 pub use super::values::ByName;
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
@@ -192,15 +192,7 @@ fn place_of(path: &serde_path_to_error::Path) -> String {
 
 /// A problem in the words of a user who does not know serde.
 fn described(place: String, error: &serde_json::Error) -> Problem {
-    let text = error.to_string();
-    let text = text
-        .rsplit_once(" at line ")
-        .map_or(&*text, |(head, _)| head);
-    let message = if error.is_eof() {
-        "the file ends here, while a text, a list or an object is still open".to_owned()
-    } else {
-        in_plain_words(text)
-    };
+    let message = what_the_parser_says(error, "the file");
     Problem {
         place,
         line: Some(error.line()),

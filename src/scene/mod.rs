@@ -34,6 +34,7 @@ pub use mesh_file::{MeshData, mesh_path_is_inside};
 pub use movable::{Movable, NoRoom};
 pub use needs::{LeftOut, Needs, Part, Parts, has_highlights};
 pub use note::Note;
+pub use parser_words::what_the_parser_says;
 pub use replaced::replaced;
 pub use schema::{scene_schema, schema_of};
 pub use tessellation::{Tessellation, sphere as sphere_mesh};

@@ -33,8 +33,18 @@ const TYPES: [(&str, &str); 7] = [
     ("a sequence", "a list"),
 ];
 
+/// What is wrong with a text, without line and column. `whole` is what the text is: "the file".
+pub fn what_the_parser_says(error: &serde_json::Error, whole: &str) -> String {
+    if error.is_eof() {
+        return format!("{whole} ends here, while a text, a list or an object is still open");
+    }
+    let text = error.to_string();
+    let place = text.rsplit_once(" at line ");
+    in_plain_words(place.map_or(&*text, |(message, _)| message))
+}
+
 /// Says a message of the parser, without line and column, in plain words; what is plain already stays.
-pub fn in_plain_words(message: &str) -> String {
+fn in_plain_words(message: &str) -> String {
     if let Some((_, words)) = WHOLE.iter().find(|(whole, _)| *whole == message) {
         return (*words).to_owned();
     }

@@ -1,14 +1,21 @@
 //! A trace of another program against the steps of a run: the first step that differs.
 //!
 //! A trace has a line for each step that it tells: the kind, and those values that the program has. Lines of one kind may come in any
-//! order within a scope, and steps may be left out. A line belongs to a step of its kind that has its values, in the earliest scope
-//! with one that no line has told yet; where no step has them, the line differs from one of that earliest scope.
+//! order within a scope, and so may scopes; steps may be left out. A line belongs to a step of its kind that has its values, first of all
+//! in the scope that is nearest to the line before, of those with one that no line has told yet; where no step has them, the line differs
+//! from one of that nearest scope.
+
+mod read;
+mod slips;
 
 use super::mistakes::Mistake;
 use crate::algorithms::focus::Focus;
-use crate::methods::{Method, Setup};
+use crate::language::suggestion;
+use crate::methods::Setup;
 use crate::record::{RecordingLimit, Value};
 use crate::replay::{Run, Walk};
+use crate::vocabulary::FAMILIES;
+pub use read::read;
 use serde::Serialize;
 use std::sync::Arc;
 
@@ -35,7 +42,7 @@ pub enum ToldValue {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Difference {
     Value(OtherValue),
-    /// The trace goes on telling steps of a kind of which the run has no more than `count`.
+    /// The trace goes on telling steps of a kind of which the run has no more than `count`, which may be none.
     More {
         line: usize,
         kind: String,
@@ -66,66 +73,84 @@ pub struct Followed {
 /// Why a line cannot be held against any step.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Unknown {
-    #[error("line {line}: the run has no step of the kind {kind:?}; its kinds are {kinds}")]
+    #[error(
+        "line {line}: there is no step of the kind {kind:?}{meant}; the kinds of this run are {kinds}"
+    )]
     Kind {
         line: usize,
         kind: String,
+        /// "(did you mean …?)", or nothing.
+        meant: String,
         kinds: String,
     },
-    #[error("line {line}: {kind} has no value {field:?}; its values are {fields}")]
+    #[error("line {line}: {kind} has no value {field:?}{meant}; its values are {fields}")]
     Field {
         line: usize,
         kind: String,
         field: String,
+        meant: String,
         fields: String,
+    },
+    #[error("line {line}: {field} is {found}; of {kind} it is {expected}")]
+    Type {
+        line: usize,
+        kind: String,
+        field: String,
+        found: &'static str,
+        expected: &'static str,
     },
 }
 
 /// Follows a trace through a run. Numbers agree within `tolerance`, relative to what is larger: 1, or the largest component.
-/// Errors: the first line of an unknown kind, or with an unknown value.
+/// Errors: the first line of an unknown kind, or with an unknown value or one of another type.
 pub fn follow(walk: &dyn Walk, trace: &[Told], tolerance: f64) -> Result<Followed, Unknown> {
     let mut is_told = vec![false; walk.len()];
+    let mut last = None;
     for (agree, told) in trace.iter().enumerate() {
-        let of_kind: Vec<usize> = (0..walk.len())
-            .filter(|&step| walk.kind(step) == told.kind)
-            .collect();
-        if of_kind.is_empty() {
-            return Err(no_kind(walk, told));
-        }
-        let steps: Vec<usize> = of_kind
-            .iter()
-            .copied()
-            .filter(|&step| !is_told[step])
-            .collect();
-        let mut compared = Vec::with_capacity(steps.len());
-        if steps.is_empty() {
-            let (line, kind, count) = (told.line, told.kind.clone(), of_kind.len());
+        let of_kind = (0..walk.len()).filter(|&step| walk.kind(step) == told.kind);
+        let (done, left): (Vec<usize>, Vec<usize>) = of_kind.partition(|&step| is_told[step]);
+        let Some(scope) = nearest_scope(walk, &left, last) else {
+            let count = done.len();
+            if count == 0
+                && !FAMILIES
+                    .into_iter()
+                    .flatten()
+                    .any(|kind| kind.name == told.kind)
+            {
+                return Err(no_kind(walk, told));
+            }
+            let (line, kind) = (told.line, told.kind.clone());
             let difference = Some(Difference::More { line, kind, count });
             return Ok(Followed { agree, difference });
-        }
-        for step in steps {
-            compared.push((step, first_difference(walk, step, told, tolerance)?));
-        }
-        let scope = compared
-            .first()
-            .and_then(|&(step, _)| walk.outline().parent(step));
-        let is_there = |step: usize| walk.outline().parent(step) == scope;
-        let fits =
-            |(_, (_, difference)): &&(usize, (usize, Option<Difference>))| difference.is_none();
-        let can_be_told_apart = told.values.iter().any(|(_, value)| value.is_quantity());
-        let here = compared.iter().filter(|(step, _)| is_there(*step));
-        let found = here.clone().find(fits).or_else(|| {
-            let later = compared.iter().filter(|_| can_be_told_apart);
-            later.clone().find(fits)
-        });
-        match found {
-            Some(&(step, _)) => is_told[step] = true,
-            None => {
-                let nearest = here.max_by_key(|(step, (equal, _))| (*equal, usize::MAX - step));
-                let difference = nearest.and_then(|(_, (_, difference))| difference.clone());
+        };
+        let (here, elsewhere): (Vec<usize>, Vec<usize>) = left
+            .into_iter()
+            .partition(|&step| walk.outline().parent(step) == scope);
+        let compared = here
+            .into_iter()
+            .map(|step| compare(walk, step, told, tolerance));
+        let compared: Vec<Compared> = compared.collect::<Result<_, _>>()?;
+        let most_alike = |compared: &&Compared| (compared.equal, usize::MAX - compared.step);
+        let fits = |compared: &&Compared| compared.difference.is_none();
+        let nearest = compared.iter().find(fits);
+        let Some(nearest) = nearest.or_else(|| compared.iter().max_by_key(most_alike)) else {
+            continue;
+        };
+        let mut step = nearest.step;
+        if let Some(difference) = &nearest.difference {
+            let mut elsewhere = elsewhere.into_iter().filter(|_| nearest.may_be_another);
+            let fitting = elsewhere.find_map(|step| {
+                let compared = compare(walk, step, told, tolerance).ok()?;
+                fits(&&compared).then_some(step)
+            });
+            let Some(fitting) = fitting else {
+                let difference = Some(Difference::Value(difference.clone()));
                 return Ok(Followed { agree, difference });
-            }
+            };
+            step = fitting;
         }
+        is_told[step] = true;
+        last = Some(step);
     }
     Ok(Followed {
         agree: trace.len(),
@@ -133,48 +158,91 @@ pub fn follow(walk: &dyn Walk, trace: &[Told], tolerance: f64) -> Result<Followe
     })
 }
 
-/// How many values of a line agree with those of a step, and the first that does not.
-fn first_difference(
-    walk: &dyn Walk,
+/// The scope of one of the steps: the one that has the innermost scope in common with the step told last, of several the earliest. None
+/// without steps.
+fn nearest_scope(walk: &dyn Walk, steps: &[usize], last: Option<usize>) -> Option<Option<usize>> {
+    let outline = walk.outline();
+    let around: Vec<usize> = last
+        .into_iter()
+        .flat_map(|last| std::iter::once(last).chain(outline.scopes(last)))
+        .collect();
+    let common = |step: usize| {
+        let mut scopes = outline.scopes(step);
+        scopes
+            .find(|scope| around.contains(scope))
+            .map(|scope| outline.depth(scope))
+    };
+    let nearest = steps
+        .iter()
+        .copied()
+        .max_by_key(|&step| (common(step), usize::MAX - step));
+    nearest.map(|step| outline.parent(step))
+}
+
+/// A line beside a step.
+struct Compared {
     step: usize,
-    told: &Told,
-    tolerance: f64,
-) -> Result<(usize, Option<Difference>), Unknown> {
-    let fields = walk.fields(step);
-    let (mut equal, mut difference) = (0, None);
+    /// How many values agree.
+    equal: usize,
+    /// The first value that does not.
+    difference: Option<OtherValue>,
+    /// Whether a value differs by which steps are told apart: then the line may well belong to another step.
+    may_be_another: bool,
+}
+
+fn compare(walk: &dyn Walk, step: usize, told: &Told, tolerance: f64) -> Result<Compared, Unknown> {
+    let (fields, kind) = (walk.fields(step), walk.declared(step));
+    let mut compared = Compared {
+        step,
+        equal: 0,
+        difference: None,
+        may_be_another: false,
+    };
     for (field, theirs) in &told.values {
-        let ours = fields.get(field).map(ToldValue::from);
-        let kind = walk.declared(step);
-        if ours.is_none() && kind.quantity(field).is_none() {
-            let names: Vec<&str> = kind
-                .quantities
-                .iter()
-                .map(|quantity| quantity.name)
-                .collect();
+        let (line, kind_name, field) = (told.line, told.kind.clone(), field.clone());
+        let ours = fields.get(&field).map(ToldValue::from);
+        if ours.is_none() && kind.quantity(&field).is_none() {
+            let names = || kind.quantities.iter().map(|quantity| quantity.name);
+            // Every letter is like every other.
+            let alike = names().filter(|_| field.len() > 1);
             return Err(Unknown::Field {
-                line: told.line,
-                kind: told.kind.clone(),
-                field: field.clone(),
-                fields: names.join(", "),
+                line,
+                kind: kind_name,
+                meant: suggestion(&field, alike),
+                field,
+                fields: names().collect::<Vec<_>>().join(", "),
+            });
+        }
+        let expected = ours.as_ref().map_or(theirs.kind(), ToldValue::kind);
+        if theirs.kind() != expected {
+            return Err(Unknown::Type {
+                line,
+                kind: kind_name,
+                field,
+                found: theirs.kind(),
+                expected,
             });
         }
         if ours
             .as_ref()
             .is_some_and(|ours| theirs.agrees(ours, tolerance))
         {
-            equal += 1;
-        } else if difference.is_none() {
-            difference = Some(Difference::Value(OtherValue {
-                line: told.line,
+            compared.equal += 1;
+            continue;
+        }
+        compared.may_be_another |= theirs.tells_apart();
+        if compared.difference.is_none() {
+            compared.difference = Some(OtherValue {
+                line,
                 step,
                 kind: walk.kind(step),
-                field: field.clone(),
+                field,
                 theirs: theirs.clone(),
                 ours,
-            }));
+            });
         }
     }
-    Ok((equal, difference))
+    Ok(compared)
 }
 
 fn no_kind(walk: &dyn Walk, told: &Told) -> Unknown {
@@ -184,18 +252,23 @@ fn no_kind(walk: &dyn Walk, told: &Told) -> Unknown {
     Unknown::Kind {
         line: told.line,
         kind: told.kind.clone(),
+        meant: suggestion(&told.kind, kinds.iter().copied()),
         kinds: kinds.join(", "),
     }
 }
 
-/// The mistakes with which the run agrees with the trace beyond the line that differs, the one that agrees longest first.
+/// The mistakes that would give their value: first those with which another run agrees with the trace beyond the line that differs, the one
+/// that agrees longest before the others, then those that make a formula of the step itself come out so.
 pub fn explained_by(
     setup: &Setup,
-    method: Method,
-    focus: Focus,
+    (run, focus): (&Run, Focus),
     trace: &[Told],
-    (tolerance, agree): (f64, usize),
+    (tolerance, followed): (f64, &Followed),
 ) -> Vec<Mistake> {
+    let Some(difference) = &followed.difference else {
+        return Vec::new();
+    };
+    let method = run.method();
     let possible = Mistake::ALL
         .into_iter()
         .filter(|mistake| mistake.concerns(method));
@@ -203,24 +276,49 @@ pub fn explained_by(
         .filter_map(|mistake| {
             let wrong = mistake.wrong_input(setup)?;
             let run = Run::record(Arc::new(wrong), method, focus, RecordingLimit::default());
-            let followed = follow(run.walk(), trace, tolerance).ok()?;
-            (followed.agree > agree).then_some((followed.agree, mistake))
+            let agree = follow(run.walk(), trace, tolerance).ok()?.agree;
+            (agree > followed.agree).then_some((agree, mistake))
         })
         .collect();
     explain.sort_by_key(|&(agree, _)| usize::MAX - agree);
-    explain.into_iter().map(|(_, mistake)| mistake).collect()
+    let mut explain: Vec<Mistake> = explain.into_iter().map(|(_, mistake)| mistake).collect();
+    if let Difference::Value(other) = difference {
+        for mistake in slips::slips(run, other, tolerance) {
+            if mistake.concerns(method) && !explain.contains(&mistake) {
+                explain.push(mistake);
+            }
+        }
+    }
+    explain
 }
 
 impl ToldValue {
-    /// Whether it is a number or three, of which few steps have the same.
-    fn is_quantity(&self) -> bool {
-        matches!(self, ToldValue::Number(Some(_)) | ToldValue::Three(_))
+    /// Whether few steps have the same: not so of a truth, a word, black and white.
+    fn tells_apart(&self) -> bool {
+        match self {
+            ToldValue::Number(number) => number.is_some(),
+            ToldValue::Three(three) => three.iter().any(|part| part.fract() != 0.0),
+            ToldValue::Truth(_) | ToldValue::Word(_) => false,
+        }
+    }
+
+    /// What it is, in words.
+    fn kind(&self) -> &'static str {
+        match self {
+            ToldValue::Number(_) => "a number",
+            ToldValue::Three(_) => "a list of three numbers",
+            ToldValue::Truth(_) => "true or false",
+            ToldValue::Word(_) => "a word",
+        }
     }
 
     fn agrees(&self, ours: &ToldValue, tolerance: f64) -> bool {
         let near = |a: &[f64], b: &[f64]| {
             let largest = b.iter().fold(1.0_f64, |largest, b| largest.max(b.abs()));
-            let off = |(a, b): (&f64, &f64)| (a - b).abs() <= tolerance * largest;
+            let off = |(a, b): (&f64, &f64)| {
+                let are_endless = !a.is_finite() && !b.is_finite();
+                are_endless || (a - b).abs() <= tolerance * largest
+            };
             a.iter().zip(b).all(off)
         };
         match (self, ours) {

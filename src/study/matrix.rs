@@ -1,5 +1,6 @@
 //! A matrix of form factors of another program against ours: the first row that differs, and what the whole looks like.
 
+use crate::scene::what_the_parser_says;
 use std::f64::consts::PI;
 
 /// What a matrix is instead of F, for all its entries.
@@ -120,12 +121,17 @@ pub fn compare(
 /// The numbers of a matrix of n rows: a JSON list of lists, alone or under the key `matrix`, or rows of numbers with commas, semicolons
 /// or spaces between them. Errors: what is wrong, with its row.
 pub fn read(text: &str, n: usize) -> Result<Vec<f64>, String> {
+    let text = text.trim_start_matches('\u{feff}');
     let rows: Vec<Vec<f64>> = if text.trim_start().starts_with(['[', '{']) {
-        let json: serde_json::Value =
-            serde_json::from_str(text).map_err(|error| error.to_string())?;
+        let json: serde_json::Value = serde_json::from_str(text).map_err(|error| {
+            let (line, column) = (error.line(), error.column());
+            let says = what_the_parser_says(&error, "the file");
+            format!("line {line}, column {column}: {says}")
+        })?;
         let rows = json.get("matrix").unwrap_or(&json).clone();
         serde_json::from_value(rows).map_err(|error| {
-            format!("{error}; a matrix is a list of rows, each a list of numbers")
+            let says = what_the_parser_says(&error, "the file");
+            format!("{says}; a matrix is a list of rows, each a list of numbers")
         })?
     } else {
         let lines = text.lines().filter(|line| !line.trim().is_empty());
@@ -217,6 +223,7 @@ mod tests {
             right
         );
         assert_eq!(read("0, 0.4\n0.1, 0.2\n", 2), right);
+        assert_eq!(read("\u{feff}0, 0.4\n0.1, 0.2\n", 2), right);
         assert_eq!(read("0;0.4\r\n\n0.1;0.2", 2), right);
         for (text, expected) in [
             ("0 0.4", "it has 1 rows; the scene has 2 patches"),
@@ -226,6 +233,15 @@ mod tests {
         ] {
             assert_eq!(read(text, 2), Err(expected.to_owned()));
         }
+        assert_eq!(
+            read("[[0, NaN], [0, 0]]", 2).unwrap_err(),
+            "line 1, column 6: expected a value: a number, text in double quotes, true, false, a list or an object (NaN and Infinity are none)"
+        );
+        assert!(
+            read("[[0, 0.4], [0.1, 0.2]", 2)
+                .unwrap_err()
+                .contains("the file ends here")
+        );
         assert!(
             read("{\"rows\": 1}", 2)
                 .unwrap_err()

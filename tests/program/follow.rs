@@ -35,12 +35,23 @@ fn a_program_in_python_is_followed_to_its_end_and_to_its_mistake() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert_eq!(text(&output.stdout), "6 of 6 steps agree\n");
 
+    let marked = ["\u{feff}".as_bytes(), &printed(&["30", "20"])].concat();
+    fs::write(&mine, marked).unwrap();
+    assert_eq!(lightwalk(folder.path(), FOLLOW).status.code(), Some(0));
+
     fs::write(&mine, printed(&["30", "20", "reversed"])).unwrap();
     let output = lightwalk(folder.path(), FOLLOW);
     assert_eq!(output.status.code(), Some(1));
     let said = text(&output.stdout);
-    assert!(said.contains("line 4, ToLight: L is [-0.26726"), "{said}");
-    assert!(said.contains("and [0.26726"), "{said}");
+    assert!(
+        said.contains("line 4, ToLight: your L is [−0.267261, "),
+        "{said}"
+    );
+    assert!(said.contains("and the run has [0.267261, "), "{said}");
+    assert!(
+        said.contains("light_to_point: L from the light to the point would give yours"),
+        "{said}"
+    );
     let output = lightwalk(folder.path(), &format!("{FOLLOW} --json"));
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(
@@ -61,7 +72,27 @@ fn a_trace_that_cannot_be_read_is_told_with_its_line() {
     fs::write(folder.path().join("ball.json"), BALL).unwrap();
     for (trace, expected) in [
         ("", "there is no step in it"),
-        ("{\"kind\": \"Ray\"\n", "line 1: "),
+        (
+            "{\"kind\": \"Ray\"\n",
+            "line 1, column 14: the line ends here",
+        ),
+        ("[1]", "line 1: found a list; expected an object"),
+        (
+            "{\"kind\": \"Ray\", \"t\": NaN}",
+            "line 1, column 22: expected a value: a number",
+        ),
+        (
+            "{\"kind\": \"Ray\", \"u\": 1, \"u\": 2}",
+            "the key `u` is given twice",
+        ),
+        (
+            "{\"kind\": 3}",
+            "line 1: kind is 3; it names the step by a text",
+        ),
+        (
+            "{\"kind\": \"Diffuse\", \"I_d\": \"red\"}",
+            "line 1: I_d is a word; of Diffuse it is a list of three numbers",
+        ),
         ("\n{\"t\": 3}\n", "line 2: the key `kind` is missing"),
         (
             "{\"kind\": \"Ray\", \"u\": [1, 2]}",
@@ -69,7 +100,7 @@ fn a_trace_that_cannot_be_read_is_told_with_its_line() {
         ),
         (
             "{\"kind\": \"Rya\"}",
-            "no step of the kind \"Rya\"; its kinds are Ambient, Diffuse",
+            "no step of the kind \"Rya\" (did you mean Ray?); the kinds of this run are Ambient, Diffuse",
         ),
         (
             "{\"kind\": \"Ray\", \"w\": 1}",

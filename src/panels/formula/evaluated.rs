@@ -1,10 +1,11 @@
 //! The formulas of a step with the values of both sides.
 
 use super::known::Known;
-use super::{entry, formulas};
+use super::{entry, formulas, holds};
+use crate::record::Value;
 use crate::replay::Run;
-use crate::vocabulary::expression::{Expression, Relation, Rounded, Term, evaluate};
-use crate::vocabulary::{Entry, Formula};
+use crate::vocabulary::expression::{Equation, Expression, Relation, Rounded, Term, evaluate};
+use crate::vocabulary::{Entry, Formula, When};
 
 /// What rounding may make of one operation, relative to its result. Algorithms order their operations otherwise than the
 /// formulas that explain them, so this is far above one rounding of an f64.
@@ -40,6 +41,30 @@ pub(super) fn of_entry(entry: &'static Entry, known: &mut Known) -> Vec<Evaluate
         })
     };
     formulas.filter_map(evaluated).collect()
+}
+
+/// A formula that is computed by mistake in place of one of a step's own, behind those that define names for it.
+pub struct Slip {
+    pub when: When,
+    pub formulas: &'static [&'static str],
+}
+
+/// The name of the value that comes out otherwise at the step, and what it is then. None where the slip cannot be made.
+pub fn slipped(run: &Run, step: usize, slip: &Slip) -> Option<(&'static str, Value)> {
+    let mut known = Known::at(run, step);
+    if !holds(slip.when, &known) {
+        return None;
+    }
+    for text in slip.formulas {
+        let equation = Equation::parse(text).unwrap_or_else(|error| panic!("{error}"));
+        let (name, (relation, right)) = (equation.subject()?.name, equation.right.as_ref()?);
+        let term = evaluate(right, &|reference| known.terms(reference))?;
+        match relation {
+            Relation::Defined => known.define(name, term),
+            _ => return Some((name, term.value())),
+        }
+    }
+    None
 }
 
 impl Evaluated {

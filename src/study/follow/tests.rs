@@ -1,7 +1,8 @@
 use super::*;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::methods::Method;
 use crate::methods::Settings;
-use crate::scene::{Limits, View, read};
+use crate::scene::{self, Limits, View};
 
 /// Two lights on a glass ball before a wall.
 const SCENE: &str = r#"{ "schema": 1,
@@ -18,13 +19,13 @@ const METHOD: Method = Method::RayTracing;
 const TOLERANCE: f64 = 1e-5;
 
 fn setup() -> Setup {
-    let scene = read(
-        SCENE.as_bytes(),
-        &Limits::default(),
-        &mut |_| unreachable!(),
-    )
-    .unwrap();
-    let view = View::new(&scene.camera.unwrap(), 32, 24);
+    setup_of(SCENE, [32, 24])
+}
+
+fn setup_of(scene: &str, [width, height]: [u32; 2]) -> Setup {
+    let scene = scene.as_bytes();
+    let scene = scene::read(scene, &Limits::default(), &mut |_| unreachable!()).unwrap();
+    let view = View::new(&scene.camera.unwrap(), width, height);
     Setup::new(PreparedScene::new(scene, view), Settings::default())
 }
 
@@ -126,33 +127,74 @@ fn more_steps_than_the_run_has_differ_and_unknown_names_are_errors() {
 
     let unknown = follow(run.walk(), &[told(7, "Difuse", &[])], 0.0).unwrap_err();
     let message = unknown.to_string();
-    assert!(message.starts_with("line 7: the run has no step of the kind \"Difuse\""));
+    assert!(
+        message
+            .starts_with("line 7: there is no step of the kind \"Difuse\" (did you mean Diffuse?)")
+    );
     assert!(message.contains("Diffuse"));
     let value = ToldValue::Truth(true);
     let unknown = follow(run.walk(), &[told(3, "Shadow", &[("blokced", value)])], 0.0);
     let message = unknown.unwrap_err().to_string();
     assert!(
-        message.starts_with("line 3: Shadow has no value \"blokced\""),
+        message.starts_with("line 3: Shadow has no value \"blokced\" (did you mean blocked?)"),
         "{message}"
     );
     assert!(message.contains("blocked"));
 }
 
 #[test]
-fn the_mistake_that_would_give_the_other_values_is_named() {
-    let right = setup();
-    let correct = run(setup());
-    for mistake in [
-        Mistake::EtaInverted,
-        Mistake::NoAttenuation,
-        Mistake::FovVertical,
-        Mistake::FovHalfAngle,
-    ] {
-        let wrong = run(mistake.wrong_input(&right).unwrap());
-        let trace = trace(wrong.walk());
-        let followed = follow(correct.walk(), &trace, TOLERANCE).unwrap();
-        assert!(followed.difference.is_some(), "{}", mistake.name());
-        let explained = explained_by(&right, METHOD, FOCUS, &trace, (TOLERANCE, followed.agree));
-        assert_eq!(explained.first(), Some(&mistake));
-    }
+fn a_value_of_another_type_is_an_error_and_a_kind_that_the_run_lacks_a_difference() {
+    let run = run(setup());
+    let line = |kind: &str, field: &str, value| Told {
+        line: 4,
+        kind: kind.into(),
+        values: vec![(field.into(), value)],
+    };
+    let red = ToldValue::Word("red".into());
+    let error = follow(run.walk(), &[line("Diffuse", "I_d", red)], 0.0).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "line 4: I_d is a word; of Diffuse it is a list of three numbers"
+    );
+    let mirrored = line("Mirrored", "R_dot_V", ToldValue::Number(Some(0.5)));
+    let followed = follow(run.walk(), &[mirrored], 0.0).unwrap();
+    let (line, kind, count) = (4, "Mirrored".to_owned(), 0);
+    assert_eq!(
+        followed.difference,
+        Some(Difference::More { line, kind, count })
+    );
 }
+
+/// The scopes of two rays that leave one surface, told the other way round, and told without the rays themselves.
+#[test]
+fn rays_of_a_surface_may_be_followed_in_any_order() {
+    let glass = SCENE.replace("\"transmission\"", "\"reflection\": 0.3, \"transmission\"");
+    let run = run(setup_of(&glass, [32, 24]));
+    let walk = run.walk();
+    let of_level_2 = |step: usize| {
+        walk.kind(step) == "Ray" && walk.fields(step).get("level") == Some(Value::Integer(2))
+    };
+    let rays: Vec<usize> = (0..walk.len()).filter(|&step| of_level_2(step)).collect();
+    let [reflected, transmitted] = rays[..] else {
+        panic!("two rays leave the ball: {rays:?}")
+    };
+    let trace = trace(walk);
+    let part = |ray: usize| trace[ray..=walk.outline().last(ray)].iter().cloned();
+    let mut swapped: Vec<Told> = part(transmitted).chain(part(reflected)).collect();
+    assert_eq!(follow(walk, &swapped, 0.0).unwrap().difference, None);
+
+    // The first wrong value stands in the transmitted part, and is held against that part.
+    let wrong = ToldValue::Three([9.0, 9.0, 9.0]);
+    let met = |told: &&mut Told| told.kind == "SurfaceMet";
+    let told = swapped.iter_mut().find(met).unwrap();
+    let line = told.line;
+    let position = told.values.iter_mut().find(|(name, _)| name == "P");
+    position.unwrap().1 = wrong;
+    let followed = follow(walk, &swapped, 0.0).unwrap();
+    let Some(Difference::Value(other)) = followed.difference else {
+        panic!("{followed:?}")
+    };
+    assert_eq!((other.line, other.step), (line, line - 1));
+}
+
+mod mistaken;
