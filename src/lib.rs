@@ -25,6 +25,7 @@
 //! | [`panels`] | one file a panel: how it lays out a run at its step; values come in computed, which `tests/floors.rs` checks |
 //! | [`lesson`] | lesson files, tied to the steps of their run |
 //! | [`study`] | error against run time, how work grows, and how the algorithms cope with stiff, extreme and wrong input; pictures, traces and matrices of other programs, and the mistakes that explain them |
+//! | [`export`] | what one takes away of a lesson: its explanations as a handout, as slides, as pictures of an animation |
 //! | `app` | the window (feature `gui`) |
 //! | [`commands`] | the command line, one file a command |
 //!
@@ -74,6 +75,7 @@ pub mod app;
 pub mod color;
 #[cfg(not(target_arch = "wasm32"))]
 pub mod commands;
+pub mod export;
 pub mod figure;
 pub mod language;
 pub mod lesson;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Floors in one row may use each other.
-const FLOORS: [&[&str]; 15] = [
+const FLOORS: [&[&str]; 16] = [
     &["color", "language", "numeric"],
     &["picture"],
     &["figure"],
@@ -18,6 +18,7 @@ const FLOORS: [&[&str]; 15] = [
     &["panels"],
     &["lesson"],
     &["study"],
+    &["export"],
     &["app"],
     &["commands"],
 ];

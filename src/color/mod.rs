@@ -2,6 +2,7 @@
 //!
 //! Everything upstream works in linear light, unclamped, in `f64`. Encoding follows IEC 61966-2-1.
 
+mod animation;
 mod encode;
 mod files;
 mod read;
@@ -9,6 +10,7 @@ mod read;
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, Mul, Sub};
 
+pub use animation::{Animation, AnimationFormat};
 pub use files::{pfm, png_rgb8, png_rgba8};
 pub use read::{StoredImage, read_image};
 

@@ -2,8 +2,12 @@
 
 use super::failure::Failure;
 use crate::algorithms::primary::Settings;
+use crate::language::Language;
 use crate::methods::Method;
+use crate::panels::Panel;
+use crate::picture::Theme;
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::fmt::Display;
 use std::num::NonZeroU32;
 use std::ops::RangeInclusive;
@@ -116,7 +120,30 @@ pub fn parse_range(text: &str) -> Result<std::ops::Range<usize>, String> {
     }
 }
 
-pub fn method_names() -> clap::builder::PossibleValuesParser {
+/// Pixels to a point.
+pub fn parse_scale(text: &str) -> Result<f32, String> {
+    let scale = text
+        .parse()
+        .ok()
+        .filter(|scale| (1.0..=4.0).contains(scale));
+    scale.ok_or_else(|| "allowed are numbers from 1 to 4".into())
+}
+
+pub fn panel_names() -> PossibleValuesParser {
+    Panel::ALL.map(Panel::name).into()
+}
+
+pub fn theme_names() -> PossibleValuesParser {
+    Theme::ALL.map(Theme::name).into()
+}
+
+/// A language by its code.
+pub fn languages() -> impl TypedValueParser<Value = Language> {
+    let codes: PossibleValuesParser = Language::ALL.map(Language::code).into();
+    codes.map(|code| Language::of_tag(&code).unwrap_or_default())
+}
+
+pub fn method_names() -> PossibleValuesParser {
     Method::ALL.map(Method::name).into()
 }
 

@@ -270,6 +270,19 @@ pub fn check_output(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
+/// Finds fault with an output file whose name ends in none of these.
+pub fn check_ending(path: &Path, allowed: &[&str]) -> Result<(), Failure> {
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    match ending.is_some_and(|ending| allowed.contains(&ending)) {
+        true => Ok(()),
+        false => Err(Failure::Wrong(format!(
+            "--out {}: the name ends in .{}",
+            path.display(),
+            allowed.join(" or .")
+        ))),
+    }
+}
+
 /// Finds fault with a folder for output, made or not made yet, before any work is done. Nothing is left in it.
 pub fn check_output_folder(path: &Path) -> Result<(), Failure> {
     let wrong =

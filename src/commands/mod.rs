@@ -3,14 +3,17 @@
 //! Exit status: 0 done; 1 the work failed; 2 a file or an argument is wrong; 130 interrupted.
 
 mod accuracy;
+mod animate;
 mod arguments;
 mod check;
 mod compare;
+mod deck;
 mod failure;
 mod files;
 mod follow;
 mod form_factors;
 mod frames;
+mod handout;
 mod interrupt;
 mod kind;
 #[cfg(feature = "gui")]
@@ -18,6 +21,7 @@ mod lesson_folder;
 mod list;
 mod needs;
 mod notes;
+mod of_lesson;
 mod open;
 mod progress;
 mod radiosity;
@@ -64,8 +68,14 @@ enum Command {
     Steps(steps::Arguments),
     /// Prints the JSON Schema of scene files, of lesson files, or of printed steps, for editors and other programs
     Schema(schema::Arguments),
-    /// Draws the panels of a lesson to PNG files, without a display
+    /// Draws the panels of a lesson to PNG or SVG files, without a display
     Frames(frames::Arguments),
+    /// Writes a lesson as one HTML file that prints: explanations, pictures, formulas, and questions with room for the answer
+    Handout(handout::Arguments),
+    /// Writes a lesson as an animated PNG or GIF
+    Animate(animate::Arguments),
+    /// Writes a lesson as HTML sections, one a slide, for a deck of reveal.js
+    Deck(deck::Arguments),
     /// Runs the stiff and extreme cases, each with what was expected, what came out and a verdict
     Stress(stress::Arguments),
     /// Measures error against run time, and how work grows
@@ -98,6 +108,9 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
         Command::Steps(arguments) => steps::run(arguments),
         Command::Schema(arguments) => schema::run(arguments),
         Command::Frames(arguments) => frames::run(arguments),
+        Command::Handout(arguments) => handout::run(arguments),
+        Command::Animate(arguments) => animate::run(arguments),
+        Command::Deck(arguments) => deck::run(arguments),
         Command::Stress(arguments) => stress::run(arguments),
         Command::Study(arguments) => study::run(arguments),
     };

@@ -103,7 +103,8 @@ fn write(findings: &Findings, machine: &Machine, arguments: &Arguments) -> Resul
     put("csv", csv(findings).as_bytes())?;
     put("json", format!("{recorded:#}\n").as_bytes())?;
     put("png", &to_png(&pixels))?;
-    put("svg", to_svg(&picture, Theme::Light).as_bytes())
+    let title = findings.study.title.text(Language::English);
+    put("svg", to_svg(&picture, &title, Theme::Light).as_bytes())
 }
 
 /// Not before there is something to put into it.

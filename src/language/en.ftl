@@ -1809,3 +1809,11 @@ mistake-highlight-swapped = R·V and N·H exchanged
 mistake-no-shadows = no shadow rays
 mistake-inclusive-scan-rule = both ends of a span drawn, rounded outward
 mistake-channels-swapped = red and blue exchanged
+
+## export
+
+export-question = Question { $number }
+export-answers = Answers
+export-answer = Answer:
+export-draw-the-arrow = Draw the arrow in the picture.
+export-mark-the-pixel = Mark the pixel in the picture.

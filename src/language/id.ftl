@@ -1800,3 +1800,11 @@ mistake-highlight-swapped = R·V dan N·H tertukar
 mistake-no-shadows = tanpa sinar bayangan
 mistake-inclusive-scan-rule = kedua ujung bentang digambar, dibulatkan ke luar
 mistake-channels-swapped = merah dan biru tertukar
+
+## export
+
+export-question = Pertanyaan { $number }
+export-answers = Jawaban
+export-answer = Jawaban:
+export-draw-the-arrow = Gambarlah panahnya pada gambar.
+export-mark-the-pixel = Tandai pikselnya pada gambar.

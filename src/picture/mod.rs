@@ -38,10 +38,10 @@ use glam::Vec2;
 
 pub use ink::{Dash, Fill, Ink, Paint, Stroke};
 pub use math::{Run, Script, braced, math, plain, prose, symbol};
-pub use raster::{RasterError, draw_over, rasterize, to_png};
+pub use raster::{RasterError, draw_over, raster_size, rasterize, to_png, to_rgb8};
 pub use rect::Rect;
 pub use shape::{Image, Item, Shape};
-pub use svg::to_svg;
+pub use svg::{svg_element, to_svg};
 pub use tag::Tag;
 pub use text::{Anchor, Style, Text, ascent, descent, elide, font_file, measure, wrap};
 pub use theme::Theme;

@@ -36,26 +36,34 @@ pub enum RasterError {
 
 /// Draws a picture on [`Ink::Surface`]. The result, opaque, has size · `scale` pixels, rounded, and at least one.
 pub fn rasterize(picture: &Picture, theme: Theme, scale: f32) -> Result<Pixmap, RasterError> {
-    let (width, height) = (picture.width, picture.height);
-    if !(width * scale).is_finite() || !(height * scale).is_finite() {
+    let size = Vec2::new(picture.width, picture.height);
+    let [width, height] = raster_size(size, scale)?;
+    let too_large = || RasterError::TooLarge {
+        width: width as f32,
+        height: height as f32,
+    };
+    let mut pixmap = Pixmap::new(width, height).ok_or_else(too_large)?;
+    let all = PixelRect::whole(&pixmap);
+    blit::fill(&mut pixmap, all, rgba(theme, Ink::Surface, 1.0));
+    draw_over(&mut pixmap, &picture.items, theme, scale);
+    Ok(pixmap)
+}
+
+/// Width and height in pixels of a picture so many points large. Errors: no picture of that size is drawn.
+pub fn raster_size(size: Vec2, scale: f32) -> Result<[u32; 2], RasterError> {
+    let [width, height] = size.to_array();
+    if !(size * scale).is_finite() {
         return Err(RasterError::NotFinite {
             width,
             height,
             scale,
         });
     }
-    let width = (width * scale).round().max(1.0);
-    let height = (height * scale).round().max(1.0);
-    let pixmap = if width.max(height) > LARGEST_SIDE || width * height > LARGEST_AREA {
-        None
-    } else {
-        Pixmap::new(width as u32, height as u32)
-    };
-    let mut pixmap = pixmap.ok_or(RasterError::TooLarge { width, height })?;
-    let all = PixelRect::whole(&pixmap);
-    blit::fill(&mut pixmap, all, rgba(theme, Ink::Surface, 1.0));
-    draw_over(&mut pixmap, &picture.items, theme, scale);
-    Ok(pixmap)
+    let [width, height] = (size * scale).round().max(Vec2::ONE).to_array();
+    match width.max(height) > LARGEST_SIDE || width * height > LARGEST_AREA {
+        true => Err(RasterError::TooLarge { width, height }),
+        false => Ok([width as u32, height as u32]),
+    }
 }
 
 /// Draws items over what a pixmap already shows: highlights over a picture, for one.
@@ -75,6 +83,12 @@ pub fn draw_over(pixmap: &mut Pixmap, items: &[Item], theme: Theme, scale: f32) 
 /// A PNG of a pixmap.
 pub fn to_png(pixmap: &Pixmap) -> Vec<u8> {
     crate::color::png_rgba8(pixmap.width(), pixmap.height(), &blit::straight(pixmap))
+}
+
+/// The pixels of an opaque pixmap, RGB row by row.
+pub fn to_rgb8(pixmap: &Pixmap) -> Vec<u8> {
+    let pixels = pixmap.data().chunks_exact(4);
+    pixels.flat_map(|pixel| &pixel[..3]).copied().collect()
 }
 
 fn rgba(theme: Theme, ink: Ink, opacity: f32) -> Rgba {

@@ -2,14 +2,16 @@
 
 use super::ink::Ink;
 
-/// What the inks look like.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub enum Theme {
-    #[default]
-    Light,
-    Dark,
-    /// For a lecture hall: black on white, stronger accents, everything larger.
-    Projector,
+named! {
+    /// What the inks look like.
+    #[derive(Default)]
+    pub enum Theme {
+        #[default]
+        Light = "light",
+        Dark = "dark",
+        /// For a lecture hall: black on white, stronger accents, everything larger.
+        Projector = "projector",
+    }
 }
 
 /// One row a meaning: the ink in the light, dark and projector theme, as `0xRRGGBB` sRGB.
@@ -43,8 +45,6 @@ const SERIES: [[u32; 2]; 7] = [
 ];
 
 impl Theme {
-    pub const ALL: [Theme; 3] = [Theme::Light, Theme::Dark, Theme::Projector];
-
     /// How much larger this theme is drawn. Lay a panel out for its size divided by this factor, and rasterise it at the
     /// screen's scale times this factor: then everything grows together, and no text leaves its place.
     pub fn text_scale(self) -> f32 {

@@ -13,7 +13,7 @@ fn start(folder: &Path, arguments: &str) -> Child {
 }
 
 /// Interrupts a run that is still at work. It ends within five seconds.
-fn interrupt(mut child: Child) {
+pub fn interrupt(mut child: Child) {
     assert!(child.try_wait().unwrap().is_none(), "it was not long");
     let interrupted = Instant::now();
     let kill = Command::new("kill")

@@ -9,6 +9,7 @@ mod follow;
 #[cfg(unix)]
 mod interrupted;
 mod json_schema;
+mod markup;
 mod meshes;
 mod notes;
 mod radiosity;
@@ -16,6 +17,7 @@ mod rays;
 mod schemas;
 mod stress;
 mod study;
+mod take_away;
 
 use broken::{GOOD, POT};
 use std::fs;

@@ -1,0 +1,113 @@
+//! What commands share that draw the steps of a lesson.
+
+use super::arguments::{LimitArguments, languages, parse_range, parse_whole, theme_names};
+use super::failure::Failure;
+use super::files::{self, Document};
+use super::notes;
+use super::progress::Progress;
+use crate::export::Shown;
+use crate::language::Language;
+use crate::lesson::OpenLesson;
+use crate::panels::Panel;
+use crate::picture::Theme;
+use clap::Args;
+use std::num::NonZeroUsize;
+use std::ops::Range;
+use std::thread::available_parallelism;
+
+/// Which lesson, and in which language.
+#[derive(Args)]
+pub struct LessonArguments {
+    /// The id of a lesson, or a lesson file
+    lesson: String,
+    /// Of all words and numbers
+    #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = languages())]
+    language: Language,
+    #[command(flatten)]
+    limits: LimitArguments,
+}
+
+impl LessonArguments {
+    /// The lesson, run.
+    pub fn open(&self) -> Result<OpenLesson, Failure> {
+        let limits = self.limits.into();
+        let Document::Lesson(lesson) = files::lesson_or_scene(&self.lesson, &limits)? else {
+            return Err(Failure::Wrong(format!(
+                "{}: is a scene; what is wanted here is a lesson",
+                self.lesson
+            )));
+        };
+        let open = lesson
+            .open()
+            .map_err(|error| files::wrong(&self.lesson, &error))?;
+        notes::print(&self.lesson, &open.setup.notes(open.lesson.method));
+        Ok(open)
+    }
+
+    /// The lesson with what these panels show, rendered on all cores.
+    pub fn show(&self, open: OpenLesson, panels: &[Panel]) -> Shown {
+        let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
+        let rendering = Progress::new("rendering");
+        Shown::new(open, panels, self.language, threads, &|done, all| {
+            rendering.show(done, all)
+        })
+    }
+}
+
+/// Which steps.
+#[derive(Args)]
+#[group(multiple = false)]
+pub struct StepsArguments {
+    /// Steps, counted from 0; A is included, B is not
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true, value_parser = parse_range)]
+    pub steps: Option<Range<usize>>,
+    /// One step, counted from 0; may be given several times
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = parse_whole::<usize>)]
+    step: Vec<usize>,
+    /// The steps at which the lesson says something (this is so unless others are given)
+    #[arg(long)]
+    narrated: bool,
+}
+
+impl StepsArguments {
+    /// Ascending, each once.
+    pub fn of(&self, open: &OpenLesson) -> Result<Vec<usize>, Failure> {
+        let count = open.run.walk().len();
+        let within = |option: String, end: usize| match end > count {
+            true => Err(Failure::Wrong(format!(
+                "{option}: the lesson has {count} steps"
+            ))),
+            false => Ok(()),
+        };
+        if let Some(range) = &self.steps {
+            let option = format!("--steps {}..{}", range.start, range.end);
+            within(option, range.end)?;
+            return Ok(range.clone().collect());
+        }
+        if self.step.is_empty() {
+            return Ok(open.narrated.iter().map(|told| told.step).collect());
+        }
+        for &step in &self.step {
+            within(format!("--step {step}"), step.saturating_add(1))?;
+        }
+        let mut steps = self.step.clone();
+        steps.sort_unstable();
+        steps.dedup();
+        Ok(steps)
+    }
+}
+
+/// In which colours.
+#[derive(Args)]
+pub struct ThemeArgument {
+    /// The colours; `projector` is larger, too
+    #[arg(long, value_name = "THEME", default_value = "light", value_parser = theme_names())]
+    theme: String,
+}
+
+impl ThemeArgument {
+    pub fn theme(&self) -> Theme {
+        // Checked when it was read.
+        Theme::from_name(&self.theme).unwrap_or_default()
+    }
+}

@@ -1,0 +1,153 @@
+//! A lesson that was run, with all that its panels show beside the steps.
+
+use super::page::Page;
+use crate::algorithms::enclosure;
+use crate::language::{Language, Message};
+use crate::lesson::{Narrated, OpenLesson, Question};
+use crate::panels::{
+    Panel, PanelInput, draw, formula_height, kind_name, said, whole_formula_height,
+};
+use crate::picture::Picture;
+use crate::render::compare::compare;
+use crate::render::{Finished, race, render, smooth_patches};
+use glam::Vec2;
+use std::num::NonZeroUsize;
+
+/// What pictures of a lesson's steps are drawn of.
+pub struct Shown {
+    pub open: OpenLesson,
+    pub language: Language,
+    /// Whether the lesson's questions wait at their steps, and hide what lies ahead.
+    asks: bool,
+    finished: Finished,
+    /// Ascending.
+    narrated: Vec<usize>,
+}
+
+impl Shown {
+    /// Renders what `panels` show beside the steps. `progress` hears how much of the picture is done.
+    pub fn new(
+        open: OpenLesson,
+        panels: &[Panel],
+        language: Language,
+        threads: NonZeroUsize,
+        progress: &(impl Fn(usize, usize) + Sync),
+    ) -> Self {
+        let picture = render(&open.setup, open.lesson.method, threads, progress);
+        let mut finished = Finished::new(picture, &open.setup.prepared.scene.lights);
+        if panels.contains(&Panel::Race) {
+            finished.race = race(&open.setup);
+        }
+        if panels.iter().any(|panel| panel.compares()) {
+            let methods = open.lesson.compare.iter();
+            finished.compared = methods
+                .map(|&method| compare(&open.setup, method))
+                .collect();
+        }
+        let narrated = open.narrated.iter().map(|said| said.step).collect();
+        Shown {
+            open,
+            language,
+            asks: false,
+            finished,
+            narrated,
+        }
+    }
+
+    /// As somebody sees it who has answered no question yet.
+    pub fn asking(self) -> Self {
+        Shown { asks: true, ..self }
+    }
+
+    /// The steps at which the lesson says something, ascending.
+    pub fn narrated(&self) -> &[usize] {
+        &self.narrated
+    }
+
+    /// A panel at a step.
+    pub fn draw(&mut self, panel: Panel, step: usize, size: Vec2) -> Picture {
+        self.open.run.walk_mut().seek(step);
+        draw(panel, &self.input(step), size)
+    }
+
+    /// The formulas of a step, as high as they need to be; none where nothing is computed.
+    pub fn formula(&mut self, step: usize, width: f32) -> Option<Picture> {
+        self.open.run.walk_mut().seek(step);
+        let input = self.input(step);
+        let least = formula_height(&input, width);
+        let height = whole_formula_height(&input, width).max(least);
+        (height > 0.0).then(|| draw(Panel::Formula, &input, Vec2::new(width, height)))
+    }
+
+    /// What is told at a step: by the lesson, or else by the step itself.
+    pub fn page(&self, step: usize) -> Page {
+        let walk = self.open.run.walk();
+        let language = self.language;
+        let told = self.told(step);
+        let title = told.and_then(|told| told.title.as_ref());
+        let line = walk.line(step);
+        let listing = line.listing.text(line.number, language);
+        Page {
+            step,
+            title: match title {
+                Some(title) => title.in_language(language).to_owned(),
+                None => kind_name(walk.kind(step), language),
+            },
+            said: match told {
+                Some(told) => told.say(language).to_owned(),
+                None => said(&self.open.run, step, language),
+            },
+            slide: told.and_then(|told| told.slide(language).map(str::to_owned)),
+            question: told.and_then(|told| told.question.clone()),
+            code: listing.trim().to_owned(),
+            panel: self.panel(told),
+        }
+    }
+
+    /// The panel that an explanation is about, or in which its question is answered.
+    fn panel(&self, told: Option<&Narrated>) -> Panel {
+        let panels = &self.open.lesson.panels;
+        let named = told.and_then(|told| told.key).into_iter();
+        let question = told.and_then(|told| told.question.as_ref());
+        let fits = question.map_or(&[][..], |question| question.answer.panels());
+        let mut wished = named.chain(panels.iter().copied());
+        wished
+            .clone()
+            .find(|panel| fits.contains(panel))
+            .or_else(|| wished.next())
+            .unwrap_or(Panel::Image)
+    }
+
+    fn told(&self, step: usize) -> Option<&Narrated> {
+        let index = self.narrated.binary_search(&step).ok()?;
+        Some(&self.open.narrated[index])
+    }
+
+    fn question(&self, step: usize) -> Option<&Question> {
+        self.told(step)?.question.as_ref().filter(|_| self.asks)
+    }
+
+    fn input(&self, step: usize) -> PanelInput<'_> {
+        let radiosity: enclosure::Settings = self.open.setup.settings.get();
+        let ahead = self.narrated.iter().filter(|&&ahead| ahead >= step);
+        PanelInput {
+            narrated: &self.narrated,
+            smooth: radiosity.smooth.then_some(smooth_patches),
+            pending: self.question(step).map(|question| &question.hide[..]),
+            waiting: ahead.copied().find(|&step| self.question(step).is_some()),
+            ..PanelInput::of(
+                &self.open.run,
+                &self.finished,
+                self.open.lesson.focus,
+                self.language,
+            )
+        }
+    }
+
+    /// Where a step stands in the run: `step 12 of 340`.
+    pub fn place(&self, step: usize) -> String {
+        let last = self.open.run.walk().len().saturating_sub(1);
+        let (step, last) = (step.to_string(), last.to_string());
+        Message("app-step-of").format(self.language, &[("step", &step), ("last", &last)])
+    }
+}
