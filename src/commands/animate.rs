@@ -161,7 +161,7 @@ fn frame(
 }
 
 fn format(out: &Path) -> Result<AnimationFormat, Failure> {
-    files::check_ending(out, &["png", "gif"])?;
+    files::check_ending("--out", out, &["png", "gif"])?;
     Ok(
         match out.extension().is_some_and(|ending| ending == "gif") {
             true => AnimationFormat::Gif,

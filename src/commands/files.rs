@@ -271,12 +271,12 @@ pub fn check_output(path: &Path) -> Result<(), Failure> {
 }
 
 /// Finds fault with an output file whose name ends in none of these.
-pub fn check_ending(path: &Path, allowed: &[&str]) -> Result<(), Failure> {
+pub fn check_ending(option: &str, path: &Path, allowed: &[&str]) -> Result<(), Failure> {
     let ending = path.extension().and_then(|ending| ending.to_str());
     match ending.is_some_and(|ending| allowed.contains(&ending)) {
         true => Ok(()),
         false => Err(Failure::Wrong(format!(
-            "--out {}: the name ends in .{}",
+            "{option} {}: the name ends in .{}",
             path.display(),
             allowed.join(" or .")
         ))),

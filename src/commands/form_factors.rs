@@ -5,6 +5,7 @@ use super::failure::Failure;
 use super::files;
 use super::notes;
 use super::progress::{Progress, named};
+use super::tables::Table;
 use crate::algorithms::enclosure::{Enclosure, Settings};
 use crate::algorithms::form_factor::{Method, Report};
 use crate::render;
@@ -35,8 +36,8 @@ pub struct Arguments {
     visibility: VisibilityArgument,
     #[command(flatten)]
     memory: MemoryArgument,
-    /// Where the matrix goes
-    #[arg(long, value_name = "FILE.json", required_unless_present = "with")]
+    /// Where the matrix goes: FILE.json with all that is known of it, or FILE.csv or FILE.npy (NumPy) with the numbers alone
+    #[arg(long, value_name = "FILE", required_unless_present = "with")]
     out: Option<PathBuf>,
     /// A matrix of your own program to compare: JSON, or rows of numbers
     #[arg(long, value_name = "MATRIX")]
@@ -158,7 +159,14 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let matrix = matrix_of(&enclosure);
     let seconds = start.elapsed().as_secs_f64();
     if let Some(out) = &arguments.out {
-        write(out, &scene, &enclosure, matrix, seconds)?;
+        match Table::of(out) {
+            Some(table) => {
+                let n = enclosure.patches.len();
+                let matrix = matrix.iter().copied();
+                files::write_whole(out, |out| table.write(out, &[n, n], matrix))?;
+            }
+            None => write(out, &scene, &enclosure, matrix, seconds)?,
+        }
     }
     match mine {
         None => Ok(()),

@@ -22,7 +22,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    files::check_ending(&arguments.out, &["html"])?;
+    files::check_ending("--out", &arguments.out, &["html"])?;
     files::check_output(&arguments.out)?;
     let open = arguments.lesson.open()?;
     let steps = arguments.steps.of(&open)?;

@@ -25,11 +25,14 @@ mod of_lesson;
 mod open;
 mod progress;
 mod radiosity;
+mod radiosity_table;
 mod render;
 mod schema;
 mod steps;
+mod steps_table;
 mod stress;
 mod study;
+mod tables;
 
 use clap::{Parser, Subcommand};
 use failure::note;
@@ -64,7 +67,7 @@ enum Command {
     Radiosity(radiosity::Arguments),
     /// Says what a scene needs, what is left out, why, and what that saves
     Needs(needs::Arguments),
-    /// Prints every step of a lesson, or of a scene, as JSON lines
+    /// Prints every step of a lesson, or of a scene, as JSON lines or as a table
     Steps(steps::Arguments),
     /// Prints the JSON Schema of scene files, of lesson files, or of printed steps, for editors and other programs
     Schema(schema::Arguments),

@@ -7,6 +7,8 @@ use super::files;
 use super::form_factors::{MemoryArgument, VisibilityArgument, enclosure, matrix_of, settings};
 use super::notes;
 use super::progress::named;
+use super::radiosity_table::{write_radiosities, write_system};
+use super::tables::Table;
 use crate::algorithms::enclosure::{Enclosure, Light, Settings};
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::radiosity::{ChannelUnsolved, RecordFilter, Solver, Unsolved};
@@ -26,8 +28,13 @@ pub struct Arguments {
     solution: SolutionArguments,
     #[command(flatten)]
     memory: MemoryArgument,
-    #[arg(long, value_name = "FILE.json")]
+    /// Where the radiosities go: FILE.json with all that is known of them, FILE.csv with ρ, E and B of every patch, or FILE.npy (NumPy)
+    /// with B alone, a row a patch
+    #[arg(long, value_name = "FILE")]
     out: PathBuf,
+    /// Where the matrix I − ρF goes that was solved with, FILE.npy or FILE.csv: all rows of red, then those of green and of blue
+    #[arg(long, value_name = "FILE")]
+    matrix: Option<PathBuf>,
     #[command(flatten)]
     limits: LimitArguments,
 }
@@ -120,6 +127,10 @@ impl SystemArguments {
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     files::check_output(&arguments.out)?;
+    if let Some(path) = &arguments.matrix {
+        files::check_ending("--matrix", path, &["npy", "csv"])?;
+        files::check_output(path)?;
+    }
     let (scene, unless) = files::scene(&arguments.scene, &arguments.limits.into())?;
     let settings = arguments.solution.or(unless.get(), arguments.limits)?;
     let start = Instant::now();
@@ -136,7 +147,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             matrix_of(&enclosure);
             (start.elapsed(), light(&scene, &enclosure)?)
         }
-        Some(refusal) if enclosure.settings.solver.shoots() => {
+        Some(refusal) if enclosure.settings.solver.shoots() && arguments.matrix.is_none() => {
             note(format_args!(
                 "lightwalk: {refusal}: they are found row by row, shot by shot"
             ));
@@ -152,6 +163,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let accuracy = accuracy::of(&enclosure);
     if let Some(accuracy) = &accuracy {
         accuracy::report_excess(&scene, &enclosure, accuracy);
+    }
+    if let Some(path) = &arguments.matrix {
+        write_system(path, &enclosure)?;
+    }
+    if let Some(table) = Table::of(&arguments.out) {
+        return write_radiosities(table, &arguments.out, &scene, &enclosure, light);
     }
     let solutions = &light.solutions;
     let mut result = json!({

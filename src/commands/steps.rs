@@ -1,4 +1,4 @@
-//! `lightwalk steps`: every step of a run, a JSON object a line.
+//! `lightwalk steps`: every step of a run, a JSON object a line, or a line of a table.
 
 use super::arguments::{
     LimitArguments, RayArguments, method, method_names, parse_range, parse_size, parse_whole,
@@ -8,6 +8,8 @@ use super::files::{self, Document};
 use super::notes;
 use super::progress::{self, Progress};
 use super::radiosity::{SystemArguments, ToleranceArgument};
+use super::steps_table::{self, latest};
+use super::tables::Table;
 use crate::algorithms::focus::Focus;
 use crate::methods::{Method, Settings, Setup};
 use crate::record::{RecordingLimit, Value};
@@ -25,8 +27,8 @@ pub struct Arguments {
     recorded: Recorded,
     #[command(flatten)]
     tolerance: ToleranceArgument,
-    /// Standard output unless given
-    #[arg(long, value_name = "FILE.jsonl")]
+    /// FILE.jsonl, or FILE.csv with a column for each value; JSON lines on standard output unless given
+    #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
 }
 
@@ -140,7 +142,10 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         note(format_args!("lightwalk: {TRUNCATED}"));
     }
     match &arguments.out {
-        Some(path) => files::write_whole(path, |writer| write_steps(run.walk(), writer)),
+        Some(path) => files::write_whole(path, |writer| match Table::of(path) {
+            Some(Table::Csv) => steps_table::write(run.walk(), writer),
+            _ => write_steps(run.walk(), writer),
+        }),
         None => {
             let mut out = BufWriter::new(std::io::stdout().lock());
             write_steps(run.walk(), &mut out)?;
@@ -283,14 +288,8 @@ impl Serialize for Line<'_> {
         object.serialize_entry("step", &self.step)?;
         object.serialize_entry("depth", &self.walk.outline().depth(self.step))?;
         object.serialize_entry("kind", self.walk.kind(self.step))?;
-        let fields = self.walk.fields(self.step);
-        for (index, field) in fields.0.iter().enumerate() {
-            if !fields.0[index + 1..]
-                .iter()
-                .any(|later| later.name == field.name)
-            {
-                object.serialize_entry(field.name, &json_of(field.value))?;
-            }
+        for field in latest(&self.walk.fields(self.step)) {
+            object.serialize_entry(field.name, &json_of(field.value))?;
         }
         object.end()
     }

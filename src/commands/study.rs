@@ -104,7 +104,7 @@ fn write(findings: &Findings, machine: &Machine, arguments: &Arguments) -> Resul
     put("json", format!("{recorded:#}\n").as_bytes())?;
     put("png", &to_png(&pixels))?;
     let title = findings.study.title.text(Language::English);
-    put("svg", to_svg(&picture, &title, Theme::Light).as_bytes())
+    put("svg", to_svg(&picture, title, Theme::Light).as_bytes())
 }
 
 /// Not before there is something to put into it.

@@ -17,6 +17,7 @@ mod rays;
 mod schemas;
 mod stress;
 mod study;
+mod tables;
 mod take_away;
 
 use broken::{GOOD, POT};

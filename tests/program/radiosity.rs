@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::fs;
 
 /// A closed unit cube of 2×2 patches a wall, which all emit 1 and reflect half: B = 2 everywhere.
-fn furnace() -> tempfile::TempDir {
+pub fn furnace() -> tempfile::TempDir {
     let corners = |bits: [usize; 4]| -> Vec<[f64; 3]> {
         let corner = |bits: usize| [0, 1, 2].map(|axis| f64::from((bits >> axis & 1) as u32));
         bits.into_iter().map(corner).collect()
