@@ -24,7 +24,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     files::check_ending("--out", &arguments.out, &["html"])?;
     files::check_output(&arguments.out)?;
     let open = arguments.lesson.open()?;
-    let steps = arguments.steps.of(&open)?;
+    let steps = arguments.steps.pages(&open)?;
     let panels = open.lesson.panels.clone();
     let mut shown = arguments.lesson.show(open, &panels).asking();
     let theme = arguments.theme.theme();

@@ -97,6 +97,23 @@ impl StepsArguments {
     }
 }
 
+/// The most steps that one document holds: of pictures of a megabyte each it takes 500.
+const MOST_PAGES: usize = 500;
+
+impl StepsArguments {
+    /// Those of one document, which is in memory before it is written.
+    pub fn pages(&self, open: &OpenLesson) -> Result<Vec<usize>, Failure> {
+        let steps = self.of(open)?;
+        match steps.len() > MOST_PAGES {
+            true => Err(Failure::Wrong(format!(
+                "{} steps are too many for one file; it holds at most {MOST_PAGES} (--steps, --step)",
+                steps.len()
+            ))),
+            false => Ok(steps),
+        }
+    }
+}
+
 /// In which colours.
 #[derive(Args)]
 pub struct ThemeArgument {

@@ -56,3 +56,27 @@ pub fn card(shown: &mut Shown, page: &Page, place: [usize; 2], size: Vec2) -> Pi
     picture.alt = alt;
     picture
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::Language;
+    use crate::lesson::builtins;
+
+    #[test]
+    fn what_any_lesson_says_fits_into_the_smallest_card() {
+        let [width, height] = SMALLEST_CARD.map(|side| side as f32);
+        let smallest = SIZES[SIZES.len() - 1];
+        for lesson in builtins() {
+            let lesson = lesson.read().unwrap();
+            for text in Language::ALL
+                .iter()
+                .flat_map(|&language| lesson.texts(language))
+            {
+                let lines = wrap(text, Style::Label, smallest, width - 2.0 * MARGIN);
+                let needed = lines.len() as f32 * LINE * smallest;
+                assert!(needed <= 0.5 * height, "{}: {text}", lesson.id);
+            }
+        }
+    }
+}

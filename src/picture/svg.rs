@@ -118,9 +118,14 @@ impl Svg<'_> {
             }
             Shape::Text { at, text, set } => self.text(*at, text, *set),
             Shape::Image { rect, image, .. } => {
+                // Pixels are seen as such where they are enlarged.
+                let hard = match rect.width >= image.width() as f32 {
+                    true => r#" style="image-rendering:pixelated""#,
+                    false => "",
+                };
                 let (frame, data) = (frame(*rect), base64(&png(image)));
                 self.put(format_args!(
-                    r#"<image {frame} preserveAspectRatio="none" style="image-rendering:pixelated" href="data:image/png;base64,{data}"/>"#
+                    r#"<image {frame} preserveAspectRatio="none"{hard} href="data:image/png;base64,{data}"/>"#
                 ));
             }
         }

@@ -310,6 +310,10 @@ fn what_cannot_be_taken_away_is_told() {
             "cannot be used with",
         ),
         (
+            "handout gouraud-teapot --steps 0..600 --out h.html",
+            "600 steps are too many for one file",
+        ),
+        (
             "deck refraction --out none/d.html",
             "its folder does not exist",
         ),
