@@ -12,7 +12,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Sub};
 
 pub use animation::{Animation, AnimationFormat};
 pub use files::{pfm, png_rgb8, png_rgba8};
-pub use read::{StoredImage, read_image};
+pub use read::{StoredImage, read_image, surplus};
 
 /// A linear RGB triple: intensity, coefficient or radiant exitance, one number a channel.
 #[derive(Clone, Copy, PartialEq, Debug, Default)]

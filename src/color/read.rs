@@ -26,6 +26,25 @@ pub fn read_image(bytes: &[u8]) -> Result<StoredImage, String> {
     }
 }
 
+/// How many bytes of a PPM or PFM file that can be read follow its pixels, where the pixels are bytes.
+pub fn surplus(bytes: &[u8]) -> usize {
+    let (numbers, of_header) = match bytes {
+        [b'P', b'6', ..] => (3, 3),
+        [b'P', b'F', ..] => (3, 2),
+        [b'P', b'f', ..] => (1, 2),
+        _ => return 0,
+    };
+    let mut header = Header(&bytes[2..]);
+    let sides = [header.whole(), header.whole()].map(|side| side.unwrap_or(0) as usize);
+    let size_of_number = match header.word() {
+        _ if of_header == 2 => 4,
+        Ok(most) if most.len() > 3 || most > "255" && most.len() == 3 => 2,
+        _ => 1,
+    };
+    let needed = numbers * size_of_number * sides[0] * sides[1];
+    header.after_space().len().saturating_sub(needed)
+}
+
 fn read_png(bytes: &[u8]) -> Result<StoredImage, String> {
     let wrong = |error: png::DecodingError| format!("cannot be read as a PNG file: {error}");
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
@@ -90,6 +109,11 @@ fn read_ppm(bytes: &[u8]) -> Result<StoredImage, String> {
             false => data[..needed].iter().map(|&byte| u64::from(byte)).collect(),
         }
     };
+    if let Some(larger) = samples.iter().find(|&&sample| sample > most) {
+        return Err(format!(
+            "found the value {larger}; allowed are values up to {most}, the largest that its header names"
+        ));
+    }
     let share = |sample: u64| sample as f64 / most as f64;
     let (triples, _) = samples.as_chunks::<3>();
     Ok(StoredImage {
@@ -109,6 +133,11 @@ fn read_pfm(bytes: &[u8]) -> Result<StoredImage, String> {
         .word()?
         .parse()
         .map_err(|_| "its scale is no number")?;
+    if !scale.is_finite() || scale == 0.0 {
+        return Err(format!(
+            "found the scale {scale}; allowed are numbers below 0 (little-endian) and above 0 (big-endian)"
+        ));
+    }
     let data = header.after_space();
     let needed = 4 * channels * (width * height) as usize;
     if data.len() < needed {
@@ -205,12 +234,35 @@ mod tests {
     }
 
     #[test]
+    fn bytes_behind_the_pixels_are_counted() {
+        for (bytes, count) in [
+            (&b"P6 1 1 255\n\x00\x33\xff"[..], 0),
+            (b"P6 1 1 255\n\x00\x33\xff\n\n", 2),
+            (b"P6 1 1 256\n\x00\x33\x00\x00\x00\x00\x07", 1),
+            (b"Pf 1 1 1\n\x3f\x00\x00\x00\x00\x00\x00", 3),
+            (b"P3 1 1 255 1 2 3  ", 0),
+        ] {
+            assert_eq!(surplus(bytes), count);
+        }
+    }
+
+    #[test]
     fn what_is_no_picture_is_refused_with_the_reason() {
         for (bytes, reason) in [
             (&b"GIF89a"[..], "PNG, PPM"),
             (b"P6 9", "ends within"),
             (b"P6 99999 99999 255\n", "at most"),
             (b"P6 0 4 255\n", "at most"),
+            (
+                b"P3 1 1 255 0 300 0",
+                "found the value 300; allowed are values up to 255",
+            ),
+            (b"P6 1 1 9\n\x00\x0a\x00", "found the value 10"),
+            (
+                b"PF 1 1 0\n\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00\x00",
+                "found the scale 0",
+            ),
+            (b"Pf 1 1 NaN\n\x00\x00\x00\x00", "found the scale NaN"),
             (b"P6 2 2 255\n\x00", "needs 12"),
             (b"PF 2 x -1\n", "whole number"),
             (

@@ -1,10 +1,10 @@
 //! `lightwalk compare`: a picture of another program against ours.
 
 use super::arguments::{LimitArguments, RayArguments, method, method_names};
-use super::failure::Failure;
+use super::failure::{Failure, note};
 use super::files;
 use crate::algorithms::enclosure;
-use crate::color::{StoredImage, png_rgb8, read_image};
+use crate::color::{StoredImage, png_rgb8, read_image, surplus};
 use crate::language::Language;
 use crate::methods::{Method, Settings, Setup};
 use crate::picture::plain;
@@ -64,6 +64,11 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let wrong = |error: &str| files::wrong(&image.display(), &error);
     let bytes = files::picture(image)?;
     let mine = read_image(&bytes).map_err(|error| wrong(&error))?;
+    let surplus = surplus(&bytes);
+    if surplus > 0 {
+        let what = format!("{surplus} bytes follow its pixels and are not read");
+        note(format_args!("{}: note: {what}", image.display()));
+    }
     let setup = setup(&arguments, method, &mine)?;
     let threads = std::thread::available_parallelism().unwrap_or(std::num::NonZeroUsize::MIN);
     let found = compare(&mine, &setup, method, tolerance, threads);

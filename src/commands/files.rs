@@ -249,25 +249,47 @@ pub fn reason(error: &std::io::Error) -> String {
     match error.kind() {
         std::io::ErrorKind::NotFound => "no such file".into(),
         std::io::ErrorKind::PermissionDenied => "no permission to read it".into(),
+        std::io::ErrorKind::NotADirectory => "it is not a folder".into(),
         _ => error.to_string(),
     }
 }
 
+/// Why nothing can be written in a folder. No path is in it: that of a temporary file would puzzle.
+fn unwritable(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::PermissionDenied => "no permission to write there".into(),
+        std::io::ErrorKind::NotFound => "no files can be made there".into(),
+        kind => kind.to_string(),
+    }
+}
+
+/// Makes a file in the folder, and takes it away again.
+fn probe(folder: &Path) -> Result<(), String> {
+    let probe = tempfile::Builder::new()
+        .prefix(".lightwalk-")
+        .tempfile_in(folder);
+    probe.map(drop).map_err(|error| unwritable(&error))
+}
+
+/// Whether what stands there is a device or a pipe.
+fn is_special(path: &Path) -> bool {
+    path.metadata()
+        .is_ok_and(|there| !there.is_file() && !there.is_dir())
+}
+
 /// Finds fault with the name of an output file before any work is done.
 pub fn check_output(path: &Path) -> Result<(), Failure> {
+    let wrong = |why: &str| Failure::Wrong(format!("{}: {why}", path.display()));
     if path.is_dir() {
-        return Err(Failure::Wrong(format!(
-            "{}: is a folder; name a file",
-            path.display()
-        )));
+        return Err(wrong("is a folder; name a file"));
     }
     if !folder_of(path).is_dir() {
-        return Err(Failure::Wrong(format!(
-            "{}: its folder does not exist",
-            path.display()
-        )));
+        return Err(wrong("its folder does not exist"));
     }
-    Ok(())
+    if is_special(path) {
+        return Ok(());
+    }
+    probe(&folder_of(path)).map_err(|why| wrong(&format!("cannot be written: {why}")))
 }
 
 /// Finds fault with an output file whose name ends in none of these.
@@ -285,8 +307,7 @@ pub fn check_ending(option: &str, path: &Path, allowed: &[&str]) -> Result<(), F
 
 /// Finds fault with a folder for output, made or not made yet, before any work is done. Nothing is left in it.
 pub fn check_output_folder(path: &Path) -> Result<(), Failure> {
-    let wrong =
-        |why: &dyn std::fmt::Display| Failure::Wrong(format!("--out {}: {why}", path.display()));
+    let wrong = |why: &str| Failure::Wrong(format!("--out {}: {why}", path.display()));
     let nearest = path.ancestors().find(|folder| folder.exists());
     let nearest = match nearest {
         Some(folder) if !folder.is_dir() => {
@@ -298,10 +319,7 @@ pub fn check_output_folder(path: &Path) -> Result<(), Failure> {
         Some(folder) => folder,
         None => Path::new("."),
     };
-    let probe = tempfile::Builder::new()
-        .prefix(".lightwalk-")
-        .tempfile_in(nearest);
-    probe.map(drop).map_err(|error| wrong(&reason(&error)))
+    probe(nearest).map_err(|why| wrong(&why))
 }
 
 /// What the processor is called, where the system tells it in the place where Linux does.
@@ -321,10 +339,13 @@ pub fn write_whole(
     write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
     let failed = |error: std::io::Error| {
-        Failure::Failed(format!("cannot write {}: {error}", path.display()))
+        Failure::Failed(format!(
+            "cannot write {}: {}",
+            path.display(),
+            unwritable(&error)
+        ))
     };
-    let is_special = |there: fs::Metadata| !there.is_file() && !there.is_dir();
-    if path.metadata().is_ok_and(is_special) {
+    if is_special(path) {
         let device = fs::OpenOptions::new().write(true).open(path);
         let mut writer = BufWriter::new(device.map_err(failed)?);
         return write(&mut writer)

@@ -39,6 +39,10 @@ named! {
         FlipY = "flip_y",
         /// Left and right changed places.
         MirrorX = "mirror_x",
+        /// Pixels written column by column where rows are meant.
+        ColumnsFirst = "columns_first",
+        /// Width and height change places in the header of the file, or where the picture is drawn.
+        SidesSwapped = "sides_swapped",
         /// Rays through the corners of pixels instead of their centres.
         HalfPixelOff = "half_pixel_off",
         /// Linear numbers written for the screen.
@@ -136,6 +140,21 @@ impl Mistake {
         let frame = match self {
             Mistake::FlipY => rearranged(reference, |x, y, [_, height]| [x, height - 1 - y]),
             Mistake::MirrorX => rearranged(reference, |x, y, [width, _]| [width - 1 - x, y]),
+            Mistake::ColumnsFirst => rearranged(reference, |x, y, [width, height]| {
+                let number = y * width + x;
+                [number / height, number % height]
+            }),
+            Mistake::SidesSwapped => {
+                let scene = setup.prepared.scene.clone();
+                let turned = View::new(&scene.camera?, view.height, view.width);
+                let turned = with(setup, scene, turned, setup.settings.clone());
+                // The same pixels in the same order, in other rows
+                Frame {
+                    width: view.width,
+                    rows: 0..view.height,
+                    ..drawn(&turned, setup, method, threads)?
+                }
+            }
             Mistake::ChannelsSwapped => {
                 let mut swapped = reference.clone();
                 let colors = swapped.color.iter_mut();
@@ -243,6 +262,8 @@ impl Mistake {
             | Mistake::FovHalfAngle
             | Mistake::FlipY
             | Mistake::MirrorX
+            | Mistake::ColumnsFirst
+            | Mistake::SidesSwapped
             | Mistake::HalfPixelOff
             | Mistake::NoSrgb
             | Mistake::SrgbTwice
