@@ -2,6 +2,7 @@
 
 use crate::scene::SceneError;
 use crate::scene::document::{self, Problem};
+use crate::scene::locate::locate;
 
 /// What is wrong with a lesson. Displayed as one problem a line.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -22,6 +23,14 @@ impl From<Problem> for LessonError {
 impl From<SceneError> for LessonError {
     fn from(SceneError { problems }: SceneError) -> Self {
         LessonError { problems }
+    }
+}
+
+impl LessonError {
+    /// With line and column of what is wrong in the text of the lesson.
+    pub(super) fn located(mut self, text: &[u8]) -> Self {
+        locate(text, &mut self.problems);
+        self
     }
 }
 

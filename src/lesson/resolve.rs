@@ -44,6 +44,8 @@ pub struct Lesson {
     pub by_path: Vec<ByPath>,
     /// The document, where values of it may be changed.
     pub(super) source: Option<Arc<Source>>,
+    /// What it was read from, to say where a mistake is.
+    pub(super) text: Option<Arc<[u8]>>,
     pub panels: Vec<Panel>,
     /// What was learned, where the file says it.
     pub recap: Option<Text>,
@@ -70,6 +72,15 @@ impl Lesson {
         read_file: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
     ) -> Result<Lesson, LessonError> {
         let file: LessonFile = document::parse(bytes)?;
+        Lesson::checked(file, bytes, limits, read_file).map_err(|error| error.located(bytes))
+    }
+
+    fn checked(
+        file: LessonFile,
+        bytes: &[u8],
+        limits: &Limits,
+        read_file: &mut dyn FnMut(&str) -> Result<Vec<u8>, String>,
+    ) -> Result<Lesson, LessonError> {
         let mut problems = Vec::new();
         let mut files = Vec::new();
         let read_file = &mut |path: &str| {
@@ -177,6 +188,7 @@ impl Lesson {
                 parameters,
                 by_path,
                 source: source.map(Arc::new),
+                text: Some(bytes.into()),
                 panels,
                 recap: file.recap,
                 steps: file.steps.into_iter().map(|Keyed(step)| step).collect(),
@@ -187,6 +199,12 @@ impl Lesson {
 
     /// Runs the lesson and finds its narrated steps. Errors: every anchor, value and answer that is not in the run.
     pub fn open(self) -> Result<OpenLesson, LessonError> {
+        let text = self.text.clone();
+        self.run()
+            .map_err(|error| error.located(text.as_deref().unwrap_or_default()))
+    }
+
+    fn run(self) -> Result<OpenLesson, LessonError> {
         let setup = Arc::new(
             self.setup(self.scene.clone(), self.settings.clone())
                 .ok_or_else(|| problem("scene.camera", "the key is missing"))?,

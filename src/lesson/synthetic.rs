@@ -107,6 +107,7 @@ impl Lesson {
             parameters: Vec::new(),
             by_path: Vec::new(),
             source: None,
+            text: None,
             recap: None,
             panels: panels.filter_map(Panel::called).collect(),
             steps: vec![StepFile {

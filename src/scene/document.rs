@@ -22,7 +22,7 @@ pub const MAX_BYTES: usize = 64 << 20;
 pub struct Problem {
     /// The path in the document, such as `objects[2].material`; empty for the document as a whole.
     pub place: String,
-    /// Counted from 1; known for syntax, keys and types.
+    /// Counted from 1; of a mistake in a value or reference, where that is in the text.
     pub line: Option<usize>,
     /// In bytes, counted from 1.
     pub column: Option<usize>,

@@ -65,8 +65,17 @@ fn an_unknown_chapter_is_refused_with_those_that_there_are() {
         Err("no such file".into())
     })
     .expect_err("a chapter that there is not");
+    let line = renamed[..renamed.find("\"Shading\"").unwrap()]
+        .matches('\n')
+        .count()
+        + 1;
+    let problem = &error.problems[0];
     assert_eq!(
-        error.to_string(),
-        "chapter: found \"Shading\"; allowed are shading, ray-tracing, radiosity, study"
+        (problem.line, problem.place.as_str()),
+        (Some(line), "chapter")
+    );
+    assert_eq!(
+        problem.message,
+        "found \"Shading\"; allowed are shading, ray-tracing, radiosity, study"
     );
 }

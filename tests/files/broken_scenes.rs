@@ -91,6 +91,8 @@ fn broken_meshes_are_refused_with_file_and_line() {
         ),
     ] {
         let message = message(GOOD.as_bytes(), mesh);
+        let (place, message) = message.split_once(": ").unwrap();
+        assert!(place.starts_with("line "), "{place}");
         assert!(message.starts_with("objects[3].mesh.file: "), "{message}");
         assert!(message.contains("\"meshes/pot.obj\""), "{message}");
         assert!(message.contains(expected), "{message}");
@@ -116,6 +118,18 @@ fn all_problems_of_values_and_references_are_reported_in_one_go() {
         ]
     );
     assert_eq!(error.to_string().lines().count(), 4);
+    for problem in &error.problems {
+        let (line, column) = (problem.line.unwrap(), problem.column.unwrap());
+        let (name, value) = match problem.place.as_str() {
+            "materials.red.ior" => ("\"ior\": ", "-1"),
+            "objects[0].sphere.radius" => ("\"radius\": ", "-1"),
+            "objects[3].mesh.file" => ("\"file\": ", "\"../pot.obj\""),
+            _ => ("\"material\": ", "\"green\""),
+        };
+        let line = text.lines().nth(line - 1).unwrap();
+        assert!(line[..column - 1].ends_with(name), "{problem}");
+        assert!(line[column - 1..].starts_with(value), "{problem}");
+    }
 }
 
 #[test]
@@ -140,11 +154,11 @@ fn limits_hold_for_the_whole_scene() {
     };
     assert!(read(24, 6).is_ok());
     let patches = read(23, 6).unwrap_err().to_string();
-    assert!(patches.starts_with("objects[2].patches: "), "{patches}");
+    assert!(patches.contains(": objects[2].patches: "), "{patches}");
     let triangles = read(24, 5).unwrap_err().to_string();
     assert!(
         triangles
-            .starts_with("objects[2].mesh.file: found 2 triangles here and 6 so far; at most 5")
+            .contains(": objects[2].mesh.file: found 2 triangles here and 6 so far; at most 5")
     );
 }
 

@@ -379,7 +379,9 @@ impl Lesson {
                         PathValue::Option(index) => format!("option {index}"),
                     };
                     let name = &parameter.name.en;
-                    problem("parameters", format!("with {value} for “{name}”: {error}"))
+                    let message = format!("with {value} for “{name}”: {error}");
+                    let error = LessonError::from(problem("parameters", message));
+                    error.located(self.text.as_deref().unwrap_or_default())
                 })?;
             }
         }

@@ -7,6 +7,7 @@ mod shapes;
 
 use super::document::{self, Keyed, Place, Problem};
 use super::file::SceneFile;
+use super::locate::locate;
 use super::values::Triple;
 use super::{Material, Scene};
 use crate::color::Rgb;
@@ -53,7 +54,10 @@ pub fn read(bytes: &[u8], limits: &Limits, read_file: &mut ReadFile) -> Result<S
     let file: SceneFile = document::parse(bytes).map_err(|problem| SceneError {
         problems: vec![problem],
     })?;
-    file.check(limits, read_file, "")
+    file.check(limits, read_file, "").map_err(|mut error| {
+        locate(bytes, &mut error.problems);
+        error
+    })
 }
 
 impl SceneFile {
