@@ -32,6 +32,7 @@ mod question_card;
 mod results_drawer;
 mod room_controls;
 mod row_end;
+mod scene_page;
 pub mod session;
 mod skipped;
 mod space_controls;

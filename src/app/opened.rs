@@ -6,6 +6,7 @@ use super::strings;
 use crate::color::StoredImage;
 use crate::language::Message;
 use crate::lesson::Lesson;
+use crate::scene::document::Problem;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 use web_time::Duration;
@@ -16,6 +17,12 @@ pub struct Readers {
     /// Reads a lesson, or a scene or mesh as one.
     pub document: fn(&Path) -> Result<Lesson, String>,
     pub folder: fn(&Path) -> Result<FolderOfLessons, String>,
+    /// The text of a scene file.
+    pub text: fn(&Path) -> Result<String, String>,
+    /// Reads a scene, which may not be saved yet, as a walk; meshes are found from the path of its file.
+    pub scene: fn(&Path, &[u8]) -> Result<Lesson, Vec<Problem>>,
+    /// Writes a file, whole or not at all.
+    pub write: fn(&Path, &[u8]) -> Result<(), String>,
     pub picture: fn(&Path) -> Result<StoredImage, String>,
 }
 
@@ -47,6 +54,10 @@ impl Opened {
             picture: None,
             folder,
         }
+    }
+
+    pub fn readers(&self) -> Readers {
+        self.readers
     }
 
     pub fn has_file(&self) -> bool {
@@ -107,7 +118,8 @@ impl Opened {
     }
 
     fn look_at_file(&mut self, session: &mut Session) -> Option<Result<Message, String>> {
-        let path = session.file.clone()?;
+        // A scene that is edited is looked after by its page.
+        let path = session.file.clone().filter(|_| !session.look.editing)?;
         let known = match &self.file {
             Some((of, known)) if *of == path => *known,
             // It was opened from the list.

@@ -338,7 +338,7 @@ fn coordinates(session: &Session, of: Movable, ui: &mut Ui) -> Option<Change> {
 }
 
 /// Shows and reads the number as the language writes it.
-fn written(number: DragValue<'_>, language: Language) -> DragValue<'_> {
+pub(super) fn written(number: DragValue<'_>, language: Language) -> DragValue<'_> {
     number
         .custom_formatter(move |value, decimals| {
             language.typeset(&egui::emath::format_with_decimals_in_range(value, decimals))

@@ -68,6 +68,27 @@ pub const COMPARE_PIXEL: Message = Message("app-compare-pixel");
 pub const PICTURE_READ_AGAIN: Message = Message("app-picture-read-again");
 pub const AFTER_YOUR_ANSWER: Message = Message("panels-after-your-answer");
 
+pub const EDIT: Message = Message("app-edit");
+pub const EDIT_A_SCENE: Message = Message("app-edit-a-scene");
+pub const SCENE_WHOLE: Message = Message("app-scene-whole");
+pub const SCENE_CAMERA: Message = Message("app-scene-camera");
+pub const SCENE_MATERIALS: Message = Message("app-scene-materials");
+pub const SCENE_OBJECTS: Message = Message("app-scene-objects");
+pub const SCENE_LIGHTS: Message = Message("app-scene-lights");
+pub const SCENE_ADD: Message = Message("app-scene-add");
+pub const SCENE_COPY: Message = Message("app-scene-copy");
+pub const SCENE_DELETE: Message = Message("app-scene-delete");
+pub const SCENE_LEAVE_OUT: Message = Message("app-scene-leave-out");
+pub const SCENE_COLOR: Message = Message("app-scene-color");
+pub const SCENE_AS_TEXT: Message = Message("app-scene-as-text");
+pub const SCENE_TEXT: Message = Message("app-scene-text");
+pub const SCENE_SAVE: Message = Message("app-scene-save");
+pub const SCENE_IS_SAVED: Message = Message("app-scene-is-saved");
+pub const SCENE_BACK: Message = Message("app-scene-back");
+pub const SCENE_CONFLICT: Message = Message("app-scene-conflict");
+pub const SCENE_TAKE_THEIRS: Message = Message("app-scene-take-theirs");
+pub const SCENE_SAVE_MINE: Message = Message("app-scene-save-mine");
+
 pub const LESSONS: Message = Message("app-lessons");
 pub const CHAPTERS: [(Chapter, Message); 4] = [
     (Chapter::Shading, Message("app-chapter-shading")),

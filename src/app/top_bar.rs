@@ -120,7 +120,11 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         return;
     }
     if session.lesson().is_free_walk() {
-        return methods(session, commands, ui);
+        methods(session, commands, ui);
+        let name = session.localize(strings::EDIT);
+        let edit = Button::new(name).selected(session.look.editing);
+        button(session, edit, name, Command::EditScene, commands, ui);
+        return;
     }
     for (sign, name, command) in [
         ("◀", strings::PREVIOUS_LESSON, Command::PreviousLesson),

@@ -47,6 +47,18 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
         study_view::show(session, &mut window.study_plot, &mut commands, ui);
         return window.finish(session, commands, &ctx);
     }
+    if session.look.editing
+        && let Some(opened) = &window.opened
+    {
+        let readers = opened.readers();
+        top_bar::show(session, &mut commands, ui);
+        let corner = ui.max_rect().max - Vec2::splat(2.0 * GAP);
+        if let Err(why) = window.scene_page.show(session, readers, &mut commands, ui) {
+            window.notice = Some(why);
+        }
+        notice::show(session, window, corner, ui);
+        return window.finish(session, commands, &ctx);
+    }
     let whole = ui.max_rect();
     let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(whole));
     let between_cards = ui.visuals().panel_fill;
@@ -154,6 +166,9 @@ impl Window {
             && let Some(keeper) = &mut self.keeper
         {
             keeper.forget();
+        }
+        if session.look.editing && matches!(command, Command::Undo | Command::Redo) {
+            return self.scene_page.go_back(session, command == Command::Redo);
         }
         let step = (session.recording(), session.step());
         let result = session.update(command);

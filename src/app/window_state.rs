@@ -4,6 +4,7 @@ use super::home::HomePage;
 use super::keeper::Keeper;
 use super::opened::Opened;
 use super::panel_view::{Key, PanelView};
+use super::scene_page::ScenePage;
 use super::study_plot::StudyPlot;
 use crate::panels::Panel;
 use crate::picture::Theme;
@@ -16,6 +17,7 @@ pub struct Window {
     pub(super) views: HashMap<Panel, PanelView>,
     pub(super) study_plot: StudyPlot,
     pub(super) home: HomePage,
+    pub(super) scene_page: ScenePage,
     pub(super) answer: String,
     /// Whether the answer was given, and is no number.
     pub(super) misread: bool,

@@ -79,6 +79,27 @@ pub fn to_walk(name: &str) -> Result<(Lesson, Option<PathBuf>), Failure> {
     Ok((Lesson::of_scene(&title, checked), Some(path.to_owned())))
 }
 
+/// A walk through a scene whose text may not be in its file yet.
+#[cfg(feature = "gui")]
+pub fn edited_scene(path: &Path, text: &[u8]) -> Result<Lesson, Vec<document::Problem>> {
+    let folder = folder_of(path);
+    let mut read_file = |name: &str| read_inside(&folder, name);
+    let scene = scene::read(text, &Limits::default(), &mut read_file);
+    let scene = scene.map_err(|error| error.problems)?;
+    let title = path.file_name().unwrap_or_default().to_string_lossy();
+    // What is wrong with all of it has no place.
+    let checked = prepared(scene, Lesson::SIZE_OF_A_WALK, Method::RayTracing, &title);
+    let checked = checked.map_err(|failure| {
+        vec![document::Problem {
+            place: String::new(),
+            line: None,
+            column: None,
+            message: failure.to_string(),
+        }]
+    })?;
+    Ok(Lesson::of_scene(&title, checked))
+}
+
 /// Whether a file can be read and is no lesson.
 #[cfg(feature = "gui")]
 pub fn is_scene(path: &Path) -> bool {

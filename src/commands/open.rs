@@ -84,6 +84,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             document,
             folder: folder_of_lessons,
             picture,
+            text: |path| files::text(path).map_err(|failure| failure.to_string()),
+            scene: files::edited_scene,
+            write: |path, bytes| {
+                let written = files::write_whole(path, |writer| writer.write_all(bytes));
+                written.map_err(|failure| failure.to_string())
+            },
         },
     };
     app::open(start).map_err(Failure::Failed)

@@ -123,6 +123,8 @@ pub enum Command {
     Inspector,
     /// What may be changed, in a drawer.
     Parameters,
+    /// The page on which the scene that is walked is edited, or back from it.
+    EditScene,
     /// The user's own picture beside ours, in a drawer.
     Against,
     /// Shows a panel large, until the lesson turns to another one.

@@ -31,6 +31,13 @@ impl Session {
         Ok(())
     }
 
+    /// Why what is shown cannot be edited as a scene, if it cannot.
+    pub(super) fn cannot_edit(&self) -> Option<Message> {
+        let file = self.file.as_ref().filter(|_| self.lesson().is_free_walk());
+        let is_scene = file.is_some_and(|file| file.extension().is_some_and(|end| end == "json"));
+        (!is_scene).then_some(strings::EDIT_A_SCENE)
+    }
+
     /// Why the method cannot be chosen, if it cannot.
     pub(super) fn cannot_choose(&self, method: Method) -> Option<Message> {
         let lesson = self.lesson();

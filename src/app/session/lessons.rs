@@ -126,6 +126,7 @@ impl Session {
         self.play = None;
         self.studying.is_open = false;
         self.look.sheet = None;
+        self.look.editing = false;
         self.look.home = !self.look.home;
     }
 }

@@ -20,6 +20,8 @@ pub struct Look {
     pub keys: bool,
     /// The page of all lessons, in place of the lesson.
     pub home: bool,
+    /// The page of the scene that is shown, in place of its panels.
+    pub editing: bool,
     /// What lies over the lesson.
     pub sheet: Option<Sheet>,
     /// The view of what is left out.
@@ -42,6 +44,7 @@ impl Look {
             before_presenting: Theme::Light,
             keys: false,
             home: false,
+            editing: false,
             sheet: None,
             skipped: false,
             drawer: None,

@@ -100,6 +100,10 @@ impl Session {
                 }
                 self.toggle_drawer(Drawer::Parameters);
             }
+            Command::EditScene => match self.cannot_edit() {
+                Some(why) => return Err(why.into()),
+                None => self.look.editing = !self.look.editing,
+            },
             Command::Against => match self.against() {
                 Some(_) => self.toggle_drawer(Drawer::Against),
                 None => return Err(strings::COMPARE_HOW.into()),
@@ -140,6 +144,7 @@ impl Session {
             Command::Parameters if self.lesson().parameters.is_empty() => {
                 Some(strings::NO_PARAMETERS)
             }
+            Command::EditScene => self.cannot_edit(),
             Command::Against if self.against().is_none() => Some(strings::COMPARE_HOW),
             Command::Unshot if !self.has_unshot() => Some(strings::NO_UNSHOT),
             Command::Focus(focus @ Focus::FormFactor { .. }) => self.cannot_follow(focus),

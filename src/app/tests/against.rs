@@ -11,6 +11,9 @@ const READERS: Readers = Readers {
     document: |_| Err("no document".into()),
     folder: |_| Err("no folder".into()),
     picture: |path| read_image(&fs::read(path).unwrap()),
+    text: |_| Err("no text".into()),
+    scene: |_, _| Err(Vec::new()),
+    write: |_, _| Err("nothing is written".into()),
 };
 
 /// A lesson that asks nothing.

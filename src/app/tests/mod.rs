@@ -16,6 +16,7 @@ mod pictures;
 mod questions;
 mod ray_tree;
 mod reading;
+mod scene_page;
 mod skipped;
 mod studies;
 

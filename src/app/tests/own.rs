@@ -42,6 +42,9 @@ const READERS: Readers = Readers {
     document: read,
     folder: read_folder,
     picture: |_| Err("no picture".into()),
+    text: |_| Err("no text".into()),
+    scene: |_, _| Err(Vec::new()),
+    write: |_, _| Err("nothing is written".into()),
 };
 
 /// Writes a file as if it had been saved so many seconds later.
