@@ -76,7 +76,11 @@ fn check(path: &Path, limits: &Limits) -> Result<Found, Failure> {
             let (objects, lights) = (scene.objects.len(), scene.lights.len());
             Ok(Found {
                 counts: json!({ "kind": "scene", "objects": objects, "lights": lights }),
-                summary: format!("scene, {objects} objects, {lights} lights"),
+                summary: format!(
+                    "scene, {}, {}",
+                    counted(objects, "object"),
+                    counted(lights, "light")
+                ),
                 notes: methods::notes_of(&scene, limits.max_patches),
             })
         }
@@ -92,5 +96,22 @@ fn check(path: &Path, limits: &Limits) -> Result<Found, Failure> {
                 notes: open.setup.notes(open.lesson.method),
             })
         }
+    }
+}
+
+/// `1 light`, `2 lights`
+fn counted(count: usize, what: &str) -> String {
+    let ending = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{ending}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_thing_is_no_plural() {
+        assert_eq!(counted(1, "light"), "1 light");
+        assert_eq!(counted(0, "light"), "0 lights");
     }
 }

@@ -8,7 +8,7 @@ use crate::color::{Rgb, StoredImage};
 use crate::figure::diverging;
 use crate::methods::{Method, Setup};
 use crate::render::render;
-use explained::explanations;
+use explained::{Mistaken, explanations};
 use serde::Serialize;
 use std::convert::Infallible;
 use std::num::NonZeroUsize;
@@ -142,7 +142,7 @@ fn mistaken<E>(
     (right, is_float): (Encoding, bool),
     threads: NonZeroUsize,
     progress: &impl Fn(usize, usize) -> Result<(), E>,
-) -> Result<Vec<(Mistake, Vec<[f64; 3]>)>, E> {
+) -> Result<Vec<Mistaken>, E> {
     let possible = Mistake::ALL.into_iter();
     let possible: Vec<Mistake> = possible
         .filter(|mistake| mistake.concerns(method))
