@@ -1,5 +1,15 @@
-//! Keeps progress and settings in a file of the user's data folder: written whole after each change, so that a killed process loses
-//! nothing. Several windows may write it: what one has not changed itself stays as it is in the file.
+//! Keeps progress and settings where the user finds them again: written whole after each change, so that a killed process loses
+//! nothing. Several windows may write them: what one has not changed itself stays as it is kept.
+
+#[cfg(not(target_arch = "wasm32"))]
+mod folder;
+#[cfg(target_arch = "wasm32")]
+mod page;
+
+#[cfg(not(target_arch = "wasm32"))]
+pub use folder::Store;
+#[cfg(target_arch = "wasm32")]
+pub use page::Store;
 
 use super::session::{Kept, Session};
 use super::strings;
@@ -7,18 +17,13 @@ use super::window_state::{Borders, Window};
 use crate::language::Language;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
-use std::fs::{self, File, TryLockError};
-use std::io::{self, ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use std::io;
 use std::time::Duration;
 
-const FILE: &str = "progress.json";
-const LOCK: &str = "progress.lock";
-
-/// Until another window has written the file.
+/// Until another window has written.
 const BUSY: Duration = Duration::from_millis(20);
 
-/// What stands in the file.
+/// What is kept.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default)]
 pub struct State {
@@ -26,28 +31,18 @@ pub struct State {
     pub layout: Borders,
 }
 
-/// The user's folder for the program's data. None where the system does not say where that is.
-pub fn data_folder() -> Option<PathBuf> {
-    use etcetera::base_strategy::{BaseStrategy, choose_native_strategy};
-    let base = choose_native_strategy().ok()?;
-    Some(base.data_dir().join("lightwalk"))
-}
-
 /// Why something was not kept, or could not be read.
 #[derive(Debug)]
 pub enum Trouble {
-    /// The file made no sense; now it has this name.
-    SetAside(PathBuf),
+    /// What was kept made no sense; now it stands here.
+    SetAside(String),
     Failed(io::Error),
 }
 
 impl Trouble {
     pub fn in_language(&self, language: Language) -> String {
         match self {
-            Trouble::SetAside(path) => {
-                let path = path.display().to_string();
-                strings::KEPT_SET_ASIDE.format(language, &[("path", &path)])
-            }
+            Trouble::SetAside(path) => strings::KEPT_SET_ASIDE.format(language, &[("path", path)]),
             Trouble::Failed(error) => {
                 strings::NOT_KEPT.format(language, &[("why", &error.to_string())])
             }
@@ -61,9 +56,9 @@ impl From<io::Error> for Trouble {
     }
 }
 
-/// The file, and what this window has read from it or written to it.
+/// A store, and what this window has read from it or written to it.
 pub struct Keeper {
-    folder: PathBuf,
+    store: Store,
     /// As this window knows it to be kept: what differs from that, the window has changed.
     known: Value,
     /// What could not be written: it is tried again with the next change.
@@ -73,13 +68,13 @@ pub struct Keeper {
 }
 
 impl Keeper {
-    /// Reads the file in `folder`; where there is none, nothing was kept so far. Errors: the file made no sense or could not be
-    /// read; the keeper works all the same.
-    pub fn open(folder: PathBuf) -> (Keeper, Result<State, Trouble>) {
-        let found = read(&folder).map(|found| found.map(|(state, _)| state).unwrap_or_default());
+    /// Reads what is kept; where there is nothing, nothing was kept so far. Errors: it made no sense or could not be read; the keeper
+    /// works all the same.
+    pub fn open(store: Store) -> (Keeper, Result<State, Trouble>) {
+        let found = read(&store).map(|found| found.map(|(state, _)| state).unwrap_or_default());
         let known = serde_json::to_value(found.as_ref().ok()).unwrap_or_default();
         let keeper = Keeper {
-            folder,
+            store,
             known,
             refused: None,
             complained: matches!(found, Err(Trouble::Failed(_))),
@@ -107,32 +102,24 @@ impl Keeper {
         written
     }
 
-    /// Puts what this window has changed into the file.
+    /// Puts what this window has changed into what is kept.
     fn write(&self, ours: &Value) -> Result<Saved, Trouble> {
-        fs::create_dir_all(&self.folder)?;
-        let lock = File::create(self.folder.join(LOCK))?;
-        // A file system without locks must do without.
-        if let Err(TryLockError::WouldBlock) = lock.try_lock() {
+        let Some(_lock) = self.store.lock()? else {
             return Ok(Saved::Busy);
-        }
-        let (theirs, set_aside) = match read(&self.folder) {
+        };
+        let (theirs, set_aside) = match read(&self.store) {
             Ok(found) => (found.map(|(_, value)| value), None),
             Err(Trouble::SetAside(path)) => (None, Some(path)),
             Err(failed) => return Err(failed),
         };
-        // Where the file is gone, all of ours is written.
+        // Where nothing is kept any more, all of ours is written.
         let merged = match &theirs {
             Some(theirs) => merged(Some(&self.known), Some(ours), Some(theirs)),
             None => Some(ours.clone()),
         };
         let mut text = serde_json::to_vec_pretty(&merged).map_err(io::Error::other)?;
         text.push(b'\n');
-        let mut file = tempfile::Builder::new()
-            .prefix(".progress-")
-            .tempfile_in(&self.folder)?;
-        file.write_all(&text)?;
-        file.persist(self.folder.join(FILE))
-            .map_err(|error| error.error)?;
+        self.store.write(&text)?;
         match set_aside {
             Some(path) => Err(Trouble::SetAside(path)),
             None => Ok(Saved::Written),
@@ -141,7 +128,7 @@ impl Keeper {
 
     /// Lets the next change also remove what only other windows have written.
     pub fn forget(&mut self) {
-        if let Ok(Some((state, _))) = read(&self.folder) {
+        if let Ok(Some((state, _))) = read(&self.store) {
             self.known = serde_json::to_value(state).unwrap_or_default();
         }
     }
@@ -156,29 +143,18 @@ enum Saved {
     Busy,
 }
 
-/// The file, also as it was written, with parts that a newer program may have added; none where there is no file. A file that makes
-/// no sense gets another name.
-fn read(folder: &Path) -> Result<Option<(State, Value)>, Trouble> {
-    let path = folder.join(FILE);
-    let text = match fs::read(&path) {
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-        text => text?,
+/// What is kept, also as it was written, with parts that a newer program may have added; none where nothing is. What makes no sense
+/// is set aside.
+fn read(store: &Store) -> Result<Option<(State, Value)>, Trouble> {
+    let Some(text) = store.read()? else {
+        return Ok(None);
     };
     // A list would be taken for the values of a `State` in their order.
     let object: Result<Map<String, Value>, _> = serde_json::from_slice(&text);
     let value = object.map(Value::Object);
     match value.and_then(|value| Ok((State::deserialize(&value)?, value))) {
         Ok(found) => Ok(Some(found)),
-        Err(_) => {
-            let named = |number: usize| folder.join(format!("progress.damaged-{number}.json"));
-            let mut number = 1;
-            while named(number).exists() {
-                number += 1;
-            }
-            let aside = named(number);
-            fs::rename(&path, &aside)?;
-            Err(Trouble::SetAside(aside))
-        }
+        Err(_) => Err(Trouble::SetAside(store.set_aside()?)),
     }
 }
 

@@ -1,32 +1,16 @@
-//! The window on the screen: eframe's part of the app.
+//! The window on the screen.
 
-use super::keeper::{self, Keeper};
+use super::eframe_app::{App, to_go_on_with};
+use super::keeper::{Keeper, Store};
 use super::opened::{Opened, Readers};
-use super::session::{FolderOfLessons, Kept, Session, listed};
-use super::style;
-use super::window;
+use super::session::{FolderOfLessons, Kept, Link, Session, listed};
 use super::window_state::Window;
-use crate::lesson::{Lesson, builtin, builtins};
+use crate::lesson::Lesson;
 use std::any::Any;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-
-struct App {
-    session: Session,
-    window: Window,
-}
-
-impl eframe::App for App {
-    fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
-        window::ui(&mut self.session, &mut self.window, ui);
-    }
-
-    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
-        visuals.panel_fill.to_normalized_gamma_f32()
-    }
-}
 
 /// What the window opens with.
 pub struct Start {
@@ -34,6 +18,8 @@ pub struct Start {
     pub lesson: Option<(Lesson, Option<PathBuf>)>,
     /// Of the lesson; where it was left unless given.
     pub step: Option<usize>,
+    /// What else an address says about how it is shown.
+    pub link: Option<Link>,
     /// A folder, and its lessons.
     pub folder: Option<(PathBuf, FolderOfLessons)>,
     /// For what is dropped on the window or saved again.
@@ -49,8 +35,8 @@ pub fn open(start: Start) -> Result<(), String> {
     };
     let mut kept = Kept::default();
     let mut trouble = None;
-    if let Some(folder) = keeper::data_folder() {
-        let (keeper, found) = Keeper::open(folder);
+    if let Some(store) = Store::of_user() {
+        let (keeper, found) = Keeper::open(store);
         match found {
             Ok(found) => (kept, window.borders) = (found.session, found.layout),
             Err(why) => trouble = Some(why),
@@ -76,29 +62,14 @@ pub fn open(start: Start) -> Result<(), String> {
         session.start_at(step);
     }
     window.notice = trouble.map(|trouble| trouble.in_language(session.look.language));
+    if let Some(link) = start.link {
+        link.show(&mut session)?;
+    }
     show(session, window).map_err(|problem| {
         format!(
             "cannot open a window: {problem}; `lightwalk frames LESSON --out DIR` and `lightwalk render SCENE --method gouraud --out FILE.png` work without one"
         )
     })
-}
-
-/// The lesson that was open last, or else the first one; of the folder where there is one.
-fn to_go_on_with(
-    last: Option<&str>,
-    folder: Option<&FolderOfLessons>,
-) -> Result<(Lesson, Option<PathBuf>), String> {
-    let own = folder.and_then(|folder| {
-        let last = last.and_then(|last| folder.lesson(last));
-        last.or_else(|| folder.first())
-    });
-    if let Some((lesson, path)) = own {
-        return Ok((lesson.clone(), Some(path.to_owned())));
-    }
-    let last = last.and_then(builtin);
-    let first = last.or(builtins().first().copied());
-    let read = first.ok_or("there is no lesson")?.read();
-    Ok((read.map_err(|error| error.to_string())?, None))
 }
 
 fn show(session: Session, window: Window) -> Result<(), String> {
@@ -126,8 +97,7 @@ fn show(session: Session, window: Window) -> Result<(), String> {
         let shown = shown.clone();
         let create: eframe::AppCreator = Box::new(move |creation| {
             shown.store(true, Ordering::Relaxed);
-            creation.egui_ctx.set_fonts(style::fonts());
-            Ok(Box::new(App { session, window }))
+            Ok(Box::new(App::new(session, window, creation)))
         });
         eframe::run_native("lightwalk", options, create)
     }));

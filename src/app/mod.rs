@@ -7,6 +7,7 @@ mod button;
 mod cards;
 mod crosshair;
 mod drag;
+mod eframe_app;
 mod finished;
 mod forget;
 mod home;
@@ -17,11 +18,14 @@ mod key_sheet;
 mod keys;
 mod layout;
 mod lesson_card;
+#[cfg(not(target_arch = "wasm32"))]
 mod main_window;
 mod narration;
 mod notice;
 mod opened;
 mod outline;
+#[cfg(target_arch = "wasm32")]
+mod page;
 mod panel_view;
 mod parameter_drawer;
 mod picture_view;
@@ -52,6 +56,9 @@ mod window_state;
 #[cfg(test)]
 mod tests;
 
+#[cfg(not(target_arch = "wasm32"))]
 pub use main_window::{Start, open};
 pub use opened::Readers;
-pub use session::{Command, FolderOfLessons, LessonFromFile, Session};
+#[cfg(target_arch = "wasm32")]
+pub use page::start;
+pub use session::{Command, FolderOfLessons, LessonFromFile, Link, Session};

@@ -235,9 +235,13 @@ impl Window {
             self.title = title;
         }
         if let Some(command) = session.shared.take() {
-            let shared = strings::SHARED.format(session.look.language, &[("command", &command)]);
-            self.notice = Some(shared);
-            ctx.copy_text(command);
+            let shared = match &self.address {
+                Some(address) => format!("{address}#{}", session.link()),
+                None => command,
+            };
+            let said = strings::SHARED.format(session.look.language, &[("command", &shared)]);
+            self.notice = Some(said);
+            ctx.copy_text(shared);
         }
     }
 }

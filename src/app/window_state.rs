@@ -40,6 +40,8 @@ pub struct Window {
     pub(super) styled: Option<Theme>,
     pub(super) title: String,
     pub(super) full_screen: bool,
+    /// That of the page, without what follows its `#`; none on a screen.
+    pub(super) address: Option<String>,
     /// When the frame before was shown, in seconds.
     pub(super) time: Option<f64>,
 }

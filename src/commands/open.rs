@@ -6,7 +6,8 @@ use std::path::PathBuf;
 
 #[derive(clap::Args, Default)]
 pub struct Arguments {
-    /// The id of a lesson, a lesson, scene or mesh file, or a folder of lessons; the page of all lessons unless given
+    /// The id of a lesson, a lesson, scene or mesh file, a folder of lessons, or the address of a step on the web page; the page of all
+    /// lessons unless given
     lesson: Option<String>,
     /// A folder of lessons of your own, which stand on the page of all lessons too
     #[arg(long, value_name = "DIR")]
@@ -19,7 +20,7 @@ pub struct Arguments {
 #[cfg(feature = "gui")]
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     use super::{files, lesson_folder};
-    use crate::app::{self, FolderOfLessons, Readers, Start};
+    use crate::app::{self, FolderOfLessons, Link, Readers, Start};
     use crate::color::{StoredImage, read_image};
     use crate::lesson::Lesson;
     use std::path::Path;
@@ -29,6 +30,17 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         mut lessons,
         step,
     } = arguments;
+    // A file may have such a name.
+    let link = lesson.take_if(|name| name.contains('#') && !Path::new(name).exists());
+    let link = match &link {
+        None => None,
+        Some(address) => {
+            let (_, place) = address.split_once('#').unwrap_or_default();
+            let link = Link::parse(place).map_err(|why| files::wrong(address, &why))?;
+            lesson = link.lesson.clone();
+            Some(link)
+        }
+    };
     if let Some(folder) = lesson.take_if(|name| Path::new(name).is_dir())
         && (lessons.replace(folder.clone().into()).is_some() || step.is_some())
     {
@@ -79,6 +91,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let start = Start {
         lesson,
         step,
+        link,
         folder,
         readers: Readers {
             document,

@@ -26,7 +26,7 @@ common-level = level { $level }
 
 app-present = Present
 app-share = Share step
-app-shared = Copied: the command that opens this lesson at this step. { $command }
+app-shared = Copied; it opens this lesson at this step: { $command }
 app-theme = Theme
 app-theme-light = light
 app-theme-dark = dark

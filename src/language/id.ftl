@@ -26,7 +26,7 @@ common-level = tingkat { $level }
 
 app-present = Presentasi
 app-share = Bagikan langkah
-app-shared = Disalin: perintah yang membuka pelajaran ini pada langkah ini. { $command }
+app-shared = Disalin; ini membuka pelajaran ini di langkah ini: { $command }
 app-theme = Tema
 app-theme-light = terang
 app-theme-dark = gelap

@@ -1,4 +1,6 @@
+use super::folder::{FILE, LOCK};
 use super::*;
+use std::fs::{self, File};
 use tempfile::TempDir;
 
 fn folder() -> TempDir {
@@ -6,7 +8,7 @@ fn folder() -> TempDir {
 }
 
 fn open(folder: &TempDir) -> (Keeper, State) {
-    let (keeper, found) = Keeper::open(folder.path().into());
+    let (keeper, found) = Keeper::open(Store::in_folder(folder.path().into()));
     (keeper, found.unwrap())
 }
 
@@ -84,7 +86,7 @@ fn a_damaged_file_is_set_aside() {
         let earlier = folder.path().join("progress.damaged-1.json");
         fs::write(&earlier, "earlier").unwrap();
         fs::write(&path, damaged).unwrap();
-        let (mut keeper, found) = Keeper::open(folder.path().into());
+        let (mut keeper, found) = Keeper::open(Store::in_folder(folder.path().into()));
         let Err(Trouble::SetAside(aside)) = found else {
             panic!("{damaged}: {found:?}")
         };
@@ -107,7 +109,7 @@ fn that_nothing_can_be_written_is_said_once() {
     let folder = folder();
     let inside = folder.path().join("a file");
     fs::write(&inside, "").unwrap();
-    let (mut keeper, _) = Keeper::open(inside.join("data"));
+    let (mut keeper, _) = Keeper::open(Store::in_folder(inside.join("data")));
     // Reading has failed already where the system tells a file in the way from a file that is not there.
     keeper.complained = false;
     let failed = keeper.save(&state("en", &[("shadows", 1)]));

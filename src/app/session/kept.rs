@@ -7,7 +7,7 @@ use crate::picture::Theme;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-const THEMES: [(Theme, &str); 3] = [
+pub(super) const THEMES: [(Theme, &str); 3] = [
     (Theme::Light, "light"),
     (Theme::Dark, "dark"),
     (Theme::Projector, "projector"),

@@ -1,14 +1,16 @@
 use super::*;
-use crate::app::keeper::{Keeper, State};
+use crate::app::keeper::{Keeper, State, Store};
 use tempfile::TempDir;
 
 fn kept(folder: &TempDir) -> State {
-    Keeper::open(folder.path().into()).1.expect("a file")
+    Keeper::open(Store::in_folder(folder.path().into()))
+        .1
+        .expect("a file")
 }
 
 fn keeping(folder: &TempDir) -> Screen {
     let mut screen = triangle([]);
-    let keeper = Keeper::open(folder.path().into()).0;
+    let keeper = Keeper::open(Store::in_folder(folder.path().into())).0;
     screen.harness.state_mut().1.keeper = Some(keeper);
     screen.harness.run();
     screen

@@ -1,0 +1,169 @@
+//! The window in a web page: [`start`] shows it in the page's canvas, and its address says what is shown.
+
+use super::eframe_app::{App, to_go_on_with};
+use super::keeper::{Keeper, Store};
+use super::session::{Kept, Link, Session};
+use super::window_state::Window;
+use eframe::{WebOptions, WebRunner};
+use wasm_bindgen::prelude::Closure;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::spawn_local;
+use web_sys::HtmlCanvasElement;
+
+/// The ids of the page's canvas, of what stands there until it is drawn, and of what is told where it cannot be.
+const CANVAS: &str = "lightwalk";
+const LOADING: &str = "loading";
+const TROUBLE: &str = "trouble";
+
+/// Shows the window in the page.
+pub fn start() {
+    spawn_local(async {
+        let told = run().await;
+        let page = web_sys::window().and_then(|window| window.document());
+        let element = |id| page.as_ref()?.get_element_by_id(id);
+        if let Some(loading) = element(LOADING) {
+            loading.remove();
+        }
+        if let (Err(why), Some(place)) = (told, element(TROUBLE)) {
+            place.set_text_content(Some(&why));
+        }
+    });
+}
+
+async fn run() -> Result<(), String> {
+    let page = web_sys::window().ok_or("there is no page")?;
+    let document = page.document().ok_or("there is no document")?;
+    let canvas = document
+        .get_element_by_id(CANVAS)
+        .and_then(|element| element.dyn_into::<HtmlCanvasElement>().ok())
+        .ok_or("the page has no canvas")?;
+    let mut window = Window {
+        address: Some(base(&page)),
+        ..Window::default()
+    };
+    let mut kept = Kept::default();
+    if let Some(store) = Store::of_user() {
+        let (keeper, found) = Keeper::open(store);
+        match found {
+            Ok(found) => (kept, window.borders) = (found.session, found.layout),
+            Err(why) => window.notice = Some(why.in_language(Default::default())),
+        }
+        window.keeper = Some(keeper);
+    }
+    kept.language = kept.language.or_else(|| page.navigator().language());
+    let (lesson, _) = to_go_on_with(kept.lesson.as_deref(), None)?;
+    let mut session = Session::new(lesson).map_err(|error| error.to_string())?;
+    session.restore(kept);
+    session.look.home = true;
+    let address = Address::new(&page);
+    let runner = WebRunner::new();
+    runner
+        .start(
+            canvas,
+            WebOptions::default(),
+            Box::new(move |creation| {
+                address.wake(creation.egui_ctx.clone());
+                Ok(Box::new(PageApp {
+                    app: App::new(session, window, creation),
+                    address,
+                }))
+            }),
+        )
+        .await
+        .map_err(|why| format!("the browser cannot draw the window: {}", in_words(&why)))
+}
+
+fn in_words(error: &JsValue) -> String {
+    error.as_string().unwrap_or_else(|| format!("{error:?}"))
+}
+
+/// The page's address without what follows its `#`.
+fn base(page: &web_sys::Window) -> String {
+    let href = page.location().href().unwrap_or_default();
+    href.split('#').next().unwrap_or_default().to_owned()
+}
+
+/// The window, with the page's address kept in step.
+struct PageApp {
+    app: App,
+    address: Address,
+}
+
+impl eframe::App for PageApp {
+    fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
+        self.address.follow(&mut self.app);
+        eframe::App::ui(&mut self.app, ui, frame);
+        self.address.tell(&self.app.session);
+    }
+
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        eframe::App::clear_color(&self.app, visuals)
+    }
+}
+
+/// What stands behind the `#` of the page's address. Another lesson is another page to go back to; another step is not.
+struct Address {
+    page: web_sys::Window,
+    /// As it was last written or read; none before.
+    known: Option<String>,
+    lesson: Option<String>,
+}
+
+impl Address {
+    fn new(page: &web_sys::Window) -> Self {
+        Address {
+            page: page.clone(),
+            known: None,
+            lesson: None,
+        }
+    }
+
+    /// Lets the window be drawn once the user goes back or forward, or writes another address.
+    fn wake(&self, ctx: egui::Context) {
+        let wake = Closure::<dyn Fn()>::new(move || ctx.request_repaint());
+        self.page
+            .set_onhashchange(Some(wake.as_ref().unchecked_ref()));
+        // As long as the page lives.
+        wake.forget();
+    }
+
+    fn now(&self) -> String {
+        let hash = self.page.location().hash().unwrap_or_default();
+        hash.trim_start_matches('#').to_owned()
+    }
+
+    /// Goes where the address leads, once it is another one.
+    fn follow(&mut self, app: &mut App) {
+        let now = self.now();
+        if self.known.as_ref() == Some(&now) {
+            return;
+        }
+        let shown = Link::parse(&now).and_then(|link| link.show(&mut app.session));
+        if let Err(why) = shown {
+            app.window.notice = Some(why);
+        }
+        self.lesson = app.session.link().lesson;
+        self.known = Some(now);
+    }
+
+    fn tell(&mut self, session: &Session) {
+        let link = session.link();
+        let text = link.to_string();
+        if self.known.as_ref() == Some(&text) {
+            return;
+        }
+        let address = format!("#{text}");
+        let Ok(history) = self.page.history() else {
+            return;
+        };
+        // A browser that is asked too often refuses for a while: then the next frame tells it.
+        let told = match link.lesson == self.lesson {
+            true => history.replace_state_with_url(&JsValue::NULL, "", Some(&address)),
+            false => history.push_state_with_url(&JsValue::NULL, "", Some(&address)),
+        };
+        if told.is_ok() {
+            self.lesson = link.lesson;
+            self.known = Some(text);
+        }
+    }
+}
