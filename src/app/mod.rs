@@ -2,6 +2,7 @@
 
 mod against_drawer;
 mod arrow_focus;
+mod background;
 mod binding;
 mod button;
 mod cards;

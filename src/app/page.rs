@@ -1,5 +1,6 @@
 //! The window in a web page: [`start`] shows it in the page's canvas, and its address says what is shown.
 
+use super::background;
 use super::eframe_app::{App, to_go_on_with};
 use super::keeper::{Keeper, Store};
 use super::session::{Kept, Link, Session};
@@ -94,6 +95,9 @@ impl eframe::App for PageApp {
         self.address.follow(&mut self.app);
         eframe::App::ui(&mut self.app, ui, frame);
         self.address.tell(&self.app.session);
+        if background::do_next() {
+            ui.ctx().request_repaint();
+        }
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {

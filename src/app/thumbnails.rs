@@ -1,5 +1,6 @@
 //! Small pictures of all lessons, each drawn by the lesson's own method, in the background and one after the other.
 
+use super::background::{Job, in_background};
 use super::session::Session;
 use crate::algorithms::frame::Frame;
 use crate::lesson::{Lesson, builtin};
@@ -10,7 +11,6 @@ use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, channel};
-use std::thread;
 
 /// The pictures fit in this many pixels.
 const LARGEST: [u32; 2] = [288, 216];
@@ -94,32 +94,37 @@ impl Maker {
     fn start(missing: Vec<(String, Option<Lesson>)>, ctx: Context) -> Self {
         let cancelled = Arc::new(AtomicBool::new(false));
         let (sender, made) = channel();
-        let stop = cancelled.clone();
-        let make = move || {
-            for (id, own) in missing {
-                let read = || builtin(&id)?.read().ok();
-                let Some(lesson) = own.or_else(read) else {
-                    continue;
-                };
-                let background = color(lesson.scene.background);
-                let Some(image) = draw(lesson, &stop) else {
-                    continue;
-                };
-                let made = Made {
-                    id,
-                    image,
-                    background,
-                };
-                if stop.load(Ordering::Relaxed) || sender.send(made).is_err() {
-                    return;
+        let jobs = missing.into_iter().map(|(id, own)| {
+            let (sender, stop, ctx) = (sender.clone(), cancelled.clone(), ctx.clone());
+            let job: Job = Box::new(move || {
+                // The receiver may be gone; then it is not needed.
+                if let Some(made) = make(id, own, &stop)
+                    && sender.send(made).is_ok()
+                {
+                    ctx.request_repaint();
                 }
-                ctx.request_repaint();
-            }
-        };
-        // Without threads, as on a web page, the lessons have no pictures.
-        drop(thread::Builder::new().name("thumbnails".into()).spawn(make));
+            });
+            job
+        });
+        in_background("thumbnails", jobs.collect());
         Maker { made, cancelled }
     }
+}
+
+/// The picture of a lesson, which is one of the program's own unless given. None where it cannot be drawn, or was cancelled.
+fn make(id: String, own: Option<Lesson>, stop: &AtomicBool) -> Option<Made> {
+    if stop.load(Ordering::Relaxed) {
+        return None;
+    }
+    let read = || builtin(&id)?.read().ok();
+    let lesson = own.or_else(read)?;
+    let background = color(lesson.scene.background);
+    let image = draw(lesson, stop)?;
+    Some(Made {
+        id,
+        image,
+        background,
+    })
 }
 
 /// The lesson's picture in small. None where it cannot be drawn, or was cancelled.

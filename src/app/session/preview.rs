@@ -4,6 +4,7 @@
 use crate::algorithms::frame::Frame;
 use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::Race;
+use crate::app::background::in_background;
 use crate::methods::Setup;
 use crate::render::compare::{Compared, compare};
 use crate::render::{Cancelled, Finished, Layers, Method, layers, preview, race};
@@ -124,14 +125,12 @@ impl Preview {
     }
 
     /// Shows `finished` until `make` sends more.
-    fn of(
-        finished: Finished,
-        make: impl Fn(&State, &Sender<Pass>) + Send + Sync + 'static,
-    ) -> Self {
+    fn of(finished: Finished, make: impl FnOnce(&State, &Sender<Pass>) + Send + 'static) -> Self {
         let state = Arc::new(State::default());
         let (sender, passes) = channel();
         let its_state = state.clone();
-        in_background(move || make(&its_state, &sender));
+        let make = move || make(&its_state, &sender);
+        in_background("preview", vec![Box::new(make)]);
         Preview {
             finished,
             times: None,
@@ -149,13 +148,14 @@ impl Preview {
         }
         let (sender, found) = channel();
         let (setup, state) = (setup.clone(), self.state.clone());
-        in_background(move || {
+        let find = move || {
             let progress = |_, _| state.go_on();
             if let Ok(layers) = layers(&setup, method, progress) {
                 // The receiver may be gone; then they are not needed.
                 drop(sender.send(layers));
             }
-        });
+        };
+        in_background("survey", vec![Box::new(find)]);
         self.survey = Some(found);
     }
 
@@ -218,16 +218,6 @@ impl Preview {
             Pass::Raced(race) => self.finished.race = Some(race),
             Pass::Timed(times) => self.times = Some(times),
         }
-    }
-}
-
-/// Does the work on a thread; where there are none, as on a web page, at once.
-fn in_background(work: impl Fn() + Send + Sync + 'static) {
-    let work = Arc::new(work);
-    let on_thread = work.clone();
-    let thread = thread::Builder::new().name("preview".into());
-    if thread.spawn(move || on_thread()).is_err() {
-        work();
     }
 }
 

@@ -4,6 +4,7 @@
 mod tests;
 
 use super::command::{PointAt, Refused};
+use crate::app::background::in_background;
 use crate::app::strings;
 use crate::render::Cancelled;
 use crate::study::families;
@@ -12,7 +13,6 @@ use crate::study::harness::{Line, Part, Point, Unmeasured};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
-use std::thread;
 
 /// The view of error against run time.
 pub struct Studying {
@@ -112,10 +112,8 @@ impl Studying {
         let state = Arc::new(State::default());
         let (sender, news) = channel();
         let of_thread = state.clone();
-        thread::Builder::new()
-            .name("study".into())
-            .spawn(move || measure(study, quick, &of_thread, &sender))
-            .map_err(|error| Refused::Error(error.to_string()))?;
+        let measure = move || measure(study, quick, &of_thread, &sender);
+        in_background("study", vec![Box::new(measure)]);
         self.measuring = Some(Measuring { state, news });
         self.of = Some((study, quick));
         self.parts.clear();

@@ -1,0 +1,128 @@
+// Opens the page in a headless Chromium as a student would, and checks by its address and title what happens. Screenshots go to the
+// second folder. Usage: node page.mjs SITE OUT
+import { spawn } from "node:child_process";
+import { readFile, writeFile, mkdtemp } from "node:fs/promises";
+import { createServer } from "node:http";
+import { tmpdir } from "node:os";
+import { extname, join } from "node:path";
+
+const [site, out] = process.argv.slice(2);
+const types = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" };
+// In a subfolder, as on a course page.
+const server = createServer(async (request, response) => {
+  const path = new URL(request.url, "http://x").pathname.replace(/^\/course\//, "");
+  try {
+    const bytes = await readFile(join(site, path === "" ? "index.html" : path));
+    response.writeHead(200, { "Content-Type": types[extname(path || "index.html")] ?? "", "Content-Length": bytes.length });
+    response.end(bytes);
+  } catch {
+    response.writeHead(404).end();
+  }
+});
+await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
+const home = `http://127.0.0.1:${server.address().port}/course/`;
+
+const profile = await mkdtemp(join(tmpdir(), "page-"));
+const chromium = spawn(process.env.CHROMIUM ?? "chromium", [
+  "--headless", "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
+  "--disable-component-update", "--disable-sync", "--enable-unsafe-swiftshader", "--lang=en-US",
+  "--window-size=1280,800", `--user-data-dir=${profile}`, "--remote-debugging-pipe", "about:blank",
+], { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+
+// Messages end with a zero byte.
+const waiting = new Map();
+const problems = [];
+let [session, number, rest] = [undefined, 0, ""];
+chromium.stdio[4].on("data", (data) => {
+  const parts = (rest + data).split("\0");
+  rest = parts.pop();
+  for (const message of parts.map((part) => JSON.parse(part))) {
+    const { id, result, error, method, params } = message;
+    if (method === "Runtime.exceptionThrown") problems.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
+    const [done, failed] = waiting.get(id) ?? [];
+    waiting.delete(id);
+    if (error) failed?.(new Error(error.message));
+    else done?.(result);
+  }
+});
+function send(method, params = {}) {
+  number += 1;
+  chromium.stdio[3].write(JSON.stringify({ id: number, method, params, sessionId: session }) + "\0");
+  return new Promise((done, failed) => waiting.set(number, [done, failed]));
+}
+async function evaluate(expression) {
+  const { result, exceptionDetails } = await send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true });
+  if (exceptionDetails) throw new Error(exceptionDetails.text);
+  return result.value;
+}
+async function until(expression, what, seconds = 60) {
+  const end = Date.now() + 1000 * seconds;
+  while (Date.now() < end) {
+    if (await evaluate(expression)) return;
+    await new Promise((later) => setTimeout(later, 50));
+  }
+  throw new Error(`${what}: the address is ${await evaluate("location.href")}; ${problems.join("; ")}`);
+}
+async function press(key, code) {
+  for (const type of ["keyDown", "keyUp"]) {
+    await send("Input.dispatchKeyEvent", { type, key, code: key, windowsVirtualKeyCode: code });
+  }
+}
+async function picture(name) {
+  await new Promise((drawn) => setTimeout(drawn, 1500));
+  const { data } = await send("Page.captureScreenshot");
+  await writeFile(join(out, `${name}.png`), Buffer.from(data, "base64"));
+}
+async function open(hash) {
+  await send("Page.navigate", { url: "about:blank" });
+  const start = Date.now();
+  await send("Page.navigate", { url: home + hash });
+  await until("location.href !== 'about:blank' && document.getElementById('loading') === null", `${hash} opens`);
+  return Date.now() - start;
+}
+const at = (part) => `location.hash.includes("${part}")`;
+
+let failed = true;
+try {
+  const { targetInfos } = await send("Target.getTargets");
+  const { targetId } = targetInfos.find(({ type }) => type === "page");
+  session = (await send("Target.attachToTarget", { targetId, flatten: true })).sessionId;
+  for (const domain of ["Runtime", "Page", "Network"]) await send(`${domain}.enable`);
+
+  const first = await open("#lesson=shadows&step=12");
+  await until(at("step=12"), "a link opens its step");
+  await picture("page-link");
+  await press("ArrowRight", 39);
+  await until(at("step=13"), "an arrow goes one step on");
+  await press("l", 76);
+  await until(at("language=id"), "l changes the language");
+  await picture("page-indonesian");
+  await press("h", 72);
+  await until("!" + at("lesson="), "h shows the list of lessons");
+  await picture("page-lessons");
+  await evaluate("history.back()");
+  await until(at("lesson=shadows"), "back leads to the lesson");
+  await evaluate("location.hash = '#lesson=gathering&step=3'");
+  await until(at("lesson=gathering&step=3"), "another address is followed");
+  await until("document.title.includes('Lightwalk')", "the title is set");
+
+  // What was seen is kept, and the page works without a network.
+  await until("navigator.serviceWorker.ready.then(() => true)", "the page is kept for later");
+  await send("Network.emulateNetworkConditions", { offline: true, latency: 0, downloadThroughput: 0, uploadThroughput: 0 });
+  await open("#lesson=shadows&step=5");
+  await until(at("step=5"), "it opens without a network");
+  await send("Network.emulateNetworkConditions", { offline: false, latency: 0, downloadThroughput: -1, uploadThroughput: -1 });
+  if (!(await evaluate("localStorage.getItem('lightwalk').includes('shadows')"))) throw new Error("nothing is kept");
+
+  await send("Emulation.setDeviceMetricsOverride", { width: 390, height: 844, deviceScaleFactor: 2, mobile: true });
+  await picture("page-phone");
+  if (problems.length > 0) throw new Error(problems.join("; "));
+  console.log(`the page opens in ${first} ms, and does what it should`);
+  failed = false;
+} catch (error) {
+  console.error(`the page: ${error.message}`);
+} finally {
+  chromium.kill();
+  server.close();
+}
+process.exit(failed ? 1 : 0);
