@@ -1,6 +1,7 @@
 //! A picture of the user's own program beside what is shown: compared in the background, and again whenever either changes.
 
 use super::{Drawer, Refused, Session};
+use crate::app::background::in_background;
 use crate::app::strings;
 use crate::color::StoredImage;
 use crate::lesson::{Lesson, LessonError};
@@ -11,7 +12,7 @@ use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
-use std::thread;
+use std::thread::available_parallelism;
 
 /// How far a channel may be off: a step of 8 bits.
 const TOLERANCE: f64 = 1.0 / 255.0;
@@ -49,14 +50,14 @@ impl Against {
         let state = Arc::new(State::default());
         let (sender, news) = channel();
         let (pixels, its_state) = (mine.clone(), state.clone());
-        let thread = thread::Builder::new().name("comparison".into());
-        let begun = thread.spawn(move || compare(&pixels, &of.0, of.1, &its_state, &sender));
+        let compare = move || compare(&pixels, &of.0, of.1, &its_state, &sender);
+        in_background("comparison", vec![Box::new(compare)]);
         Against {
             name,
             mine,
             found: None,
             version,
-            news: begun.is_ok().then_some(news),
+            news: Some(news),
             state,
         }
     }
@@ -91,7 +92,7 @@ fn compare(
     };
     // The receiver may be gone; then the news is not needed.
     let first = |found: &Comparison| drop(sender.send(found.clone()));
-    let threads = thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
+    let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
     let found = compare_with_progress(mine, setup, method, TOLERANCE, threads, &progress, first);
     if let Ok(found) = found {
         drop(sender.send(found));

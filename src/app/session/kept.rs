@@ -7,12 +7,6 @@ use crate::picture::Theme;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-pub(super) const THEMES: [(Theme, &str); 3] = [
-    (Theme::Light, "light"),
-    (Theme::Dark, "dark"),
-    (Theme::Projector, "projector"),
-];
-
 /// What is kept of a session. Words that this program does not know are passed over, as if nothing had been kept.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
 #[serde(default)]
@@ -76,10 +70,9 @@ impl Session {
             true => self.look.before_presenting,
             false => self.look.theme,
         };
-        let name = THEMES.iter().find(|(of, _)| *of == theme);
         Kept {
             language: Some(self.look.language.code().to_owned()),
-            theme: name.map(|(_, name)| (*name).to_owned()),
+            theme: Some(theme.name().to_owned()),
             text_size: Some(percent(self.look.text)),
             lesson: self.kept_lesson.clone(),
             lessons: self.progress.clone(),
@@ -91,10 +84,8 @@ impl Session {
         let look = &mut self.look;
         let language = kept.language.as_deref().and_then(Language::of_tag);
         look.language = language.unwrap_or(look.language);
-        let theme = THEMES
-            .iter()
-            .find(|(_, name)| kept.theme.as_deref() == Some(name));
-        look.theme = theme.map_or(look.theme, |(theme, _)| *theme);
+        let theme = kept.theme.as_deref().and_then(Theme::from_name);
+        look.theme = theme.unwrap_or(look.theme);
         if let Some(size) = kept.text_size {
             let sizes = 0..TEXT_SIZES.len();
             let nearest = sizes.min_by_key(|&index| percent(index).abs_diff(size));

@@ -1,7 +1,6 @@
 //! A place in a lesson as the end of an address, which a page opens and the program too:
 //! `#lesson=shadows&step=12&language=id&theme=projector&panel=vectors&present`.
 
-use super::kept::THEMES;
 use super::{Command, Session};
 use crate::language::Language;
 use crate::lesson::Lesson;
@@ -43,9 +42,9 @@ impl Link {
                     link.language = Some(named.ok_or_else(|| wrong("en or id"))?);
                 }
                 "theme" => {
-                    let named = THEMES.iter().find(|(_, name)| *name == value);
-                    let (theme, _) = named.ok_or_else(|| wrong("light, dark or projector"))?;
-                    link.theme = Some(*theme);
+                    let theme = Theme::from_name(value);
+                    let names = || Theme::ALL.map(Theme::name).join(", ");
+                    link.theme = Some(theme.ok_or_else(|| wrong(&names()))?);
                 }
                 "panel" => {
                     let panel = Panel::called(value);
@@ -110,8 +109,8 @@ impl Display for Link {
         parts.extend(self.step.map(|step| format!("step={step}")));
         let language = self.language.map(Language::code);
         parts.extend(language.map(|code| format!("language={code}")));
-        let theme = THEMES.iter().find(|(of, _)| Some(*of) == self.theme);
-        parts.extend(theme.map(|(_, name)| format!("theme={name}")));
+        let theme = self.theme.map(Theme::name);
+        parts.extend(theme.map(|name| format!("theme={name}")));
         let panel = self.panel.map(Panel::name);
         parts.extend(panel.map(|name| format!("panel={name}")));
         parts.extend(self.presenting.then(|| "present".to_owned()));
@@ -191,7 +190,7 @@ mod tests {
             ("lesson=", "the id of a lesson"),
             ("lesson=shadows&step=-1", "a whole number from 0"),
             ("language=fr", "en or id"),
-            ("theme=pink", "light, dark or projector"),
+            ("theme=pink", "light, dark, projector"),
             ("lesson=shadows&panel=rayz", "ray-tree"),
             ("lessson=shadows", "it takes lesson, step"),
             ("step=3", "no lesson"),
