@@ -68,11 +68,11 @@ fn the_drawer_names_the_mistake_and_a_click_on_a_pixel_walks_it() {
         }
         screen.keep(&format!("against-{}", language.code()));
         let title = strings::COMPARE_REFERENCE.text(language);
-        let mut images = screen.harness.get_all_by_label(title);
-        let place = images
-            .rfind(|node| node.accesskit_node().role() == egui::Role::Image)
-            .unwrap()
-            .rect();
+        let place = {
+            let mut images = screen.harness.get_all_by_label(title);
+            let image = images.rfind(|node| node.accesskit_node().role() == egui::Role::Image);
+            image.unwrap().rect()
+        };
         screen.harness.hover_at(place.center());
         screen.harness.run_steps(2);
         screen.harness.drag_at(place.center());
