@@ -269,7 +269,14 @@ fn shown_sources() -> Vec<(String, String)> {
         );
     }
     // Without a window nobody has chosen a language.
-    let others = ["/tests", "fixture", "painter", "main_window", "sample"];
+    let others = [
+        "/tests",
+        "fixture",
+        "painter",
+        "main_window",
+        "app/page",
+        "sample",
+    ];
     let names = files.iter().map(|file| file.to_string_lossy().into_owned());
     names
         .filter(|name| !others.iter().any(|other| name.contains(other)))

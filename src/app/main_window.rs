@@ -3,9 +3,9 @@
 use super::eframe_app::{App, to_go_on_with};
 use super::keeper::{Keeper, Store};
 use super::opened::{Opened, Readers};
-use super::session::{FolderOfLessons, Kept, Link, Session, listed};
+use super::session::{FolderOfLessons, Kept, Session, listed};
 use super::window_state::Window;
-use crate::lesson::Lesson;
+use crate::lesson::{Lesson, Link};
 use std::any::Any;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::PathBuf;
@@ -63,7 +63,7 @@ pub fn open(start: Start) -> Result<(), String> {
     }
     window.notice = trouble.map(|trouble| trouble.in_language(session.look.language));
     if let Some(link) = start.link {
-        link.show(&mut session)?;
+        session.show_link(&link)?;
     }
     show(session, window).map_err(|problem| {
         format!(

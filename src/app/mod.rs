@@ -62,4 +62,4 @@ pub use main_window::{Start, open};
 pub use opened::Readers;
 #[cfg(target_arch = "wasm32")]
 pub use page::start;
-pub use session::{Command, FolderOfLessons, LessonFromFile, Link, Session};
+pub use session::{Command, FolderOfLessons, LessonFromFile, Session};

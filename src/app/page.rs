@@ -3,8 +3,9 @@
 use super::background;
 use super::eframe_app::{App, to_go_on_with};
 use super::keeper::{Keeper, Store};
-use super::session::{Kept, Link, Session};
+use super::session::{Kept, Session};
 use super::window_state::Window;
+use crate::lesson::Link;
 use eframe::{WebOptions, WebRunner};
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
@@ -142,7 +143,7 @@ impl Address {
         if self.known.as_ref() == Some(&now) {
             return;
         }
-        let shown = Link::parse(&now).and_then(|link| link.show(&mut app.session));
+        let shown = Link::parse(&now).and_then(|link| app.session.show_link(&link));
         if let Err(why) = shown {
             app.window.notice = Some(why);
         }

@@ -20,9 +20,9 @@ pub struct Arguments {
 #[cfg(feature = "gui")]
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     use super::{files, lesson_folder};
-    use crate::app::{self, FolderOfLessons, Link, Readers, Start};
+    use crate::app::{self, FolderOfLessons, Readers, Start};
     use crate::color::{StoredImage, read_image};
-    use crate::lesson::Lesson;
+    use crate::lesson::{Lesson, Link};
     use std::path::Path;
 
     let Arguments {

@@ -10,6 +10,7 @@ mod changed;
 mod contents;
 mod error;
 mod file;
+mod link;
 mod narrate;
 mod narrated;
 mod parameters;
@@ -29,6 +30,7 @@ pub use builtin::{Builtin, builtin, builtins};
 pub use contents::Chapter;
 pub use error::LessonError;
 pub use file::{LessonFile, Text, lesson_schema};
+pub use link::Link;
 pub use narrated::{Narrated, Question};
 pub use parameters::{
     ByPath, Change, Coefficient, DIVISIONS, Kind, NotAllowed, Parameter, PathValue,

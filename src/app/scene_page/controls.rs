@@ -257,7 +257,8 @@ impl Form<'_> {
         if let ([r, g, b], true) = (&mut numbers[..], COLORS.contains(&key)) {
             let mut color = [*r as f32, *g as f32, *b as f32];
             let response = ui.color_edit_button_rgb(&mut color);
-            let name = format!("{place}: {}", self.session.localize(strings::SCENE_COLOR));
+            let language = self.session.look.language;
+            let name = strings::SCENE_COLOR.format(language, &[("place", place)]);
             response.widget_info(|| WidgetInfo::labeled(egui::Role::ColorWell, true, &name));
             if response.changed() {
                 // Three digits are as many as a swatch can be aimed at.
@@ -350,11 +351,8 @@ impl Form<'_> {
             });
         }
         let response = ui.add(Button::new("+").small());
-        let name = format!(
-            "{}: {}",
-            self.session.localize(strings::SCENE_ADD),
-            at.place
-        );
+        let language = self.session.look.language;
+        let name = strings::SCENE_ADD_TO.format(language, &[("place", &at.place)]);
         response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, &name));
         if response.clicked() {
             let last = rows.last().copied().unwrap_or_default();

@@ -44,8 +44,9 @@ pub fn show(session: &Session, document: &mut Document, ui: &mut Ui) -> Option<E
             })
             .response
             .widget_info(|| {
-                let add = session.localize(strings::SCENE_ADD);
-                egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{add}: {key}"))
+                let language = session.look.language;
+                let name = strings::SCENE_ADD_TO.format(language, &[("place", key)]);
+                egui::WidgetInfo::labeled(egui::Role::Button, true, name)
             });
         });
         for (place, name) in entries(&document.value, key) {

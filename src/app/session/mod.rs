@@ -36,7 +36,6 @@ pub use against::Against;
 pub use command::{Command, PointAt, Refused, StudyCommand};
 pub use kept::{Kept, Progress};
 pub use lessons::{Listed, listed};
-pub use link::Link;
 pub use look::Look;
 pub use outline::{Entry, Sheet};
 pub use own::{FolderOfLessons, LessonFromFile};

@@ -61,6 +61,17 @@ impl Case {
         field: &str,
         wrong: impl Fn(&Case, &At) -> Option<Value>,
     ) {
+        self.is_named_by(mistake, kind, field, &wrong);
+    }
+
+    /// Once for all formulas, of which there are many.
+    fn is_named_by(
+        &self,
+        mistake: Mistake,
+        kind: &str,
+        field: &str,
+        wrong: &dyn Fn(&Case, &At) -> Option<Value>,
+    ) {
         let walk = self.run.walk();
         let otherwise = |step: usize| {
             let is_of_kind = walk.kind(step) == kind;
