@@ -274,6 +274,7 @@ fn shown_sources() -> Vec<(String, String)> {
         "fixture",
         "painter",
         "main_window",
+        "eframe_app",
         "app/page",
         "sample",
     ];
