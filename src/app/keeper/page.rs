@@ -47,5 +47,5 @@ impl Store {
 }
 
 fn refused() -> io::Error {
-    io::Error::other("the browser's storage refuses it")
+    io::ErrorKind::PermissionDenied.into()
 }
