@@ -1,12 +1,130 @@
 //! Work that nobody waits for: on a thread of its own; in a page, which has none, between two frames.
 
-/// A piece of work. In a page it holds up a frame, so it should be small; where it is cancelled, it ends within milliseconds.
-pub type Job = Box<dyn FnOnce() + Send>;
+use crate::render::Cancelled;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 
-/// Does one job after the other.
+/// Work under way, and what it finds. Dropped, it is cancelled: it ends by itself when it next tells its progress.
+pub struct Work<T> {
+    /// None once all has arrived.
+    found: Option<Receiver<T>>,
+    state: Arc<State>,
+}
+
+/// The side of the work that does it.
+pub struct Worker<T> {
+    sender: Sender<T>,
+    state: Arc<State>,
+}
+
+/// A piece of work. In a page it holds up a frame, so it should be small; where it is cancelled, it ends within milliseconds.
+pub type Job<T> = Box<dyn FnOnce(&Worker<T>) + Send>;
+
+/// What both sides share.
+#[derive(Default)]
+struct State {
+    cancelled: AtomicBool,
+    percent: AtomicUsize,
+}
+
+impl<T: Send + 'static> Work<T> {
+    /// Begins it on a thread of that name.
+    pub fn begin(name: &str, job: impl FnOnce(&Worker<T>) + Send + 'static) -> Self {
+        Work::begin_all(name, vec![Box::new(job)])
+    }
+
+    /// Does one job after the other.
+    pub fn begin_all(name: &str, jobs: Vec<Job<T>>) -> Self {
+        let (work, worker) = Work::pair();
+        let worker = Arc::new(worker);
+        let jobs = jobs.into_iter().map(|job| {
+            let worker = worker.clone();
+            let job: Box<dyn FnOnce() + Send> = Box::new(move || job(&worker));
+            job
+        });
+        in_background(name, jobs.collect());
+        work
+    }
+}
+
+impl<T> Work<T> {
+    /// Both sides of work that is not begun.
+    pub(super) fn pair() -> (Self, Worker<T>) {
+        let state = Arc::new(State::default());
+        let (sender, found) = channel();
+        let work = Work {
+            found: Some(found),
+            state: state.clone(),
+        };
+        (work, Worker { sender, state })
+    }
+
+    /// What has arrived since it was last asked.
+    pub fn take(&mut self) -> Vec<T> {
+        let mut taken = Vec::new();
+        while let Some(found) = &self.found {
+            match found.try_recv() {
+                Ok(found) => taken.push(found),
+                Err(TryRecvError::Empty) => break,
+                Err(TryRecvError::Disconnected) => self.found = None,
+            }
+        }
+        taken
+    }
+
+    /// Waits for the end, and takes what has arrived.
+    #[cfg(test)]
+    pub fn wait(&mut self) -> Vec<T> {
+        self.found.take().into_iter().flatten().collect()
+    }
+
+    /// Whether it has ended, and all that it found is taken.
+    pub fn is_done(&self) -> bool {
+        self.found.is_none()
+    }
+
+    /// How far it is; none once it is done.
+    pub fn percent(&self) -> Option<usize> {
+        (!self.is_done()).then(|| self.state.percent.load(Ordering::Relaxed))
+    }
+
+    pub fn cancel(&self) {
+        self.state.cancelled.store(true, Ordering::Relaxed);
+    }
+}
+
+impl<T> Drop for Work<T> {
+    fn drop(&mut self) {
+        self.cancel();
+    }
+}
+
+impl<T> Worker<T> {
+    pub fn send(&self, found: T) {
+        // The receiver may be gone; then it is not needed.
+        drop(self.sender.send(found));
+    }
+
+    /// Tells how much is done, which never goes back. An error where the work is cancelled.
+    pub fn progress(&self, done: usize, all: usize) -> Result<(), Cancelled> {
+        let percent = 100 * done / all.max(1);
+        self.state.percent.fetch_max(percent, Ordering::Relaxed);
+        self.go_on()
+    }
+
+    /// An error where the work is cancelled.
+    pub fn go_on(&self) -> Result<(), Cancelled> {
+        match self.state.cancelled.load(Ordering::Relaxed) {
+            true => Err(Cancelled),
+            false => Ok(()),
+        }
+    }
+}
+
 #[cfg(not(target_arch = "wasm32"))]
-pub fn in_background(name: &str, jobs: Vec<Job>) {
-    use std::sync::{Arc, Mutex, PoisonError};
+fn in_background(name: &str, jobs: Vec<Box<dyn FnOnce() + Send>>) {
+    use std::sync::{Mutex, PoisonError};
     use std::thread;
 
     let jobs = Arc::new(Mutex::new(jobs));
@@ -25,20 +143,22 @@ pub fn in_background(name: &str, jobs: Vec<Job>) {
 }
 
 #[cfg(target_arch = "wasm32")]
-pub use page::{do_next, in_background};
+use page::in_background;
+
+#[cfg(target_arch = "wasm32")]
+pub use page::do_next;
 
 #[cfg(target_arch = "wasm32")]
 mod page {
-    use super::Job;
     use std::cell::RefCell;
     use std::collections::VecDeque;
 
     thread_local! {
-        static JOBS: RefCell<VecDeque<Job>> = RefCell::default();
+        static JOBS: RefCell<VecDeque<Box<dyn FnOnce() + Send>>> = RefCell::default();
     }
 
     /// Does one job after the other, one a frame.
-    pub fn in_background(_: &str, jobs: Vec<Job>) {
+    pub fn in_background(_: &str, jobs: Vec<Box<dyn FnOnce() + Send>>) {
         JOBS.with_borrow_mut(|all| all.extend(jobs));
     }
 
@@ -46,5 +166,55 @@ mod page {
     pub fn do_next() -> bool {
         let job = JOBS.with_borrow_mut(VecDeque::pop_front);
         job.map(|job| job()).is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::thread;
+
+    #[test]
+    fn what_is_found_arrives_in_order_and_then_the_work_is_done() {
+        let jobs = (1..=3).map(|n| {
+            let job: Job<usize> = Box::new(move |worker| {
+                worker.send(n);
+                assert_eq!(worker.progress(n, 3), Ok(()));
+            });
+            job
+        });
+        let mut work = Work::begin_all("test", jobs.collect());
+        assert_eq!(work.wait(), [1, 2, 3]);
+        assert!(work.is_done() && work.take().is_empty());
+    }
+
+    #[test]
+    fn the_percentage_never_goes_back_and_ends_with_the_work() {
+        let (mut work, worker) = Work::pair();
+        for (done, percent) in [(1, 25), (3, 75), (2, 75)] {
+            assert_eq!(worker.progress(done, 4), Ok(()));
+            assert_eq!(work.percent(), Some(percent));
+        }
+        worker.send("all of it");
+        assert_eq!(work.take(), ["all of it"]);
+        assert!(!work.is_done());
+        drop(worker);
+        assert!(work.take().is_empty() && work.is_done());
+        assert_eq!(work.percent(), None);
+    }
+
+    #[test]
+    fn work_that_is_dropped_is_cancelled() {
+        let (sender, ended) = channel();
+        let endless = Work::<()>::begin("test", move |worker| {
+            while worker.progress(0, 1).is_ok() {
+                thread::yield_now();
+            }
+            sender.send(()).unwrap();
+        });
+        assert!(ended.try_recv().is_err());
+        drop(endless);
+        // The work says that it has ended; without that, this would wait for ever.
+        ended.recv().unwrap();
     }
 }

@@ -1,6 +1,6 @@
 //! Small pictures of all lessons, each drawn by the lesson's own method, in the background and one after the other.
 
-use super::background::{Job, in_background};
+use super::background::{Job, Work};
 use super::session::Session;
 use crate::algorithms::frame::Frame;
 use crate::lesson::{Lesson, builtin};
@@ -8,9 +8,6 @@ use crate::render::{Cancelled, preview};
 use egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
 use std::collections::HashMap;
 use std::num::NonZeroUsize;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, channel};
 
 /// The pictures fit in this many pixels.
 const LARGEST: [u32; 2] = [288, 216];
@@ -26,13 +23,8 @@ pub struct Thumbnail {
 #[derive(Default)]
 pub struct Thumbnails {
     made: HashMap<String, Thumbnail>,
-    maker: Option<Maker>,
-}
-
-/// The thread that makes pictures; dropped, it ends within milliseconds.
-struct Maker {
-    made: Receiver<Made>,
-    cancelled: Arc<AtomicBool>,
+    /// Dropped, it ends within milliseconds.
+    making: Option<Work<Made>>,
 }
 
 struct Made {
@@ -41,16 +33,10 @@ struct Made {
     background: Color32,
 }
 
-impl Drop for Maker {
-    fn drop(&mut self) {
-        self.cancelled.store(true, Ordering::Relaxed);
-    }
-}
-
 impl Thumbnails {
     /// Takes what has been made, and lets what is missing be made: first what stands near the open lesson in the list.
     pub fn bring_on(&mut self, session: &Session, ctx: &Context) {
-        let maker = self.maker.get_or_insert_with(|| {
+        let making = self.making.get_or_insert_with(|| {
             let ids: Vec<&String> = session.all_lessons().map(|listed| &listed.id).collect();
             let here = ids.iter().position(|&id| *id == session.lesson().id);
             let missing = ids.into_iter().enumerate();
@@ -62,13 +48,14 @@ impl Thumbnails {
                 let own = own.and_then(|own| own.lesson.clone().ok());
                 (id.clone(), own)
             });
-            Maker::start(missing.collect(), ctx.clone())
+            let jobs = missing.map(|(id, own)| job(id, own, ctx.clone()));
+            Work::begin_all("thumbnails", jobs.collect())
         });
         for Made {
             id,
             image,
             background,
-        } in maker.made.try_iter()
+        } in making.take()
         {
             let texture = ctx.load_texture(&id, image, TextureOptions::LINEAR);
             let thumbnail = Thumbnail {
@@ -81,7 +68,7 @@ impl Thumbnails {
 
     /// Makes no more for now: other pictures are wanted sooner.
     pub fn pause(&mut self) {
-        self.maker = None;
+        self.making = None;
     }
 
     pub fn of(&self, id: &str) -> Option<&Thumbnail> {
@@ -89,37 +76,26 @@ impl Thumbnails {
     }
 }
 
-impl Maker {
-    /// The lessons that are not given are the program's own.
-    fn start(missing: Vec<(String, Option<Lesson>)>, ctx: Context) -> Self {
-        let cancelled = Arc::new(AtomicBool::new(false));
-        let (sender, made) = channel();
-        let jobs = missing.into_iter().map(|(id, own)| {
-            let (sender, stop, ctx) = (sender.clone(), cancelled.clone(), ctx.clone());
-            let job: Job = Box::new(move || {
-                // The receiver may be gone; then it is not needed.
-                if let Some(made) = make(id, own, &stop)
-                    && sender.send(made).is_ok()
-                {
-                    ctx.request_repaint();
-                }
-            });
-            job
-        });
-        in_background("thumbnails", jobs.collect());
-        Maker { made, cancelled }
-    }
+/// Makes the picture of a lesson, which is one of the program's own unless given.
+fn job(id: String, own: Option<Lesson>, ctx: Context) -> Job<Made> {
+    Box::new(move |worker| {
+        if let Some(made) = make(id, own, &|| worker.go_on()) {
+            worker.send(made);
+            ctx.request_repaint();
+        }
+    })
 }
 
-/// The picture of a lesson, which is one of the program's own unless given. None where it cannot be drawn, or was cancelled.
-fn make(id: String, own: Option<Lesson>, stop: &AtomicBool) -> Option<Made> {
-    if stop.load(Ordering::Relaxed) {
-        return None;
-    }
+/// Errors of `go_on` end the work.
+type GoOn<'a> = dyn Fn() -> Result<(), Cancelled> + Sync + 'a;
+
+/// None where the lesson cannot be drawn, or the work was cancelled.
+fn make(id: String, own: Option<Lesson>, go_on: &GoOn) -> Option<Made> {
+    go_on().ok()?;
     let read = || builtin(&id)?.read().ok();
     let lesson = own.or_else(read)?;
     let background = color(lesson.scene.background);
-    let image = draw(lesson, stop)?;
+    let image = draw(lesson, go_on)?;
     Some(Made {
         id,
         image,
@@ -127,16 +103,12 @@ fn make(id: String, own: Option<Lesson>, stop: &AtomicBool) -> Option<Made> {
     })
 }
 
-/// The lesson's picture in small. None where it cannot be drawn, or was cancelled.
-fn draw(mut lesson: Lesson, stop: &AtomicBool) -> Option<ColorImage> {
+/// The lesson's picture in small. None where it cannot be drawn, or the work was cancelled.
+fn draw(mut lesson: Lesson, go_on: &GoOn) -> Option<ColorImage> {
     lesson.size = fitted(lesson.size);
     let setup = lesson.setup(lesson.scene.clone(), lesson.settings.clone())?;
     setup.check_for(lesson.method).ok()?;
-    let progress = |_, _| match stop.load(Ordering::Relaxed) {
-        true => Err(Cancelled),
-        false => Ok(()),
-    };
-    let one = NonZeroUsize::MIN;
+    let (progress, one) = (|_, _| go_on(), NonZeroUsize::MIN);
     let frame = preview(&setup, lesson.method, one, progress, &mut |_| {}).ok()?;
     Some(image(&frame))
 }
@@ -175,15 +147,15 @@ mod tests {
     #[test]
     fn a_lesson_is_drawn_by_its_own_method_unless_that_is_cancelled() {
         for id in ["gouraud-triangle", "form-factors"] {
-            let draw = |cancelled| {
+            let draw = |go_on: Result<(), Cancelled>| {
                 let lesson = builtin(id).unwrap().read().unwrap();
-                super::draw(lesson, &AtomicBool::new(cancelled))
+                super::draw(lesson, &|| go_on)
             };
-            let image = draw(false).expect("a picture");
+            let image = draw(Ok(())).expect("a picture");
             assert_eq!(image.size, [288, 216]);
             let first = image.pixels[0];
             assert!(image.pixels.iter().any(|&pixel| pixel != first), "{id}");
-            assert!(draw(true).is_none(), "{id}");
+            assert!(draw(Err(Cancelled)).is_none(), "{id}");
         }
     }
 }

@@ -1,17 +1,14 @@
 //! A picture of the user's own program beside what is shown: compared in the background, and again whenever either changes.
 
 use super::{Drawer, Refused, Session};
-use crate::app::background::in_background;
+use crate::app::background::{Work, Worker};
 use crate::app::strings;
 use crate::color::StoredImage;
 use crate::lesson::{Lesson, LessonError};
 use crate::methods::{Method, Setup};
-use crate::render::Cancelled;
 use crate::study::against::{Comparison, compare_with_progress};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::thread::available_parallelism;
 
 /// How far a channel may be off: a step of 8 bits.
@@ -19,7 +16,7 @@ const TOLERANCE: f64 = 1.0 / 255.0;
 /// The largest picture that a scene is walked with.
 const MOST_PIXELS: u64 = 1 << 22;
 
-/// A picture that is compared with ours. Dropped, its thread ends by itself before the next mistake.
+/// A picture that is compared with ours. Dropped, the comparison ends before the next mistake.
 pub struct Against {
     /// Of its file.
     pub name: String,
@@ -28,74 +25,40 @@ pub struct Against {
     pub found: Option<Comparison>,
     /// Counts what has come in over all comparisons, so that what was drawn of an earlier one is known to be old.
     pub version: u64,
-    news: Option<Receiver<Comparison>>,
-    state: Arc<State>,
-}
-
-/// What the two threads share.
-#[derive(Default)]
-struct State {
-    cancelled: AtomicBool,
-    percent: AtomicUsize,
-}
-
-impl Drop for Against {
-    fn drop(&mut self) {
-        self.state.cancelled.store(true, Ordering::Relaxed);
-    }
+    work: Work<Comparison>,
 }
 
 impl Against {
     fn begin(name: String, mine: Arc<StoredImage>, of: (Arc<Setup>, Method), version: u64) -> Self {
-        let state = Arc::new(State::default());
-        let (sender, news) = channel();
-        let (pixels, its_state) = (mine.clone(), state.clone());
-        let compare = move || compare(&pixels, &of.0, of.1, &its_state, &sender);
-        in_background("comparison", vec![Box::new(compare)]);
+        let pixels = mine.clone();
+        let compare = move |worker: &_| compare(&pixels, &of.0, of.1, worker);
         Against {
             name,
             mine,
             found: None,
             version,
-            news: Some(news),
-            state,
+            work: Work::begin("comparison", compare),
         }
     }
 
     /// How many of the mistakes have been tried, in percent; none where all have.
     pub fn percent(&self) -> Option<usize> {
-        self.news.as_ref()?;
-        Some(self.state.percent.load(Ordering::Relaxed))
+        self.work.percent()
     }
 
-    fn keep(&mut self, found: Comparison) {
-        self.found = Some(found);
-        self.version += 1;
+    fn keep(&mut self, found: Vec<Comparison>) {
+        self.version += found.len() as u64;
+        self.found = found.into_iter().next_back().or(self.found.take());
     }
 }
 
-fn compare(
-    mine: &StoredImage,
-    setup: &Setup,
-    method: Method,
-    state: &State,
-    sender: &Sender<Comparison>,
-) {
-    let progress = |done: usize, all: usize| {
-        state
-            .percent
-            .store(100 * done / all.max(1), Ordering::Relaxed);
-        match state.cancelled.load(Ordering::Relaxed) {
-            true => Err(Cancelled),
-            false => Ok(()),
-        }
-    };
-    // The receiver may be gone; then the news is not needed.
-    let first = |found: &Comparison| drop(sender.send(found.clone()));
+fn compare(mine: &StoredImage, setup: &Setup, method: Method, worker: &Worker<Comparison>) {
+    let progress = |done, all| worker.progress(done, all);
+    let first = |found: &Comparison| worker.send(found.clone());
     let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
     let found = compare_with_progress(mine, setup, method, TOLERANCE, threads, &progress, first);
     if let Ok(found) = found {
-        drop(sender.send(found));
+        worker.send(found);
     }
 }
 
@@ -169,15 +132,9 @@ impl Session {
 
     /// Takes what the comparison has found.
     pub fn take_comparison(&mut self) {
-        let Some(against) = &mut self.against else {
-            return;
-        };
-        while let Some(news) = &against.news {
-            match news.try_recv() {
-                Ok(found) => against.keep(found),
-                Err(TryRecvError::Empty) => break,
-                Err(TryRecvError::Disconnected) => against.news = None,
-            }
+        if let Some(against) = &mut self.against {
+            let found = against.work.take();
+            against.keep(found);
         }
     }
 
@@ -185,9 +142,8 @@ impl Session {
     #[cfg(test)]
     pub fn wait_for_comparison(&mut self) {
         let against = self.against.as_mut().expect("a picture");
-        for found in against.news.take().into_iter().flatten() {
-            against.keep(found);
-        }
+        let found = against.work.wait();
+        against.keep(found);
     }
 }
 

@@ -4,16 +4,14 @@
 use crate::algorithms::frame::Frame;
 use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::Race;
-use crate::app::background::in_background;
+use crate::app::background::{Work, Worker};
 use crate::methods::Setup;
 use crate::render::compare::{Compared, compare};
-use crate::render::{Cancelled, Finished, Layers, Method, layers, preview, race};
+use crate::render::{Finished, Layers, Method, layers, preview, race};
 use crate::study::ablation;
 use crate::study::timing::{Patience, Timing};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::thread;
 use web_time::{Duration, Instant};
 
@@ -29,17 +27,15 @@ const MEASURING: Patience = Patience {
 /// Run times with everything skipped that the scene does not need, and with the forced parts; or why there are none.
 pub type Times = Result<[Timing; 2], String>;
 
-/// A picture that is being rendered. Dropped, it is cancelled, and its thread ends by itself within milliseconds.
+/// A picture that is being rendered. Dropped, its work ends within milliseconds.
 pub struct Preview {
     /// As far as it has come. Before the first pass its picture is the background, or the one before the scene was changed.
     finished: Finished,
     /// Where something is forced that the scene does not need.
     times: Option<Times>,
-    /// Where the passes arrive; none once all of them have.
-    passes: Option<Receiver<Pass>>,
-    /// Where the layers of the picture arrive, once they are asked for.
-    survey: Option<Receiver<Layers>>,
-    state: Arc<State>,
+    passes: Work<Pass>,
+    /// The layers of the picture, once they are asked for.
+    survey: Option<Work<Layers>>,
     start: Instant,
 }
 
@@ -50,35 +46,13 @@ pub struct Methods {
     pub compared: Vec<Method>,
 }
 
-/// What the thread sends.
+/// What arrives.
 enum Pass {
     Picture(Frame),
     Compared(Compared),
     /// The solvers have run.
     Raced(Result<Race, Unsolved>),
     Timed(Times),
-}
-
-/// What the two threads share.
-#[derive(Default)]
-struct State {
-    cancelled: AtomicBool,
-    percent: AtomicUsize,
-}
-
-impl State {
-    fn progress(&self, done: usize, all: usize) -> Result<(), Cancelled> {
-        let percent = 100 * done / all.max(1);
-        self.percent.store(percent, Ordering::Relaxed);
-        self.go_on()
-    }
-
-    fn go_on(&self) -> Result<(), Cancelled> {
-        match self.cancelled.load(Ordering::Relaxed) {
-            true => Err(Cancelled),
-            false => Ok(()),
-        }
-    }
 }
 
 impl Preview {
@@ -97,46 +71,39 @@ impl Preview {
     fn over(frame: Frame, setup: Arc<Setup>, methods: Methods) -> Self {
         let threads = thread::available_parallelism().unwrap_or(NonZeroUsize::MIN);
         let finished = Finished::new(frame, &setup.prepared.scene.lights);
-        Preview::of(finished, move |state, passes| {
-            let progress = |done, all| state.progress(done, all);
-            // The receiver may be gone; then the pass is not needed.
-            let show = &mut |pass: &Frame| drop(passes.send(Pass::Picture(pass.clone())));
+        Preview::of(finished, move |worker| {
+            let progress = |done, all| worker.progress(done, all);
+            let show = &mut |pass: &Frame| worker.send(Pass::Picture(pass.clone()));
             let Ok(whole) = preview(&setup, methods.picture, threads, progress, show) else {
                 return;
             };
-            drop(passes.send(Pass::Picture(whole)));
+            worker.send(Pass::Picture(whole));
             for &method in &methods.compared {
-                if progress(1, 1).is_err() {
+                if worker.go_on().is_err() {
                     return;
                 }
-                drop(passes.send(Pass::Compared(compare(&setup, method))));
+                worker.send(Pass::Compared(compare(&setup, method)));
             }
             if methods.picture == Method::Radiosity
-                && progress(1, 1).is_ok()
+                && worker.go_on().is_ok()
                 && let Some(race) = race(&setup)
             {
-                drop(passes.send(Pass::Raced(race)));
+                worker.send(Pass::Raced(race));
             }
-            if !setup.forced().is_empty() && progress(1, 1).is_ok() {
+            if !setup.forced().is_empty() && worker.go_on().is_ok() {
                 let times = ablation::both(&setup, methods.picture, MEASURING);
-                drop(passes.send(Pass::Timed(times)));
+                worker.send(Pass::Timed(times));
             }
         })
     }
 
     /// Shows `finished` until `make` sends more.
-    fn of(finished: Finished, make: impl FnOnce(&State, &Sender<Pass>) + Send + 'static) -> Self {
-        let state = Arc::new(State::default());
-        let (sender, passes) = channel();
-        let its_state = state.clone();
-        let make = move || make(&its_state, &sender);
-        in_background("preview", vec![Box::new(make)]);
+    fn of(finished: Finished, make: impl FnOnce(&Worker<Pass>) + Send + 'static) -> Self {
         Preview {
             finished,
             times: None,
-            passes: Some(passes),
+            passes: Work::begin("preview", make),
             survey: None,
-            state,
             start: Instant::now(),
         }
     }
@@ -146,17 +113,14 @@ impl Preview {
         if self.finished.layers.is_some() || self.survey.is_some() {
             return;
         }
-        let (sender, found) = channel();
-        let (setup, state) = (setup.clone(), self.state.clone());
-        let find = move || {
-            let progress = |_, _| state.go_on();
+        let setup = setup.clone();
+        let find = move |worker: &Worker<Layers>| {
+            let progress = |done, all| worker.progress(done, all);
             if let Ok(layers) = layers(&setup, method, progress) {
-                // The receiver may be gone; then they are not needed.
-                drop(sender.send(layers));
+                worker.send(layers);
             }
         };
-        in_background("survey", vec![Box::new(find)]);
-        self.survey = Some(found);
+        self.survey = Some(Work::begin("survey", find));
     }
 
     /// As far as it has come.
@@ -170,35 +134,24 @@ impl Preview {
     }
 
     pub fn is_done(&self) -> bool {
-        self.passes.is_none() && self.survey.is_none()
+        self.passes.is_done() && self.survey.as_ref().is_none_or(Work::is_done)
     }
 
     /// How much of a picture that takes long is done, in percent.
     pub fn percent(&self) -> Option<usize> {
-        let waits = !self.is_done() && self.start.elapsed() >= PATIENCE;
-        waits.then(|| self.state.percent.load(Ordering::Relaxed))
+        let is_long = self.start.elapsed() >= PATIENCE;
+        let survey = || self.survey.as_ref()?.percent();
+        is_long.then(|| self.passes.percent().or_else(survey))?
     }
 
     /// Takes the passes that have arrived; whether there was one.
     pub fn take(&mut self) -> bool {
-        let mut taken = false;
-        while let Some(passes) = &self.passes {
-            match passes.try_recv() {
-                Ok(pass) => {
-                    self.keep(pass);
-                    taken = true;
-                }
-                Err(TryRecvError::Empty) => break,
-                Err(TryRecvError::Disconnected) => self.passes = None,
-            }
-        }
-        match self.survey.as_ref().map(Receiver::try_recv) {
-            None | Some(Err(TryRecvError::Empty)) => {}
-            Some(found) => {
-                self.finished.layers = found.ok();
-                self.survey = None;
-                taken = true;
-            }
+        let passes = self.passes.take();
+        let layers = self.survey.as_mut().map(Work::take).unwrap_or_default();
+        let taken = !passes.is_empty() || !layers.is_empty();
+        passes.into_iter().for_each(|pass| self.keep(pass));
+        for layers in layers {
+            self.finished.layers = Some(layers);
         }
         taken
     }
@@ -206,9 +159,8 @@ impl Preview {
     /// Waits until the picture is whole.
     #[cfg(test)]
     pub fn wait(&mut self) {
-        for pass in self.passes.take().into_iter().flatten() {
-            self.keep(pass);
-        }
+        let passes = self.passes.wait();
+        passes.into_iter().for_each(|pass| self.keep(pass));
     }
 
     fn keep(&mut self, pass: Pass) {
@@ -221,16 +173,11 @@ impl Preview {
     }
 }
 
-impl Drop for Preview {
-    fn drop(&mut self) {
-        self.state.cancelled.store(true, Ordering::Relaxed);
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::color::Rgb;
+    use std::sync::mpsc::{Sender, channel};
 
     fn frame(gray: f64) -> Frame {
         Frame::new(4, 0..3, Rgb::splat(gray))
@@ -243,14 +190,13 @@ mod tests {
     /// A picture of two passes; the thread waits for a message before each.
     fn on_request() -> (Preview, Sender<()>) {
         let (go_on, word) = channel();
-        let word = std::sync::Mutex::new(word);
-        let preview = Preview::of(black(), move |state, passes| {
+        let preview = Preview::of(black(), move |worker| {
             for pass in 1..=2 {
-                if word.lock().unwrap().recv().is_err() {
+                if word.recv().is_err() {
                     return;
                 }
-                let _ = state.progress(pass, 2);
-                passes.send(Pass::Picture(frame(pass as f64))).unwrap();
+                worker.progress(pass, 2).unwrap();
+                worker.send(Pass::Picture(frame(pass as f64)));
             }
         });
         (preview, go_on)
@@ -283,20 +229,5 @@ mod tests {
         preview.wait();
         assert!(preview.is_done());
         assert_eq!(&preview.finished().picture, &frame(1.0));
-    }
-
-    #[test]
-    fn a_dropped_picture_is_cancelled() {
-        let (sender, ended) = channel();
-        let endless = Preview::of(black(), move |state, _| {
-            while state.progress(0, 1).is_ok() {
-                thread::yield_now();
-            }
-            sender.send(()).unwrap();
-        });
-        assert!(ended.try_recv().is_err());
-        drop(endless);
-        // The maker says that it has ended; without that, this would wait for ever.
-        ended.recv().unwrap();
     }
 }

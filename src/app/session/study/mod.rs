@@ -4,15 +4,11 @@
 mod tests;
 
 use super::command::{PointAt, Refused};
-use crate::app::background::in_background;
+use crate::app::background::{Work, Worker};
 use crate::app::strings;
-use crate::render::Cancelled;
 use crate::study::families;
 use crate::study::form::{Request, Study};
 use crate::study::harness::{Line, Part, Point, Unmeasured};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 
 /// The view of error against run time.
 pub struct Studying {
@@ -28,7 +24,8 @@ pub struct Studying {
     /// Which of them is shown.
     pub part: usize,
     pub outcome: Outcome,
-    measuring: Option<Measuring>,
+    /// Dropped, it ends after the current setting.
+    measuring: Option<Work<News>>,
     /// The point that is described.
     pub picked: Option<PointAt>,
 }
@@ -43,28 +40,9 @@ pub enum Outcome {
     Because(String),
 }
 
-/// Dropped, it is cancelled: its thread ends by itself after the current setting.
-struct Measuring {
-    state: Arc<State>,
-    news: Receiver<News>,
-}
-
 enum News {
     Part(Box<Part>),
     Unmeasured(Unmeasured),
-}
-
-/// What the two threads share.
-#[derive(Default)]
-struct State {
-    called_off: AtomicBool,
-    percent: AtomicUsize,
-}
-
-impl Drop for Measuring {
-    fn drop(&mut self) {
-        self.state.called_off.store(true, Ordering::Relaxed);
-    }
 }
 
 impl Studying {
@@ -84,8 +62,7 @@ impl Studying {
 
     /// How far the measuring is, in percent; none where nothing is measured.
     pub fn percent(&self) -> Option<usize> {
-        let measuring = self.measuring.as_ref()?;
-        Some(measuring.state.percent.load(Ordering::Relaxed))
+        self.measuring.as_ref()?.percent()
     }
 
     pub fn point(&self, at: PointAt) -> Option<(&Part, &Line, &Point)> {
@@ -109,12 +86,8 @@ impl Studying {
             .get(self.chosen)
             .ok_or(strings::NO_SUCH_STUDY)?;
         let quick = self.quick;
-        let state = Arc::new(State::default());
-        let (sender, news) = channel();
-        let of_thread = state.clone();
-        let measure = move || measure(study, quick, &of_thread, &sender);
-        in_background("study", vec![Box::new(measure)]);
-        self.measuring = Some(Measuring { state, news });
+        let measure = move |worker: &_| measure(study, quick, worker);
+        self.measuring = Some(Work::begin("study", measure));
         self.of = Some((study, quick));
         self.parts.clear();
         self.part = 0;
@@ -132,13 +105,14 @@ impl Studying {
 
     /// Takes what has come in.
     pub(super) fn take(&mut self) {
-        while let Some(measuring) = &self.measuring {
-            match measuring.news.try_recv() {
-                Ok(news) => self.keep(news),
-                Err(TryRecvError::Empty) => break,
-                Err(TryRecvError::Disconnected) => self.measuring = None,
-            }
+        let Some(measuring) = &mut self.measuring else {
+            return;
+        };
+        let news = measuring.take();
+        if measuring.is_done() {
+            self.measuring = None;
         }
+        news.into_iter().for_each(|news| self.keep(news));
     }
 
     fn keep(&mut self, news: News) {
@@ -152,27 +126,17 @@ impl Studying {
     /// Waits until the study is measured.
     #[cfg(test)]
     pub fn wait(&mut self) {
-        while let Some(news) = self.measuring.as_ref().and_then(|m| m.news.recv().ok()) {
-            self.keep(news);
-        }
-        self.measuring = None;
+        let measuring = self.measuring.take();
+        let news = measuring.map_or_else(Vec::new, |mut measuring| measuring.wait());
+        news.into_iter().for_each(|news| self.keep(news));
     }
 }
 
-fn measure(study: &'static Study, quick: bool, state: &State, sender: &Sender<News>) {
-    let progress = |done: usize, all: usize| {
-        let percent = 100 * done / all.max(1);
-        // A part begins at its first share, where its settings are run for the first time.
-        state.percent.fetch_max(percent, Ordering::Relaxed);
-        match state.called_off.load(Ordering::Relaxed) {
-            true => Err(Cancelled),
-            false => Ok(()),
-        }
-    };
-    // The receiver may be gone; then the news is not needed.
-    let found = |part: &Part| drop(sender.send(News::Part(Box::new(part.clone()))));
+fn measure(study: &'static Study, quick: bool, worker: &Worker<News>) {
+    let progress = |done, all| worker.progress(done, all);
+    let found = |part: &Part| worker.send(News::Part(Box::new(part.clone())));
     let request = Request { scene: None, quick };
     if let Err(why) = study.measure(&request, &progress, &found) {
-        drop(sender.send(News::Unmeasured(why)));
+        worker.send(News::Unmeasured(why));
     }
 }

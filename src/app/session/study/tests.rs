@@ -67,26 +67,22 @@ fn a_study_that_is_called_off_ends_at_once_for_its_viewer() {
     let nothing = go(&mut session, StudyCommand::Cancel);
     assert_eq!(nothing, Err(strings::NOTHING_IS_MEASURED.into()));
     go(&mut session, StudyCommand::Measure).unwrap();
-    let state = session.studying.measuring.as_ref().unwrap().state.clone();
     go(&mut session, StudyCommand::Cancel).unwrap();
     assert_eq!(session.studying().percent(), None);
     assert_eq!(session.studying().outcome, Outcome::Cancelled);
-    assert!(state.called_off.load(Ordering::Relaxed));
     // The next one need not wait for it.
     go(&mut session, StudyCommand::Measure).unwrap();
 }
 
 #[test]
 fn the_measurer_stops_at_the_next_setting_once_it_is_called_off() {
-    let (tell, news) = channel();
-    let state = State::default();
-    state.called_off.store(true, Ordering::Relaxed);
+    let (mut work, worker) = Work::pair();
+    work.cancel();
     let interpolation = families::ALL.iter().find(|s| s.name == "interpolation");
-    measure(interpolation.unwrap(), true, &state, &tell);
-    drop(tell);
-    let recorded: Vec<News> = news.iter().collect();
+    measure(interpolation.unwrap(), true, &worker);
+    drop(worker);
     assert!(matches!(
-        recorded[..],
+        work.wait()[..],
         [News::Unmeasured(Unmeasured::Cancelled(_))]
     ));
 }
