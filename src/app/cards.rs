@@ -1,7 +1,7 @@
 //! The lesson's panels as cards: the key panel large, the others live beside it, and what opens in their place.
 
 use super::button::button;
-use super::layout::{Layout, MARGIN, TITLE};
+use super::layout::{Layout, MARGIN, TARGET, TITLE};
 use super::panel_view::{self, PanelView, Scale};
 use super::row_end::{before_end, row_end};
 use super::session::{Command, Drawer, Session};
@@ -21,6 +21,8 @@ const NAME: f32 = 13.0;
 const CONTROLS: f32 = 130.0;
 /// Room for the way to what is selected.
 const WAY: f32 = 180.0;
+/// How much wider buttons for fingers are.
+const FOR_FINGERS: f32 = 1.6;
 /// A card narrower than this has a title and nothing beside it.
 const WIDE: f32 = 360.0;
 
@@ -83,7 +85,11 @@ fn card(
     };
     let wide = rect.width() >= WIDE;
     let has_room = row.available_width() >= CONTROLS + WAY;
-    let has_controls = row.available_width() >= controls_width(panel);
+    let scale = match style::is_for_fingers(ui.ctx()) {
+        true => FOR_FINGERS,
+        false => 1.0,
+    };
+    let has_controls = row.available_width() >= scale * controls_width(panel);
     let fill = (sign, name, Command::Fill);
     let rest = at_end(session, fill, commands, &mut row, |ui, commands| {
         if wide {
@@ -104,7 +110,7 @@ fn card(
         before_end(rest, &mut row, |ui| drop(ui.add(caption)));
     }
     let view = views.entry(panel).or_default();
-    let shown = panel_on(session, panel, view, inside(rect), ui);
+    let shown = panel_on(session, panel, view, inside(rect, ui), ui);
     if shown.filled {
         commands.push(Command::Fill);
     }
@@ -124,7 +130,7 @@ fn small_card(
     style::card(session.look.theme, rect, ui);
     name_button(session, panel, true, commands, &mut title_row(rect, ui));
     let view = views.entry(panel).or_default();
-    let (response, under) = view.show(session, panel, inside(rect), Scale::Small, ui);
+    let (response, under) = view.show(session, panel, inside(rect, ui), Scale::Small, ui);
     if response.double_clicked() {
         commands.push(Command::Key(panel));
     } else if response.clicked() {
@@ -161,8 +167,16 @@ fn at_end(
     })
 }
 
+/// Height of a card's title, with what stands beside it.
+fn title_height(ui: &Ui) -> f32 {
+    match style::is_for_fingers(ui.ctx()) {
+        true => TARGET,
+        false => TITLE,
+    }
+}
+
 fn title_row(rect: Rect, ui: &mut Ui) -> Ui {
-    let row = Rect::from_min_size(rect.min, egui::vec2(rect.width(), TITLE));
+    let row = Rect::from_min_size(rect.min, egui::vec2(rect.width(), title_height(ui)));
     let mut row = ui.new_child(
         egui::UiBuilder::new()
             .id_salt((rect.min.x as i32, rect.min.y as i32))
@@ -170,19 +184,21 @@ fn title_row(rect: Rect, ui: &mut Ui) -> Ui {
             .layout(egui::Layout::left_to_right(egui::Align::Center)),
     );
     row.spacing_mut().item_spacing.x = 6.0;
-    row.spacing_mut().button_padding = egui::vec2(6.0, 2.0);
-    row.spacing_mut().interact_size.y = 20.0;
+    if !style::is_for_fingers(ui.ctx()) {
+        row.spacing_mut().button_padding = egui::vec2(6.0, 2.0);
+        row.spacing_mut().interact_size.y = 20.0;
+    }
     row
 }
 
-fn inside(card: Rect) -> Rect {
+fn inside(card: Rect, ui: &Ui) -> Rect {
     let mut inside = card.shrink(MARGIN);
-    inside.min.y = card.min.y + TITLE;
+    inside.min.y = card.min.y + title_height(ui);
     inside
 }
 
 /// The name of a panel after its number.
-fn numbered(session: &Session, panel: Panel) -> String {
+pub(super) fn numbered(session: &Session, panel: Panel) -> String {
     let title = session.localize(panel.title());
     let number = session.panels().iter().position(|&known| known == panel);
     match number {
@@ -263,7 +279,7 @@ fn controls_width(panel: Panel) -> f32 {
     }
 }
 
-fn show_drawer(
+pub(super) fn show_drawer(
     session: &Session,
     views: &mut HashMap<Panel, PanelView>,
     drawer: Drawer,
@@ -280,22 +296,23 @@ fn show_drawer(
     let (_, mut row) = head(session, title, rect, ui);
     let close = ("×", strings::CLOSE, command);
     at_end(session, close, commands, &mut row, |_, _| {});
+    let rect = inside(rect, ui);
     match drawer {
         Drawer::Parameters => {
-            parameter_drawer::show(session, commands, inside(rect), ui);
+            parameter_drawer::show(session, commands, rect, ui);
             None
         }
         Drawer::Against => {
-            against_drawer::show(session, commands, inside(rect), ui);
+            against_drawer::show(session, commands, rect, ui);
             None
         }
         Drawer::Results => {
-            results_drawer::show(session, commands, inside(rect), ui);
+            results_drawer::show(session, commands, rect, ui);
             None
         }
         Drawer::Inspector => {
             let view = views.entry(Panel::Inspector).or_default();
-            let shown = inspector_drawer::show(session, view, commands, inside(rect), ui);
+            let shown = inspector_drawer::show(session, view, commands, rect, ui);
             commands.extend(shown.command);
             shown.under
         }

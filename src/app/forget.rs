@@ -9,11 +9,11 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
     let modal = Modal::new(Id::unique("forget"))
         .frame(frame)
         .show(ctx, |ui| {
-            ui.set_max_width(420.0);
+            ui.set_max_width((ctx.content_rect().width() - 60.0).min(420.0));
             ui.label(style::strong(session.localize(strings::FORGET_IT), 17.0));
             ui.label(session.localize(strings::FORGET_WHAT));
             ui.add_space(6.0);
-            ui.horizontal(|ui| {
+            ui.horizontal_wrapped(|ui| {
                 let keep = ui.button(session.localize(strings::KEEP_IT));
                 if ui.memory(|memory| memory.focused().is_none()) {
                     keep.request_focus();

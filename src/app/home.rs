@@ -85,50 +85,73 @@ fn head(
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) -> bool {
-    let language = session.look.language;
-    let mut is_found = false;
-    ui.horizontal(|ui| {
-        let theme = session.look.theme;
-        let title = session.title();
-        let begun = session.progress_in(&session.lesson().id).is_some();
-        let message = if begun {
-            strings::CONTINUE
-        } else {
-            strings::BEGIN
-        };
-        let text = message.format(language, &[("title", &title)]);
-        let shown = style::strong(&text, 14.0).color(style::color(theme, Ink::Surface));
-        let resume = Button::new(shown)
-            .fill(style::color(theme, Ink::Linked))
-            .truncate();
-        let room = ui.available_width() - 250.0;
-        ui.scope(|ui| {
-            ui.set_max_width(room.max(100.0));
-            button(session, resume, &text, Command::Home, commands, ui);
-        });
-        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
-            let name = session.localize(strings::SEARCH_LESSONS);
-            let edit = TextEdit::singleline(&mut page.search)
-                .desired_width(220.0)
-                .hint_text(format!("/ {name}"));
-            let response = ui.add(edit);
-            let text = page.search.clone();
-            response.widget_info(|| egui::WidgetInfo {
-                label: Some(name.to_owned()),
-                ..egui::WidgetInfo::text_edit(true, "", &text, "")
-            });
-            if std::mem::take(&mut session.search_wanted) {
-                response.request_focus();
-            }
-            let mut found = session.all_lessons();
-            let found = found.find(|listed| listed.says(&page.search, language));
-            is_found = found.is_some();
-            let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-            if let Some(first) = found.filter(|_| entered && !text.trim().is_empty()) {
-                commands.push(Command::Open(first.id.clone()));
-            }
-        });
+    if style::is_for_fingers(ui.ctx()) {
+        resume(session, ui.available_width(), commands, ui);
+        return search(session, page, ui.available_width(), commands, ui);
+    }
+    let search_width = 220.0;
+    let row = ui.horizontal(|ui| {
+        let room = ui.available_width() - search_width - 30.0;
+        resume(session, room.max(100.0), commands, ui);
+        let layout = egui::Layout::right_to_left(egui::Align::Center);
+        ui.with_layout(layout, |ui| {
+            search(session, page, search_width, commands, ui)
+        })
     });
+    row.inner.inner
+}
+
+/// The way back to the lesson that was open.
+fn resume(session: &Session, width: f32, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let theme = session.look.theme;
+    let title = session.title();
+    let begun = session.progress_in(&session.lesson().id).is_some();
+    let message = if begun {
+        strings::CONTINUE
+    } else {
+        strings::BEGIN
+    };
+    let text = message.format(session.look.language, &[("title", &title)]);
+    let shown = style::strong(&text, 14.0).color(style::color(theme, Ink::Surface));
+    let resume = Button::new(shown)
+        .fill(style::color(theme, Ink::Linked))
+        .truncate();
+    ui.scope(|ui| {
+        ui.set_max_width(width);
+        button(session, resume, &text, Command::Home, commands, ui);
+    });
+}
+
+/// The search; returns whether a lesson is found.
+fn search(
+    session: &mut Session,
+    page: &mut HomePage,
+    width: f32,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) -> bool {
+    let language = session.look.language;
+    let name = session.localize(strings::SEARCH_LESSONS);
+    let edit = TextEdit::singleline(&mut page.search)
+        .desired_width(width)
+        .align(egui::Align2::LEFT_CENTER)
+        .hint_text(format!("/ {name}"));
+    let response = ui.add(edit);
+    let text = page.search.clone();
+    response.widget_info(|| egui::WidgetInfo {
+        label: Some(name.to_owned()),
+        ..egui::WidgetInfo::text_edit(true, "", &text, "")
+    });
+    if std::mem::take(&mut session.search_wanted) {
+        response.request_focus();
+    }
+    let mut found = session.all_lessons();
+    let found = found.find(|listed| listed.says(&page.search, language));
+    let is_found = found.is_some();
+    let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+    if let Some(first) = found.filter(|_| entered && !text.trim().is_empty()) {
+        commands.push(Command::Open(first.id.clone()));
+    }
     is_found
 }
 

@@ -22,13 +22,14 @@ pub fn show(
     ui: &mut Ui,
 ) -> Shown {
     let (mut search, mut list) = (rect, rect);
-    search.max.y = rect.min.y + SEARCH;
+    search.max.y = rect.min.y + SEARCH.max(ui.spacing().interact_size.y);
     list.min.y = search.max.y;
     let mut row = ui.new_child(UiBuilder::new().max_rect(search.shrink2(egui::vec2(8.0, 2.0))));
     let mut text = session.inspector().search.clone();
     let name = session.localize(strings::SEARCH_VALUES);
     let edit = TextEdit::singleline(&mut text)
         .desired_width(f32::INFINITY)
+        .align(egui::Align2::LEFT_CENTER)
         .hint_text(name);
     let response = row.add(edit);
     response.widget_info(|| egui::WidgetInfo {
@@ -44,13 +45,14 @@ pub fn show(
     panel_on(session, Panel::Inspector, view, list, ui)
 }
 
-/// What the wheel does in the list, and Alt with the arrows.
+/// What the wheel and a finger do in the list, and Alt with the arrows.
 pub fn pointed(session: &Session, response: &Response, ui: &Ui) -> Option<Command> {
     let view = session.inspector();
     let wheel = match response.hovered() {
-        true => -ui.input(|input| input.smooth_scroll_delta().y) / LINE,
+        true => ui.input(|input| input.smooth_scroll_delta().y),
         false => 0.0,
     };
+    let wheel = -(wheel + response.drag_delta().y) / LINE;
     let has_focus = response.has_focus();
     let pressed = ui.input(|input| match has_focus && input.modifiers.alt {
         true => input.num_presses(Key::ArrowDown) as f32 - input.num_presses(Key::ArrowUp) as f32,

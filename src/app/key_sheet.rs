@@ -6,6 +6,12 @@ use super::{strings, style};
 use crate::language::Message;
 use egui::{Grid, Id, Modal, ScrollArea};
 
+/// A narrower window has one column of keys.
+const TWO_COLUMNS: f32 = 700.0;
+/// Width of the keys of most meanings, and what stands between columns.
+const KEYS: f32 = 80.0;
+const SPACE: f32 = 18.0;
+
 /// The keys of each meaning, and the meaning.
 fn rows() -> Vec<(String, Message)> {
     let mut rows: Vec<(Vec<&str>, Message)> = Vec::new();
@@ -46,16 +52,17 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ctx: &egui::Context)
                 .max_height(room.y - 130.0)
                 .show(ui, |ui| {
                     ui.spacing_mut().interact_size.y = 17.0;
+                    let columns = if room.x < TWO_COLUMNS { 1 } else { 2 };
+                    let width = ui.available_width() / columns as f32 - SPACE;
                     Grid::new("keys")
-                        .num_columns(4)
-                        .spacing([18.0, 5.0])
+                        .num_columns(2 * columns)
+                        .max_col_width(width - KEYS - SPACE)
+                        .spacing([SPACE, 5.0])
                         .show(ui, |ui| {
                             let rows = rows();
-                            let half = rows.len().div_ceil(2);
-                            for row in 0..half {
-                                for (keys, meaning) in
-                                    [rows.get(row), rows.get(half + row)].into_iter().flatten()
-                                {
+                            let height = rows.len().div_ceil(columns);
+                            for row in 0..height {
+                                for (keys, meaning) in rows.iter().skip(row).step_by(height) {
                                     ui.label(style::strong(keys, 13.0));
                                     ui.label(session.localize(*meaning));
                                 }

@@ -1,6 +1,9 @@
 //! Where everything stands in the window: a function of its size alone, so that what must hold can be tested without a screen.
 
+mod narrow;
+
 use egui::{Rect, Vec2, pos2, vec2};
+pub use narrow::{Narrow, TARGET, is_narrow};
 
 /// Between cards, and around them.
 pub const GAP: f32 = 8.0;
@@ -205,6 +208,25 @@ pub fn column(card: Rect, said: f32, formula: f32) -> Column {
         said: part(0.0, said),
         code: part(said, code),
         formula: part(said + code, formula),
+    }
+}
+
+/// The height of the regions of a column that scrolls as a whole: nothing in it scrolls by itself.
+pub fn stacked_height(said: f32, formula: f32) -> f32 {
+    said.max(LEAST_WORDS) + formula.max(LEAST_FORMULA) + LEAST_CODE
+}
+
+/// Divides such a column: what is said, the formulas, which are `formula` high, and the code.
+pub fn stacked(column: Rect, formula: f32) -> Column {
+    let formula = formula.max(LEAST_FORMULA);
+    let code = column.bottom() - LEAST_CODE;
+    let part = |top: f32, bottom: f32| {
+        Rect::from_min_max(pos2(column.left(), top), pos2(column.right(), bottom))
+    };
+    Column {
+        said: part(column.top(), code - formula),
+        formula: part(code - formula, code),
+        code: part(code, column.bottom()),
     }
 }
 

@@ -22,6 +22,7 @@ mod lesson_card;
 #[cfg(not(target_arch = "wasm32"))]
 mod main_window;
 mod narration;
+mod narrow;
 mod notice;
 mod opened;
 mod outline;

@@ -1,5 +1,6 @@
 //! The left column: what this step is and why, the note on the slide, the question, pseudocode and formula.
 
+use super::button::link;
 use super::cards::panel_on;
 use super::layout::{self, MARGIN};
 use super::panel_view::Key;
@@ -20,22 +21,30 @@ pub fn show(
     ui: &mut Ui,
 ) -> Option<Tag> {
     style::card(session.look.theme, card, ui);
-    let [formula, _] = formula_heights(session, window, card.width() - 2.0 * MARGIN);
+    let heights = formula_heights(session, window, card.width() - 2.0 * MARGIN);
     // A picture stands on whole pixels, which takes up to one point.
-    let formula = formula + 2.0 * MARGIN + 1.0;
-    let height = layout::column_height(card.height(), window.said_height, formula);
-    let mut whole = ui.new_child(egui::UiBuilder::new().max_rect(card));
+    let [first, whole] = heights.map(|height| height + 2.0 * MARGIN + 1.0);
+    let said = window.said_height;
+    // A finger scrolls one thing, and that from anywhere.
+    let for_fingers = style::is_for_fingers(ui.ctx());
+    let height = match for_fingers {
+        true => layout::stacked_height(said, whole),
+        false => layout::column_height(card.height(), said, first),
+    };
+    let mut place = ui.new_child(egui::UiBuilder::new().max_rect(card));
     let scrolled = ScrollArea::vertical()
-        .id_salt("column")
-        .show(&mut whole, |ui| {
+        // What scrolls as a whole begins at the beginning of another text.
+        .id_salt((
+            "column",
+            for_fingers.then(|| (session.recording(), session.step())),
+        ))
+        .show(&mut place, |ui| {
             let (_, place) = ui.allocate_space(egui::vec2(card.width(), height));
-            regions(
-                session,
-                window,
-                layout::column(place, window.said_height, formula),
-                commands,
-                ui,
-            )
+            let column = match for_fingers {
+                true => layout::stacked(place, whole),
+                false => layout::column(place, said, first),
+            };
+            regions(session, window, column, commands, ui)
         });
     scrolled.inner
 }
@@ -49,21 +58,29 @@ fn regions(
     ui: &mut Ui,
 ) -> Option<Tag> {
     let mut said = ui.new_child(egui::UiBuilder::new().max_rect(column.said.shrink(MARGIN)));
-    let scrolled = ScrollArea::vertical()
-        .auto_shrink(false)
-        // Another text begins at its beginning.
-        .id_salt((session.recording(), session.step()))
-        .show(&mut said, |ui| {
-            let frame = Frame::new().inner_margin(Margin::symmetric(12, 8));
-            frame.show(ui, |ui| {
-                ui.spacing_mut().item_spacing.y = 8.0;
-                ui.set_width(ui.available_width());
-                narration(session, window, commands, ui);
-                question_card::show(session, window, commands, ui);
-            })
+    let mut words = |ui: &mut Ui| {
+        let frame = Frame::new().inner_margin(Margin::symmetric(12, 8));
+        let framed = frame.show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 8.0;
+            ui.set_width(ui.available_width());
+            narration(session, window, commands, ui);
+            question_card::show(session, window, commands, ui);
         });
+        framed.response.rect.height()
+    };
+    let height = match style::is_for_fingers(ui.ctx()) {
+        true => words(&mut said),
+        false => {
+            let scrolled = ScrollArea::vertical()
+                .auto_shrink(false)
+                // Another text begins at its beginning.
+                .id_salt((session.recording(), session.step()))
+                .show(&mut said, words);
+            scrolled.inner
+        }
+    };
     // The words' height is known once they are set.
-    let height = scrolled.inner.response.rect.height() + 2.0 * MARGIN;
+    let height = height + 2.0 * MARGIN;
     if (height - window.said_height).abs() > 0.5 {
         window.said_height = height;
         ui.ctx()
@@ -170,7 +187,7 @@ fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui
     if session.follows_lesson() && session.explanation().is_none() && !session.is_silent() {
         let summary = session.lesson().summary.in_language(language);
         ui.label(prose(session, summary, 14.0, Ink::Muted));
-        if ui.link(session.localize(strings::NEXT_SAID)).clicked() {
+        if link(session.localize(strings::NEXT_SAID), ui) {
             commands.push(Command::NextNarrated);
         }
     }

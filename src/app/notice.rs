@@ -26,7 +26,8 @@ pub fn show(session: &Session, window: &Window, corner: egui::Pos2, ui: &Ui) {
             .corner_radius(4)
             .inner_margin(Margin::symmetric(10, 6));
         frame.show(ui, |ui| {
-            ui.set_max_width(420.0);
+            let room = ui.ctx().content_rect().width() - 48.0;
+            ui.set_max_width(room.min(420.0));
             let text = RichText::new(text).size(13.0).color(ink(Ink::Text));
             announced(ui.add(Label::new(text).wrap()));
         });

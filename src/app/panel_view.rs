@@ -83,6 +83,7 @@ impl PanelView {
             && matches!(
                 panel,
                 Panel::TimeLine
+                    | Panel::Inspector
                     | Panel::RayTree
                     | Panel::Space
                     | Panel::Vectors

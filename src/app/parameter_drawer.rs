@@ -1,8 +1,9 @@
 //! The parameters that the lesson lets be changed, each with a slider and its value.
 
 use super::button::button;
+use super::layout::TARGET;
 use super::session::{Command, Session};
-use super::{arrow_focus, prose, strings};
+use super::{arrow_focus, prose, strings, style};
 use crate::language::{Language, Message};
 use crate::lesson::{
     ByPath, Change, Coefficient, DIVISIONS, Kind, Parameter, PathValue, read_number,
@@ -59,10 +60,15 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
     let mut ui =
         ui.new_child(egui::UiBuilder::new().max_rect(rect.shrink2(egui::vec2(MARGIN, 4.0))));
     let mut on_slider = false;
+    let for_fingers = style::is_for_fingers(ui.ctx());
+    let row = if for_fingers { TARGET } else { ROW };
     egui::ScrollArea::vertical().show(&mut ui, |ui| {
         ui.spacing_mut().item_spacing.y = 4.0;
         for (index, cell) in cells(session).into_iter().enumerate() {
-            let (_, place) = ui.allocate_space(egui::vec2(ui.available_width(), ROW));
+            if let (Cell::Place(of), true) = (cell, for_fingers) {
+                ui.label(RichText::new(place_name(session, of)).size(13.0));
+            }
+            let (_, place) = ui.allocate_space(egui::vec2(ui.available_width(), row));
             let mut ui = ui.new_child(inside(place).id_salt(index));
             let change = match cell {
                 Cell::Value(parameter) => value(session, parameter, &mut on_slider, &mut ui),
@@ -320,7 +326,10 @@ fn coordinates(session: &Session, of: Movable, ui: &mut Ui) -> Option<Change> {
     let who = place_name(session, of);
     let mut place = position;
     ui.spacing_mut().item_spacing.x = 4.0;
-    ui.label(RichText::new(who.as_str()).size(13.0));
+    // With fingers it stands above.
+    if !style::is_for_fingers(ui.ctx()) {
+        ui.label(RichText::new(who.as_str()).size(13.0));
+    }
     for (axis, x) in ["x", "y", "z"].into_iter().zip(place.as_mut()) {
         let before = *x;
         ui.label(RichText::new(axis).size(13.0));

@@ -6,6 +6,7 @@ mod number;
 mod order;
 mod pick;
 
+use super::button::{for_finger, link};
 use super::narration::announced;
 use super::prose::{prose, set};
 use super::session::{Command, Session, Standing};
@@ -112,10 +113,8 @@ fn undecided(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 }
 
 fn skip(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
-    if ui
-        .add(Button::new(session.localize(strings::SKIP)).frame(false))
-        .clicked()
-    {
+    let skip = Button::new(session.localize(strings::SKIP)).frame(false);
+    if ui.add(for_finger(skip, ui)).clicked() {
         commands.push(Command::Skip);
     }
 }
@@ -178,13 +177,9 @@ fn verdict(
         14.0,
         Ink::Text,
     ));
-    if ui
-        .link(strings::SHOW_THE_STEP.format(
-            session.look.language,
-            &[("step", &question.step.to_string())],
-        ))
-        .clicked()
-    {
+    let step = question.step.to_string();
+    let text = strings::SHOW_THE_STEP.format(session.look.language, &[("step", &step)]);
+    if link(text, ui) {
         commands.push(Command::Seek(question.step));
     }
 }

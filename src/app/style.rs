@@ -1,5 +1,6 @@
 //! How egui looks: the fonts and inks of the pictures, so that window and panels are of one piece.
 
+use super::layout::TARGET;
 use crate::picture::{self, Ink, Theme};
 use egui::epaint::Shadow;
 use egui::{
@@ -70,8 +71,13 @@ pub fn card_frame(theme: Theme) -> egui::Frame {
         .inner_margin(18)
 }
 
-/// Puts fonts and inks of a theme in place.
-pub fn apply(ctx: &egui::Context, theme: Theme) {
+/// Whether what can be pressed is as large as a finger needs it.
+pub fn is_for_fingers(ctx: &egui::Context) -> bool {
+    ctx.global_style().spacing.interact_size.y >= TARGET
+}
+
+/// Puts fonts and inks of a theme in place, and the sizes of what can be pressed.
+pub fn apply(ctx: &egui::Context, theme: Theme, for_fingers: bool) {
     ctx.set_theme(if theme == Theme::Dark {
         egui::Theme::Dark
     } else {
@@ -89,7 +95,10 @@ pub fn apply(ctx: &egui::Context, theme: Theme) {
         style.text_styles = sizes.clone().into();
         style.spacing.item_spacing = egui::vec2(8.0, 6.0);
         style.spacing.button_padding = egui::vec2(9.0, 5.0);
-        style.spacing.interact_size.y = 26.0;
+        style.spacing.interact_size.y = match for_fingers {
+            true => TARGET,
+            false => 26.0,
+        };
         style.visuals = Visuals {
             // A steady cursor: an idle window stays idle.
             text_cursor: egui::style::TextCursorStyle {

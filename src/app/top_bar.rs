@@ -1,7 +1,7 @@
 //! The bar on top: which lesson this is, and how things are shown.
 
 use super::button::button;
-use super::layout::BAR;
+use super::layout::{BAR, TARGET};
 use super::prose::prose;
 use super::row_end::row_end;
 use super::session::{Command, Session, Sheet, StudyCommand};
@@ -10,7 +10,8 @@ use crate::language::{Language, Message};
 use crate::methods::Method;
 use crate::panels::method_name;
 use crate::picture::{Ink, Theme};
-use egui::{Button, Color32, Frame, Margin, RichText, Ui};
+use egui::containers::menu::MenuButton;
+use egui::{Button, Color32, Frame, Margin, RichText, ScrollArea, Ui, Vec2};
 
 const THEMES: [(Theme, Message); 3] = [
     (Theme::Light, strings::THEME_LIGHT),
@@ -22,15 +23,22 @@ const THEMES: [(Theme, Message); 3] = [
 const WIDE: f32 = 560.0;
 
 pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let (height, margin) = match style::is_for_fingers(ui.ctx()) {
+        true => (TARGET, 4),
+        false => (BAR, 16),
+    };
     let frame = Frame::new()
         .fill(style::BAR)
-        .inner_margin(Margin::symmetric(16, 0));
+        .inner_margin(Margin::symmetric(margin, 0));
     let bar = egui::Panel::top("bar")
-        .exact_size(BAR)
+        .exact_size(height)
         .frame(frame)
         .show_separator_line(false);
     bar.show(ui, |ui| {
         dress(ui);
+        if style::is_for_fingers(ui.ctx()) {
+            return for_fingers(session, commands, ui);
+        }
         ui.horizontal_centered(|ui| {
             ui.label(style::strong("Lightwalk", 17.0).color(Color32::WHITE));
             ui.add_space(4.0);
@@ -45,16 +53,29 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     });
 }
 
+/// The way to the lessons, the title, and all else in the menu.
+fn for_fingers(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    ui.horizontal_centered(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        let name = session.localize(strings::LESSONS);
+        let home = Button::new(name).selected(session.look.home);
+        button(session, home, name, Command::Home, commands, ui);
+        let rest = row_end(ui, |ui, _| settings(session, commands, ui));
+        if session.look.home {
+            return;
+        }
+        if session.lesson().is_free_walk() {
+            methods(session, commands, ui);
+        } else {
+            title(session, rest, ui);
+        }
+    });
+}
+
 /// Languages, presentation, settings and keys.
 fn at_the_right(session: &Session, wide: bool, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.spacing_mut().item_spacing.x = 2.0;
-    for language in Language::ALL {
-        let chosen = session.look.language == language;
-        let text = RichText::new(language.code().to_uppercase()).strong();
-        if chip(text, chosen, ui).clicked() {
-            commands.push(Command::Speak(language));
-        }
-    }
+    languages(session, commands, ui);
     ui.spacing_mut().item_spacing.x = 8.0;
     ui.add_space(8.0);
     if wide && !session.look.home {
@@ -69,6 +90,16 @@ fn at_the_right(session: &Session, wide: bool, commands: &mut Vec<Command>, ui: 
     settings(session, commands, ui);
     let keys = session.localize(strings::KEYS);
     button(session, Button::new("?"), keys, Command::Keys, commands, ui);
+}
+
+fn languages(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    for language in Language::ALL {
+        let chosen = session.look.language == language;
+        let text = RichText::new(language.code().to_uppercase()).strong();
+        if chip(text, chosen, ui).clicked() {
+            commands.push(Command::Speak(language));
+        }
+    }
 }
 
 /// The lesson's title in what is left of the bar.
@@ -126,6 +157,10 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         button(session, edit, name, Command::EditScene, commands, ui);
         return;
     }
+    neighbours(session, commands, ui);
+}
+
+fn neighbours(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     for (sign, name, command) in [
         ("◀", strings::PREVIOUS_LESSON, Command::PreviousLesson),
         ("▶", strings::NEXT_LESSON, Command::NextLesson),
@@ -140,7 +175,7 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 fn methods(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let language = session.look.language;
     let now = method_name(session.lesson().method, language);
-    let menu = egui::containers::menu::MenuButton::new(format!("{now} ▾"));
+    let menu = MenuButton::new(format!("{now} ▾"));
     let (response, _) = menu.ui(ui, |ui| {
         undress(ui);
         for method in Method::ALL {
@@ -156,10 +191,24 @@ fn methods(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 
 /// Themes, text size, questions; what a narrow bar has no room for is in here too.
 fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
-    let menu = egui::containers::menu::MenuButton::new("☰");
-    let (response, _) = menu.ui(ui, |ui| {
+    let for_fingers = style::is_for_fingers(ui.ctx());
+    let menu = match for_fingers {
+        true => MenuButton::from_button(Button::new("☰").min_size(Vec2::splat(TARGET))),
+        false => MenuButton::new("☰"),
+    };
+    let room = ui.ctx().content_rect().height() - 2.0 * TARGET;
+    let entries = |ui: &mut Ui| {
         undress(ui);
         ui.set_min_width(200.0);
+        if for_fingers {
+            ui.horizontal(|ui| {
+                languages(session, commands, ui);
+                if !session.look.home && !session.lesson().is_free_walk() {
+                    neighbours(session, commands, ui);
+                }
+            });
+            ui.separator();
+        }
         ui.label(style::strong(session.localize(strings::THEME), 13.0));
         for (theme, name) in THEMES {
             if ui
@@ -210,6 +259,9 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
                 ui,
             );
         }
+    };
+    let (response, _) = menu.ui(ui, |ui| {
+        ScrollArea::vertical().max_height(room).show(ui, entries)
     });
     response.widget_info(|| {
         egui::WidgetInfo::labeled(egui::Role::Button, true, session.localize(strings::MENU))

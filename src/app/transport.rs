@@ -1,13 +1,16 @@
 //! The row above the time line: buttons to walk and play, where we are, speed, loop, search.
 
 use super::button::button;
-use super::row_end::row_end;
+use super::layout::TARGET;
+use super::row_end::{before_end, row_end};
 use super::session::{Command, Direction, Drawer, Session};
 use super::window_state::Window;
 use super::{strings, style};
+use crate::language::Message;
 use crate::panels::kind_name;
 use crate::replay::query;
-use egui::{Button, Key, Rect, RichText, TextEdit, Ui};
+use egui::containers::menu::MenuConfig;
+use egui::{Button, Key, PopupCloseBehavior, Rect, RichText, TextEdit, Ui};
 
 /// A row narrower than this leaves the speed to the keys.
 const WIDE: f32 = 1100.0;
@@ -61,6 +64,52 @@ pub fn show(
     });
 }
 
+/// The row for fingers: what is needed most, and the rest in a menu.
+pub fn show_narrow(
+    session: &mut Session,
+    window: &mut Window,
+    commands: &mut Vec<Command>,
+    rect: Rect,
+    ui: &mut Ui,
+) {
+    let mut ui = ui.new_child(
+        egui::UiBuilder::new()
+            .max_rect(rect)
+            .layout(egui::Layout::left_to_right(egui::Align::Center)),
+    );
+    let ui = &mut ui;
+    ui.spacing_mut().item_spacing.x = 4.0;
+    let [_, _, back, play, on, _, next] = walks(session);
+    for walk in [back, play, on, next] {
+        walk_button(session, walk, commands, ui);
+    }
+    let rest = row_end(ui, |ui, room| {
+        let menu = egui::containers::menu::MenuButton::from_button(
+            Button::new("…").min_size(egui::Vec2::splat(TARGET)),
+        );
+        // Whoever types into it goes on typing.
+        let stays = PopupCloseBehavior::CloseOnClickOutside;
+        let menu = menu.config(MenuConfig::new().close_behavior(stays));
+        let (more, _) = menu.ui(ui, |ui| {
+            search(session, window, room, commands, ui);
+            let [start, before, .., after, _] = walks(session);
+            ui.horizontal(|ui| {
+                for walk in [start, before, after] {
+                    walk_button(session, walk, commands, ui);
+                }
+            });
+            drawers(session, commands, ui);
+            looping(session, commands, ui);
+            run_to(session, commands, ui);
+        });
+        let name = session.localize(strings::MORE);
+        more.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
+    });
+    let place = style::strong(session.place(), 13.0);
+    let label = egui::Label::new(place).truncate();
+    before_end(rest, ui, |ui| drop(ui.add(label)));
+}
+
 /// What opens beside the key panel.
 fn drawers(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let mine = (Drawer::Against, strings::COMPARE, Command::Against);
@@ -82,8 +131,10 @@ fn drawers(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     }
 }
 
-fn walk_buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
-    ui.spacing_mut().item_spacing.x = 4.0;
+/// A way to walk: its sign, what it does, and its name.
+type Walk = (&'static str, Command, Message);
+
+fn walks(session: &Session) -> [Walk; 7] {
     let playing = session.playing();
     let play = if playing == Some(Direction::Forward) {
         "‖"
@@ -95,7 +146,7 @@ fn walk_buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     } else {
         Command::Back(1)
     };
-    let buttons = [
+    [
         ("|◀", Command::Start, strings::AT_THE_START_NAME),
         ("◀◀", Command::PreviousScope, strings::PREVIOUS_SCOPE),
         ("◀", back, strings::ONE_BACK),
@@ -103,19 +154,25 @@ fn walk_buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         ("▶|", Command::Forward(1), strings::ONE_ON),
         ("▶▶", Command::NextScope, strings::NEXT_SCOPE),
         ("▶‖", Command::NextNarrated, strings::NEXT_SAID),
-    ];
-    for (sign, command, name) in buttons {
-        let width = egui::vec2(30.0, 24.0);
-        button(
-            session,
-            Button::new(RichText::new(sign).size(12.0)).min_size(width),
-            session.localize(name),
-            command,
-            commands,
-            ui,
-        );
+    ]
+}
+
+fn walk_buttons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    ui.spacing_mut().item_spacing.x = 4.0;
+    for walk in walks(session) {
+        walk_button(session, walk, commands, ui);
     }
     ui.spacing_mut().item_spacing.x = 8.0;
+}
+
+fn walk_button(
+    session: &Session,
+    (sign, command, name): Walk,
+    commands: &mut Vec<Command>,
+    ui: &mut Ui,
+) {
+    let sign = Button::new(RichText::new(sign).size(12.0)).min_size(egui::vec2(30.0, 24.0));
+    button(session, sign, session.localize(name), command, commands, ui);
 }
 
 fn speed(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
@@ -213,6 +270,7 @@ fn search(
     let hint = format!("/ {}", session.localize(strings::SEARCH));
     let edit = TextEdit::singleline(&mut window.search)
         .desired_width((room - 24.0).clamp(40.0, 200.0))
+        .align(egui::Align2::LEFT_CENTER)
         .hint_text(hint);
     let response = ui
         .add(edit)

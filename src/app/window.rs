@@ -1,13 +1,13 @@
 //! The whole window, in a function of `&mut Ui`: it needs no screen, and tests show it as the screen would.
 
 use super::cards::panel_on;
-use super::layout::{GAP, Layout, TRANSPORT, Wishes, column_widths, layout};
+use super::layout::{GAP, Layout, TRANSPORT, Wishes, column_widths, is_narrow, layout};
 use super::opened::{self, Opened};
 use super::session::{Command, Session, Sheet};
 use super::window_state::Window;
 use super::{
-    cards, finished, forget, home, key_sheet, narration, notice, outline, presentation, pressed,
-    skipped, strings, study_view, style, top_bar, transport,
+    cards, finished, forget, home, key_sheet, narration, narrow, notice, outline, presentation,
+    pressed, skipped, strings, study_view, style, top_bar, transport,
 };
 use crate::panels::{Panel, time_line_heights};
 use crate::picture::Tag;
@@ -73,7 +73,11 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
         presentation::show(session, window, whole, &mut commands, &mut ui)
     } else {
         top_bar::show(session, &mut commands, &mut ui);
-        cards_and_time_line(session, window, whole, &mut commands, &mut ui)
+        let body = match style::is_for_fingers(&ctx) {
+            true => narrow::show,
+            false => cards_and_time_line,
+        };
+        body(session, window, whole, &mut commands, &mut ui)
     };
     if under_pointer != session.hovered() {
         commands.push(Command::Hover(under_pointer));
@@ -218,9 +222,12 @@ impl Window {
     /// Tells egui and the system what has changed in the session.
     fn keep_up(&mut self, session: &mut Session, ctx: &egui::Context) {
         let look = session.look;
-        if self.styled != Some(look.theme) {
-            style::apply(ctx, look.theme);
-            self.styled = Some(look.theme);
+        // A large text is no reason for large buttons.
+        let size = ctx.content_rect().size() * ctx.zoom_factor();
+        let styled = Some((look.theme, is_narrow(size)));
+        if self.styled != styled {
+            style::apply(ctx, look.theme, is_narrow(size));
+            self.styled = styled;
         }
         if ctx.zoom_factor() != look.zoom() {
             ctx.set_zoom_factor(look.zoom());

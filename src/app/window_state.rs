@@ -37,7 +37,8 @@ pub struct Window {
     pub(super) formula: Option<(Key, f32, [f32; 2])>,
     /// Height of narration and question in the frame before.
     pub(super) said_height: f32,
-    pub(super) styled: Option<Theme>,
+    /// The theme, and whether what can be pressed is as large as a finger needs it.
+    pub(super) styled: Option<(Theme, bool)>,
     pub(super) title: String,
     pub(super) full_screen: bool,
     /// That of the page, without what follows its `#`; none on a screen.

@@ -1,7 +1,7 @@
 //! A row for each item, with buttons that move it up and down.
 
 use super::primary;
-use crate::app::button::off;
+use crate::app::button::{for_finger, off};
 use crate::app::prose::prose;
 use crate::app::row_end::row_end;
 use crate::app::session::{Command, Session};
@@ -86,7 +86,8 @@ fn step(
     can: bool,
     ui: &mut Ui,
 ) -> egui::Response {
-    let button = ui.add_enabled(can, Button::new(sign).small());
+    let small = Button::new(sign).small();
+    let button = ui.add_enabled(can, for_finger(small, ui));
     let name = name.format(session.look.language, &[("item", item)]);
     button.widget_info(|| WidgetInfo::labeled(Role::Button, can, &name));
     match can {

@@ -1,6 +1,6 @@
 //! A button for each thing, for those who do not click it in the picture; those already tried are disabled.
 
-use crate::app::button::off;
+use crate::app::button::{for_finger, off};
 use crate::app::prose::prose;
 use crate::app::session::{Command, Session};
 use crate::app::strings;
@@ -31,7 +31,7 @@ pub(super) fn ask(
                 Thing::Object => name.clone(),
                 Thing::Patch => number.to_string(),
             };
-            let button = ui.add_enabled(is_new, Button::new(shown));
+            let button = ui.add_enabled(is_new, for_finger(Button::new(shown), ui));
             button.widget_info(|| WidgetInfo::labeled(Role::Button, is_new, name));
             if !is_new {
                 off(button, session.localize(strings::ALREADY_TRIED));

@@ -1,10 +1,10 @@
 //! What must hold of the window's layout at every explanation of every lesson, seen on the display lists of its panels.
 
 use super::*;
-use crate::app::layout::{self, MARGIN, SMALL, Wishes};
+use crate::app::layout::{self, MARGIN, Narrow, SMALL, Wishes};
 use crate::lesson::builtins;
 use crate::panels::fixtures::{illegible, texts};
-use crate::panels::{formula_height, time_line_heights};
+use crate::panels::{formula_height, time_line_heights, whole_formula_height};
 use crate::picture::{Picture, Shape};
 use glam::Vec2;
 
@@ -193,4 +193,57 @@ fn the_panels_of_lessons_on_rays_can_be_read_at_every_explanation() {
 #[test]
 fn the_panels_of_lessons_on_radiosity_and_studies_can_be_read_at_every_explanation() {
     check_lessons(17..28);
+}
+
+/// On a phone the key panel is drawn for a phone's room.
+fn check_phones(numbers: std::ops::Range<usize>) {
+    let mut all = Vec::new();
+    for builtin in &builtins()[numbers] {
+        let lesson = builtin.read().expect("a right lesson");
+        let mut session = Session::new(lesson).expect("a lesson that resolves");
+        session.wait_for_picture();
+        session.update(Command::Questions).expect("no questions");
+        let narrated = session.panel_input().narrated.to_vec();
+        for (number, step) in narrated.into_iter().enumerate() {
+            session.update(Command::Seek(step)).expect("a step");
+            session.look.language = Language::ALL[number % 2];
+            for phone in [[360.0, 640.0], [390.0, 844.0], [640.0, 360.0]] {
+                let placed = Narrow::new(phone.into());
+                let room = |card: egui::Rect| {
+                    Vec2::new(card.width(), card.height()).floor() - 2.0 * MARGIN
+                };
+                let mut faults = Vec::new();
+                for panel in session.panels() {
+                    drawn(&session, panel, room(placed.key), &mut faults);
+                }
+                let width = room(placed.column).x;
+                let height = whole_formula_height(&session.panel_input(), width);
+                drawn(
+                    &session,
+                    Panel::Formula,
+                    Vec2::new(width, height.ceil()),
+                    &mut faults,
+                );
+                drawn(&session, Panel::Code, Vec2::new(width, 96.0), &mut faults);
+                let place = format!("{} step {step} on {phone:?}", builtin.id);
+                all.extend(faults.into_iter().map(|fault| format!("{place}: {fault}")));
+            }
+        }
+    }
+    assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
+}
+
+#[test]
+fn shading_lessons_can_be_read_on_a_phone() {
+    check_phones(0..10);
+}
+
+#[test]
+fn lessons_on_rays_can_be_read_on_a_phone() {
+    check_phones(10..17);
+}
+
+#[test]
+fn lessons_on_radiosity_and_studies_can_be_read_on_a_phone() {
+    check_phones(17..28);
 }

@@ -12,6 +12,7 @@ mod outline;
 mod own;
 mod painter;
 mod parameters;
+mod phone;
 mod pictures;
 mod questions;
 mod ray_tree;
@@ -20,7 +21,7 @@ mod scene_page;
 mod skipped;
 mod studies;
 
-use super::session::{Command, Session, Standing};
+use super::session::{Command, Session, Sheet, Standing};
 use super::window;
 use super::window_state::Window;
 use super::{prose, strings, style};
