@@ -176,15 +176,17 @@ fn title_height(ui: &Ui) -> f32 {
 }
 
 fn title_row(rect: Rect, ui: &mut Ui) -> Ui {
+    let for_fingers = style::is_for_fingers(ui.ctx());
     let row = Rect::from_min_size(rect.min, egui::vec2(rect.width(), title_height(ui)));
+    let above_and_below = if for_fingers { 0.0 } else { 3.0 };
     let mut row = ui.new_child(
         egui::UiBuilder::new()
             .id_salt((rect.min.x as i32, rect.min.y as i32))
-            .max_rect(row.shrink2(egui::vec2(10.0, 3.0)))
+            .max_rect(row.shrink2(egui::vec2(10.0, above_and_below)))
             .layout(egui::Layout::left_to_right(egui::Align::Center)),
     );
     row.spacing_mut().item_spacing.x = 6.0;
-    if !style::is_for_fingers(ui.ctx()) {
+    if !for_fingers {
         row.spacing_mut().button_padding = egui::vec2(6.0, 2.0);
         row.spacing_mut().interact_size.y = 20.0;
     }

@@ -79,7 +79,7 @@ fn show(session: Session, window: Window) -> Result<(), String> {
             .with_app_id("lightwalk")
             .with_icon(egui::IconData::default())
             .with_inner_size([1280.0, 800.0])
-            .with_min_inner_size([900.0, 600.0]),
+            .with_min_inner_size([360.0, 480.0]),
         ..Default::default()
     };
     // Where a library is missing, winit panics before there is a window: that is a message, not a crash.

@@ -105,8 +105,9 @@ pub fn show_narrow(
         let name = session.localize(strings::MORE);
         more.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, name));
     });
-    let place = style::strong(session.place(), 13.0);
-    let label = egui::Label::new(place).truncate();
+    // There is no room for the words.
+    let place = format!("{} / {}", session.step(), session.last_step());
+    let label = egui::Label::new(style::strong(place, 13.0)).truncate();
     before_end(rest, ui, |ui| drop(ui.add(label)));
 }
 

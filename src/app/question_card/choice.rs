@@ -1,6 +1,6 @@
 //! A button for each option; a wrong one that was chosen is struck out.
 
-use crate::app::button::off;
+use crate::app::button::{for_finger, off};
 use crate::app::prose::prose;
 use crate::app::session::{Command, Session};
 use crate::app::{strings, style};
@@ -24,7 +24,7 @@ pub(super) fn ask(
             let sections = text.sections.iter_mut();
             sections.for_each(|section| section.format.strikethrough = line);
         }
-        let button = Button::new(text).wrap();
+        let button = for_finger(Button::new(text).wrap(), ui);
         let button = ui.add_enabled(!was_chosen, button);
         if was_chosen {
             off(button, session.localize(strings::ALREADY_TRIED));
