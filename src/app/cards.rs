@@ -7,7 +7,7 @@ use super::row_end::{before_end, row_end};
 use super::session::{Command, Drawer, Session};
 use super::{
     against_drawer, drag, image_controls, inspector_drawer, parameter_drawer, results_drawer,
-    room_controls, space_controls, strings, style, tree_controls,
+    room_controls, space_controls, strings, style, tree_controls, what_if_drawer,
 };
 use crate::language::Message;
 use crate::panels::{Panel, step_at};
@@ -293,6 +293,7 @@ pub(super) fn show_drawer(
         Drawer::Inspector => (strings::INSPECTOR, Command::Inspector),
         Drawer::Parameters => (strings::PARAMETERS, Command::Parameters),
         Drawer::Against => (strings::COMPARISON, Command::Against),
+        Drawer::WhatIf => (strings::WHAT_IF_TITLE, Command::WhatIf),
         Drawer::Results => (strings::RESULTS, Command::Results),
     };
     let (_, mut row) = head(session, title, rect, ui);
@@ -306,6 +307,10 @@ pub(super) fn show_drawer(
         }
         Drawer::Against => {
             against_drawer::show(session, commands, rect, ui);
+            None
+        }
+        Drawer::WhatIf => {
+            what_if_drawer::show(session, commands, rect, ui);
             None
         }
         Drawer::Results => {

@@ -358,6 +358,7 @@ pub const BINDINGS: &[Binding] = &[
         || Command::Study(StudyCommand::View),
         "keys-error-against-run-time",
     ),
+    bind(Key::W, Nothing, "w", || Command::WhatIf, "keys-what-if"),
     bind(
         Key::Questionmark,
         Sign,

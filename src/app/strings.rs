@@ -68,6 +68,21 @@ pub const COMPARE_PIXEL: Message = Message("app-compare-pixel");
 pub const PICTURE_READ_AGAIN: Message = Message("app-picture-read-again");
 pub const AFTER_YOUR_ANSWER: Message = Message("panels-after-your-answer");
 
+pub const WHAT_IF: Message = Message("app-what-if");
+pub const WHAT_IF_TITLE: Message = Message("app-what-if-title");
+pub const WHAT_IF_HOW: Message = Message("app-what-if-how");
+pub const WHAT_IF_SHARE: Message = Message("app-what-if-share");
+pub const WHAT_IF_UNCHANGED: Message = Message("app-what-if-unchanged");
+pub const WHAT_IF_NO_DIFFERENCE: Message = Message("app-what-if-no-difference");
+pub const WHAT_IF_ALL: Message = Message("app-what-if-all");
+pub const WHAT_IF_NEXT: Message = Message("app-what-if-next");
+pub const WHAT_IF_PREVIOUS: Message = Message("app-what-if-previous");
+pub const WHAT_IF_DRAWING: Message = Message("app-what-if-drawing");
+pub const WHAT_IF_WRONG: Message = Message("app-what-if-wrong");
+pub const WHAT_IF_RIGHT: Message = Message("app-what-if-right");
+pub const WHAT_IF_DIFFERENCE: Message = Message("app-what-if-difference");
+pub const WHAT_IF_PIXEL: Message = Message("app-what-if-pixel");
+
 pub const EDIT: Message = Message("app-edit");
 pub const EDIT_A_SCENE: Message = Message("app-edit-a-scene");
 pub const SCENE_WHOLE: Message = Message("app-scene-whole");

@@ -17,7 +17,7 @@ const WIDE: f32 = 1100.0;
 /// A row narrower than this has most of its buttons in a menu.
 const NARROW: f32 = 960.0;
 /// Room for the buttons after the search, and for one more.
-const BUTTONS: f32 = 200.0;
+const BUTTONS: f32 = 320.0;
 const BUTTON: f32 = 120.0;
 
 /// Shows the row in `rect`.
@@ -116,6 +116,7 @@ fn drawers(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let mine = (Drawer::Against, strings::COMPARE, Command::Against);
     let mine = session.against().map(|_| mine);
     for (drawer, name, command) in mine.into_iter().chain([
+        (Drawer::WhatIf, strings::WHAT_IF, Command::WhatIf),
         (Drawer::Parameters, strings::PARAMETERS, Command::Parameters),
         (Drawer::Inspector, strings::INSPECTOR, Command::Inspector),
     ]) {

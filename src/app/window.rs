@@ -29,7 +29,11 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     session.take_picture();
     session.take_findings();
     session.take_comparison();
-    if session.awaits_picture() || session.against().is_some_and(|a| a.percent().is_some()) {
+    session.take_mistakes();
+    if session.awaits_picture()
+        || session.draws_mistakes()
+        || session.against().is_some_and(|a| a.percent().is_some())
+    {
         ctx.request_repaint_after(LOOK_AGAIN);
     }
     window.keep_up(session, &ctx);

@@ -92,39 +92,14 @@ pub fn compare_with_progress<E>(
         false => Encoding::Srgb,
     };
     let reference = encoded(&frame, right, mine.is_float);
-    let differs = differing(&mine.pixels, &reference, tolerance);
-    let mut worst: Vec<usize> = (0..mine.pixels.len()).filter(|&at| differs[at]).collect();
-    let by = |at: &usize| distance(mine.pixels[*at], reference[*at]);
-    worst.sort_by(|a, b| by(b).total_cmp(&by(a)));
-    let off = worst.len();
-    let all = 0..mine.pixels.len();
-    let mut found = Comparison {
-        size: [mine.width, mine.height],
-        encoding: right.name(),
-        largest: all.map(|at| by(&at)).fold(0.0, f64::max),
-        rms: rms(&mine.pixels, &reference),
-        off,
-        pixels: mine.pixels.len(),
-        worst: worst
-            .into_iter()
-            .take(WORST)
-            .map(|at| Worst {
-                x: at as u32 % mine.width,
-                y: at as u32 / mine.width,
-                mine: mine.pixels[at],
-                reference: reference[at],
-            })
-            .collect(),
-        mistakes: Vec::new(),
-        reference,
-    };
+    let mut found = Comparison::of(mine, reference, right, tolerance);
     first(&found);
-    if off > 0 {
+    if found.off > 0 {
         let stored = (right, mine.is_float);
         let mistaken = mistaken(setup, method, &frame, stored, threads, progress)?;
         found.mistakes = explanations(mine, tolerance, &found.reference, &mistaken);
         let best = found.mistakes.first();
-        let best = best.filter(|best| 2 * best.explains > off);
+        let best = best.filter(|best| 2 * best.explains > found.off);
         found.encoding = match best.map(|best| best.mistake) {
             Some(Mistake::NoSrgb) => Encoding::Linear.name(),
             Some(Mistake::SrgbTwice) => Encoding::Srgb.name(),
@@ -132,6 +107,64 @@ pub fn compare_with_progress<E>(
         };
     }
     Ok(found)
+}
+
+impl Comparison {
+    /// Of a picture with ours as a file would have it, before any mistake is tried.
+    fn of(
+        mine: &StoredImage,
+        reference: Vec<[f64; 3]>,
+        right: Encoding,
+        tolerance: f64,
+    ) -> Comparison {
+        let differs = differing(&mine.pixels, &reference, tolerance);
+        let mut worst: Vec<usize> = (0..mine.pixels.len()).filter(|&at| differs[at]).collect();
+        let by = |at: &usize| distance(mine.pixels[*at], reference[*at]);
+        worst.sort_by(|a, b| by(b).total_cmp(&by(a)));
+        let off = worst.len();
+        let all = 0..mine.pixels.len();
+        Comparison {
+            size: [mine.width, mine.height],
+            encoding: right.name(),
+            largest: all.map(|at| by(&at)).fold(0.0, f64::max),
+            rms: rms(&mine.pixels, &reference),
+            off,
+            pixels: mine.pixels.len(),
+            worst: worst
+                .into_iter()
+                .take(WORST)
+                .map(|at| Worst {
+                    x: at as u32 % mine.width,
+                    y: at as u32 / mine.width,
+                    mine: mine.pixels[at],
+                    reference: reference[at],
+                })
+                .collect(),
+            mistakes: Vec::new(),
+            reference,
+        }
+    }
+}
+
+/// The picture that a program with the mistake would store in 8 bits, and how it differs from `frame`, which is the right one. None where
+/// no pixel is off by more than the tolerance.
+pub fn with_mistake(
+    mistake: Mistake,
+    (setup, method): (&Setup, Method),
+    frame: &Frame,
+    tolerance: f64,
+    threads: NonZeroUsize,
+) -> Option<(StoredImage, Comparison)> {
+    let right = Encoding::Srgb;
+    let (wrong, encoding) = mistake.picture(setup, method, frame, right, threads)?;
+    let mine = StoredImage {
+        width: frame.width,
+        height: frame.rows.len() as u32,
+        pixels: encoded(&wrong, encoding, false),
+        is_float: false,
+    };
+    let found = Comparison::of(&mine, encoded(frame, right, false), right, tolerance);
+    (found.off > 0).then_some((mine, found))
 }
 
 /// What the file would have with each mistake that a program can make by that method, and that changes the picture.

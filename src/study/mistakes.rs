@@ -127,6 +127,25 @@ impl Mistake {
         called("mistake", self.name(), language).unwrap_or_else(|| self.name().into())
     }
 
+    /// The same as a title: with a capital letter.
+    pub fn title(self, language: Language) -> String {
+        let words = self.in_words(language);
+        let mut letters = words.chars();
+        match (letters.next(), letters.next()) {
+            // But not sRGB, or a symbol.
+            (Some(first), Some(second)) if first.is_ascii_lowercase() && !second.is_uppercase() => {
+                let rest = &words[first.len_utf8()..];
+                format!("{}{rest}", first.to_ascii_uppercase())
+            }
+            _ => words,
+        }
+    }
+
+    /// What is wrong, and what to look for in a picture.
+    pub fn about(self, language: Language) -> String {
+        called("mistake-about", self.name(), language).unwrap_or_default()
+    }
+
     /// The picture with the mistake, and how it is encoded where it should be `right`. None where the mistake changes nothing.
     pub fn picture(
         self,

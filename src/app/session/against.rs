@@ -12,7 +12,7 @@ use std::sync::Arc;
 use std::thread::available_parallelism;
 
 /// How far a channel may be off: a step of 8 bits.
-const TOLERANCE: f64 = 1.0 / 255.0;
+pub(super) const TOLERANCE: f64 = 1.0 / 255.0;
 /// The largest picture that a scene is walked with.
 const MOST_PIXELS: u64 = 1 << 22;
 
@@ -113,8 +113,10 @@ impl Session {
     /// Puts another walk through the same scene in place of this one, and compares the picture with that.
     pub(super) fn replace_compared(&mut self, lesson: Lesson) -> Result<(), LessonError> {
         let (against, drawer) = (self.against.take(), self.look.drawer);
+        let mistake = self.what_if.on;
         let replaced = self.replace(lesson);
         self.against = against;
+        self.what_if.on = mistake.filter(|mistake| mistake.concerns(self.lesson().method));
         self.look.drawer = drawer;
         if replaced.is_ok() {
             self.compare_again();
@@ -148,4 +150,4 @@ impl Session {
 }
 
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;

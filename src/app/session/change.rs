@@ -156,6 +156,7 @@ impl Session {
         self.changes.now = changes;
         self.record_again();
         self.compare_again();
+        self.what_if.begin_anew();
         Ok(())
     }
 

@@ -8,6 +8,7 @@ use crate::methods::Method;
 use crate::panels::{ImageView, InspectorView, Panel, SpaceView, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::scene::Part;
+use crate::study::mistakes::Mistake;
 
 /// Everything that keys, buttons and clicks do.
 #[derive(Clone, Debug, PartialEq)]
@@ -127,6 +128,10 @@ pub enum Command {
     EditScene,
     /// The user's own picture beside ours, in a drawer.
     Against,
+    /// Classic mistakes beside ours, in a drawer.
+    WhatIf,
+    /// Switches a classic mistake on there, or all of them off.
+    Mistake(Option<Mistake>),
     /// Shows a panel large, until the lesson turns to another one.
     Key(Panel),
     /// The same by the panel's number, from 1.

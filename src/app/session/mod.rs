@@ -28,6 +28,7 @@ mod study_commands;
 mod titles;
 mod turn;
 mod update;
+mod what_if;
 
 #[cfg(test)]
 mod tests;
@@ -77,6 +78,8 @@ pub enum Drawer {
     Parameters,
     /// A picture of the user's own beside ours.
     Against,
+    /// Classic mistakes beside ours.
+    WhatIf,
     /// What a search has found.
     Results,
 }
@@ -158,6 +161,7 @@ pub struct Session {
     studying: Studying,
     /// The picture that is compared with ours.
     against: Option<Against>,
+    what_if: what_if::WhatIf,
 }
 
 impl Session {
@@ -202,6 +206,7 @@ impl Session {
             shared: None,
             studying: Studying::new(),
             against: None,
+            what_if: Default::default(),
             open,
         };
         session.start_over();
@@ -213,6 +218,7 @@ impl Session {
         let open = lesson.open()?;
         self.note_progress();
         self.forget_comparison();
+        self.what_if.forget();
         self.preview = Preview::new(open.setup.clone(), methods(&open));
         self.focus = open.lesson.focus;
         self.changes = Default::default();

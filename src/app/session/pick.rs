@@ -2,6 +2,7 @@
 
 use super::{Refused, Session, Standing};
 use crate::algorithms::focus::Focus;
+use crate::algorithms::primary::middle_ray;
 use crate::app::strings;
 use crate::lesson::{Answer, Guess, Thing};
 use crate::picture::Tag;
@@ -38,6 +39,17 @@ impl Session {
             Some(Value::Integer(number)) => self.answer(&Guess::Pick(number as usize)),
             _ => Err(strings::NOTHING_DRAWN_THERE.into()),
         }
+    }
+
+    /// Goes to the patch that is seen at a pixel.
+    pub(super) fn go_to_patch_at(&mut self, x: u32, y: u32) -> Result<(), Refused> {
+        let ray = middle_ray(&self.prepared().view, (x, y));
+        let enclosure = self.setup().enclosure();
+        let enclosure = enclosure.map_err(|error| Refused::Error(error.to_string()))?;
+        let seen = enclosure.primitives.nearest(&ray);
+        let (patch, _) = seen.ok_or(strings::NOTHING_DRAWN_THERE)?;
+        self.go_to_thing(Tag::Patch(patch))
+            .or_else(|_| self.focus_on(Focus::Patch(patch as u32)))
     }
 
     /// What stands for a thing in pictures: a patch itself, and the pixel in the middle of an object; none for one without end or

@@ -108,6 +108,8 @@ impl Session {
                 Some(_) => self.toggle_drawer(Drawer::Against),
                 None => return Err(strings::COMPARE_HOW.into()),
             },
+            Command::WhatIf => self.toggle_drawer(Drawer::WhatIf),
+            Command::Mistake(mistake) => self.make_mistake(mistake),
             Command::Share => {
                 self.shared = Some(self.command_line()?);
             }
@@ -317,6 +319,9 @@ impl Session {
                 let next = (self.step() + 1..self.walk().len()).find(carries_out);
                 let found = next.or_else(|| (0..self.step()).find(carries_out));
                 self.update(Command::Seek(found.ok_or(strings::NOT_FOUND)?))
+            }
+            Tag::Pixel { x, y } if !self.lesson().method.draws_pixels() => {
+                self.go_to_patch_at(x, y)
             }
             Tag::Pixel { .. } | Tag::ScanLine(_) | Tag::Polygon(_)
                 if self.focus_of(tag) != Some(self.focus) =>

@@ -20,6 +20,7 @@ mod reading;
 mod scene_page;
 mod skipped;
 mod studies;
+mod what_if;
 
 use super::session::{Command, Session, Sheet, Standing};
 use super::window;

@@ -18,7 +18,7 @@ const GLASS: &str = r#"{ "schema": 1, "background": [0.2, 0.3, 0.5],
         { "name": "ball", "material": "glass", "sphere": { "center": [0, 0.4, 0], "radius": 0.9 }, "casts_shadow": false } ],
     "lights": [{ "point": { "position": [3, 5, 4] } }] }"#;
 
-fn walk() -> Session {
+pub fn walk() -> Session {
     let scene = read(
         GLASS.as_bytes(),
         &Limits::default(),
