@@ -96,6 +96,8 @@ fn quoted() -> BTreeMap<String, bool> {
             }
             for space in [
                 "mistake",
+                "mistake-about",
+                "mistake-group",
                 "kind",
                 "method",
                 "object",

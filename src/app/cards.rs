@@ -293,7 +293,7 @@ pub(super) fn show_drawer(
         Drawer::Inspector => (strings::INSPECTOR, Command::Inspector),
         Drawer::Parameters => (strings::PARAMETERS, Command::Parameters),
         Drawer::Against => (strings::COMPARISON, Command::Against),
-        Drawer::WhatIf => (strings::WHAT_IF_TITLE, Command::WhatIf),
+        Drawer::WhatIf => (strings::WHAT_IF, Command::WhatIf),
         Drawer::Results => (strings::RESULTS, Command::Results),
     };
     let (_, mut row) = head(session, title, rect, ui);

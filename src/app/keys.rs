@@ -358,6 +358,13 @@ pub const BINDINGS: &[Binding] = &[
         || Command::Study(StudyCommand::View),
         "keys-error-against-run-time",
     ),
+    bind(
+        Key::M,
+        Nothing,
+        "m",
+        || Command::Mistakes,
+        "keys-classic-mistakes",
+    ),
     bind(Key::W, Nothing, "w", || Command::WhatIf, "keys-what-if"),
     bind(
         Key::Questionmark,

@@ -22,6 +22,7 @@ mod layout;
 mod lesson_card;
 #[cfg(not(target_arch = "wasm32"))]
 mod main_window;
+mod mistakes_page;
 mod narration;
 mod narrow;
 mod notice;

@@ -36,7 +36,10 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
         let ours = bound.filter(|binding| match binding.key {
             Key::Space => !focused,
             Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown => {
-                !claimed && !session.look.home && session.look.sheet.is_none()
+                !claimed
+                    && !session.look.home
+                    && !session.look.mistakes
+                    && session.look.sheet.is_none()
             }
             Key::Escape => !menu,
             _ => true,
@@ -57,6 +60,7 @@ pub fn pressed(session: &Session, ctx: &egui::Context) -> Vec<Command> {
             })
             .filter_map(|command| match session.look.home {
                 true => over_page(command, Command::Home),
+                false if session.look.mistakes => over_page(command, Command::Mistakes),
                 false if session.studying().is_open => {
                     over_page(command, Command::Study(StudyCommand::View))
                 }
@@ -81,6 +85,7 @@ fn over_page(command: Command, close: Command) -> Option<Command> {
         Command::Search if close == Command::Home => Some(command),
         Command::Study(_)
         | Command::Home
+        | Command::Mistakes
         | Command::Keys
         | Command::OtherLanguage
         | Command::NextTheme

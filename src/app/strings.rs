@@ -69,7 +69,6 @@ pub const PICTURE_READ_AGAIN: Message = Message("app-picture-read-again");
 pub const AFTER_YOUR_ANSWER: Message = Message("panels-after-your-answer");
 
 pub const WHAT_IF: Message = Message("app-what-if");
-pub const WHAT_IF_TITLE: Message = Message("app-what-if-title");
 pub const WHAT_IF_HOW: Message = Message("app-what-if-how");
 pub const WHAT_IF_SHARE: Message = Message("app-what-if-share");
 pub const WHAT_IF_UNCHANGED: Message = Message("app-what-if-unchanged");
@@ -82,6 +81,9 @@ pub const WHAT_IF_WRONG: Message = Message("app-what-if-wrong");
 pub const WHAT_IF_RIGHT: Message = Message("app-what-if-right");
 pub const WHAT_IF_DIFFERENCE: Message = Message("app-what-if-difference");
 pub const WHAT_IF_PIXEL: Message = Message("app-what-if-pixel");
+
+pub const MISTAKES: Message = Message("app-mistakes");
+pub const MISTAKES_HOW: Message = Message("app-mistakes-how");
 
 pub const EDIT: Message = Message("app-edit");
 pub const EDIT_A_SCENE: Message = Message("app-edit-a-scene");

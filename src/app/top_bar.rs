@@ -46,7 +46,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             let rest = row_end(ui, |ui, room| {
                 at_the_right(session, room >= WIDE, commands, ui);
             });
-            if !session.look.home {
+            if !session.look.home && !session.look.mistakes {
                 title(session, rest, ui);
             }
         });
@@ -61,7 +61,7 @@ fn for_fingers(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         let home = Button::new(name).selected(session.look.home);
         button(session, home, name, Command::Home, commands, ui);
         let rest = row_end(ui, |ui, _| settings(session, commands, ui));
-        if session.look.home {
+        if session.look.home || session.look.mistakes {
             return;
         }
         if session.lesson().is_free_walk() {
@@ -78,7 +78,7 @@ fn at_the_right(session: &Session, wide: bool, commands: &mut Vec<Command>, ui: 
     languages(session, commands, ui);
     ui.spacing_mut().item_spacing.x = 8.0;
     ui.add_space(8.0);
-    if wide && !session.look.home {
+    if wide && !session.look.home && !session.look.mistakes {
         for (name, command) in [
             (strings::PRESENT, Command::Present),
             (strings::SHARE, Command::Share),
@@ -147,7 +147,10 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let name = session.localize(strings::LESSONS);
     let home = Button::new(name).selected(session.look.home);
     button(session, home, name, Command::Home, commands, ui);
-    if session.look.home {
+    if session.look.home || session.look.mistakes {
+        let name = session.localize(strings::MISTAKES);
+        let page = Button::new(name).selected(session.look.mistakes);
+        button(session, page, name, Command::Mistakes, commands, ui);
         return;
     }
     if session.lesson().is_free_walk() {
@@ -246,6 +249,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             (strings::PRESENT, Command::Present),
             (strings::SHARE, Command::Share),
             (strings::LEFT_OUT, Command::Skipped),
+            (strings::MISTAKES, Command::Mistakes),
             (strings::COMPARE, Command::Against),
             (strings::FORGET, Command::Sheet(Sheet::Forget)),
         ] {

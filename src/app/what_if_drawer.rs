@@ -24,7 +24,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
     let on = session.what_if().on;
     // The list and each mistake begin at their top.
     ScrollArea::vertical()
-        .id_salt(("what if", on))
+        .id_salt(("what-if", on))
         .auto_shrink(false)
         .show(&mut ui, |ui| {
             ui.spacing_mut().item_spacing.y = 4.0;

@@ -6,8 +6,8 @@ use super::opened::{self, Opened};
 use super::session::{Command, Session, Sheet};
 use super::window_state::Window;
 use super::{
-    cards, finished, forget, home, key_sheet, narration, narrow, notice, outline, presentation,
-    pressed, skipped, strings, study_view, style, top_bar, transport,
+    cards, finished, forget, home, key_sheet, mistakes_page, narration, narrow, notice, outline,
+    presentation, pressed, skipped, strings, study_view, style, top_bar, transport,
 };
 use crate::panels::{Panel, time_line_heights};
 use crate::picture::Tag;
@@ -43,9 +43,16 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
         top_bar::show(session, &mut commands, ui);
         let notice = window.notice.as_deref();
         home::show(session, &mut window.home, notice, &mut commands, ui);
+        window.mistakes.close();
         return window.finish(session, commands, &ctx);
     }
     window.home.close();
+    if session.look.mistakes {
+        top_bar::show(session, &mut commands, ui);
+        mistakes_page::show(session, &mut window.mistakes, &mut commands, ui);
+        return window.finish(session, commands, &ctx);
+    }
+    window.mistakes.close();
     if session.studying().is_open {
         top_bar::show(session, &mut commands, ui);
         study_view::show(session, &mut window.study_plot, &mut commands, ui);

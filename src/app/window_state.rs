@@ -2,6 +2,7 @@
 
 use super::home::HomePage;
 use super::keeper::Keeper;
+use super::mistakes_page::MistakesPage;
 use super::opened::Opened;
 use super::panel_view::{Key, PanelView};
 use super::scene_page::ScenePage;
@@ -17,6 +18,7 @@ pub struct Window {
     pub(super) views: HashMap<Panel, PanelView>,
     pub(super) study_plot: StudyPlot,
     pub(super) home: HomePage,
+    pub(super) mistakes: MistakesPage,
     pub(super) scene_page: ScenePage,
     pub(super) answer: String,
     /// Whether the answer was given, and is no number.

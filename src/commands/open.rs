@@ -6,8 +6,8 @@ use std::path::PathBuf;
 
 #[derive(clap::Args, Default)]
 pub struct Arguments {
-    /// The id of a lesson, a lesson, scene or mesh file, a folder of lessons, or the address of a step on the web page; the page of all
-    /// lessons unless given
+    /// The id of a lesson, a lesson, scene or mesh file, a folder of lessons, the address of a step on the web page, or `mistakes` for the
+    /// page of classic mistakes; the page of all lessons unless given
     lesson: Option<String>,
     /// A folder of lessons of your own, which stand on the page of all lessons too
     #[arg(long, value_name = "DIR")]
@@ -16,6 +16,10 @@ pub struct Arguments {
     #[arg(long, value_name = "N", requires = "lesson", allow_hyphen_values = true, value_parser = parse_whole::<usize>)]
     step: Option<usize>,
 }
+
+/// Opens the page of classic mistakes.
+#[cfg(feature = "gui")]
+const MISTAKES: &str = "mistakes";
 
 #[cfg(feature = "gui")]
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
@@ -31,9 +35,17 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         step,
     } = arguments;
     // A file may have such a name.
+    let page = lesson.take_if(|name| name == MISTAKES && !Path::new(name).exists());
+    if page.is_some() && step.is_some() {
+        let message = "it is the page of classic mistakes; `--step` is for a lesson";
+        return Err(files::wrong(&MISTAKES, &message));
+    }
     let link = lesson.take_if(|name| name.contains('#') && !Path::new(name).exists());
     let link = match &link {
-        None => None,
+        None => page.map(|_| Link {
+            mistakes: true,
+            ..Link::default()
+        }),
         Some(address) => {
             let (_, place) = address.split_once('#').unwrap_or_default();
             let link = Link::parse(place).map_err(|why| files::wrong(address, &why))?;

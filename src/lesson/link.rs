@@ -11,6 +11,8 @@ use std::fmt::{self, Display, Formatter};
 pub struct Link {
     /// By its id; the page of all lessons unless given.
     pub lesson: Option<String>,
+    /// The page of classic mistakes, in place of a lesson.
+    pub mistakes: bool,
     pub step: Option<usize>,
     pub language: Option<Language>,
     pub theme: Option<Theme>,
@@ -50,12 +52,16 @@ impl Link {
                     link.panel = Some(panel.ok_or_else(|| wrong(&names()))?);
                 }
                 "present" => link.presenting = true,
+                "mistakes" => link.mistakes = true,
                 _ => {
                     return Err(format!(
-                        "the address says {key:?}; it takes lesson, step, language, theme, panel and present"
+                        "the address says {key:?}; it takes lesson, step, language, theme, panel, present and mistakes"
                     ));
                 }
             }
+        }
+        if link.mistakes && link.lesson.is_some() {
+            return Err("the address says a lesson and the page of classic mistakes".into());
         }
         if link.lesson.is_none() && (link.step.is_some() || link.panel.is_some()) {
             return Err("the address says a step or a panel, and no lesson".into());
@@ -69,6 +75,7 @@ impl Display for Link {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let mut parts = Vec::new();
         parts.extend(self.lesson.as_ref().map(|id| format!("lesson={id}")));
+        parts.extend(self.mistakes.then(|| "mistakes".to_owned()));
         parts.extend(self.step.map(|step| format!("step={step}")));
         let language = self.language.map(Language::code);
         parts.extend(language.map(|code| format!("language={code}")));
@@ -95,6 +102,8 @@ mod tests {
             ("lesson=shadows&panel=rayz", "ray-tree"),
             ("lessson=shadows", "it takes lesson, step"),
             ("step=3", "no lesson"),
+            ("mistakes&step=3", "no lesson"),
+            ("mistakes&lesson=shadows", "a lesson and the page"),
         ] {
             let error = Link::parse(text).unwrap_err();
             assert!(error.contains(part), "{text}: {error}");

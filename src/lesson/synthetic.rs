@@ -32,7 +32,12 @@ impl Lesson {
         let name: String = name.chars().filter(|c| !matches!(c, '{' | '}')).collect();
         let title = Language::ALL.map(|_| name.clone());
         let say = Language::ALL.map(|language| Message("free-walk-say").text(language).to_owned());
-        let lesson = Lesson::of_picture(title, say, &setup, method);
+        Lesson::walk(title, say, &setup, method)
+    }
+
+    /// A walk through a scene by that method. `title` and `say` are by language; in neither may there be braces.
+    pub fn walk(title: [String; 2], say: [String; 2], setup: &Setup, method: Method) -> Lesson {
+        let lesson = Lesson::of_picture(title, say, setup, method);
         Lesson {
             id: FREE_WALK.into(),
             ..lesson.by_method(method)

@@ -1,6 +1,7 @@
 //! Classic mistakes in programs that render: for each the picture that the reference would be with it. A mistake is a wrong scene, a
 //! wrong setting, a wrong use of the picture, or a small program that errs; the textbook bodies know none of them.
 
+mod example;
 mod inclusive;
 mod input;
 mod model;

@@ -106,6 +106,10 @@ pub enum Command {
     PreviousLesson,
     /// The page of all lessons, or back from it.
     Home,
+    /// The page of classic mistakes, or from there to that of all lessons.
+    Mistakes,
+    /// Walks through a scene that shows a mistake, with the mistake switched on.
+    ShowMistake(Mistake),
     Speak(Language),
     OtherLanguage,
     Theme(Theme),

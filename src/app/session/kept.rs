@@ -122,7 +122,7 @@ impl Session {
     /// Brings the progress in this lesson up to date. It stays as it was where something that the lesson explains does not happen after a
     /// change, and where the page of all lessons is shown instead of the lesson.
     pub(super) fn note_progress(&mut self) {
-        if self.look.home {
+        if self.look.home || self.look.mistakes {
             return;
         }
         let lesson = &self.open.lesson;

@@ -127,6 +127,7 @@ impl Session {
         self.studying.is_open = false;
         self.look.sheet = None;
         self.look.editing = false;
+        self.look.mistakes = false;
         self.look.home = !self.look.home;
     }
 }

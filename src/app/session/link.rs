@@ -10,10 +10,11 @@ impl Session {
             self.look.language = language;
         }
         let Some(lesson) = &link.lesson else {
-            self.look.home = true;
+            self.look.mistakes = link.mistakes;
+            self.look.home = !link.mistakes;
             return Ok(());
         };
-        let here = self.lesson().id == *lesson && !self.look.home;
+        let here = self.lesson().id == *lesson && !self.look.home && !self.look.mistakes;
         let told = |session: &Session, result: Result<(), super::Refused>| {
             let language = session.look.language;
             result.map_err(|refused| refused.in_language(language).to_owned())
@@ -41,8 +42,10 @@ impl Session {
     /// Where it is; of what stands in no list, only how it is shown.
     pub fn link(&self) -> Link {
         let lesson = self.lesson();
-        let is_listed = !self.look.home && lesson.number != Lesson::UNNUMBERED;
+        let on_page = self.look.home || self.look.mistakes;
+        let is_listed = !on_page && lesson.number != Lesson::UNNUMBERED;
         Link {
+            mistakes: self.look.mistakes,
             lesson: is_listed.then(|| lesson.id.clone()),
             step: is_listed.then(|| self.step()),
             language: Some(self.look.language),
@@ -102,6 +105,13 @@ mod tests {
         let link = Link::parse("lesson=shadows&step=9999999").unwrap();
         session.show_link(&link).unwrap();
         assert_eq!(session.step(), session.last_step());
+        let page = Link::parse("mistakes").unwrap();
+        session.show_link(&page).unwrap();
+        assert!(session.look.mistakes && !session.look.home);
+        let text = session.link().to_string();
+        assert_eq!(text, "mistakes&language=en&theme=dark");
+        session.show_link(&link).unwrap();
+        assert!(!session.look.mistakes && session.lesson().id == "shadows");
         let unknown = Link::parse("lesson=shadow").unwrap();
         assert!(session.show_link(&unknown).is_err());
     }

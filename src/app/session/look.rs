@@ -20,6 +20,8 @@ pub struct Look {
     pub keys: bool,
     /// The page of all lessons, in place of the lesson.
     pub home: bool,
+    /// The page of classic mistakes, in place of the lesson.
+    pub mistakes: bool,
     /// The page of the scene that is shown, in place of its panels.
     pub editing: bool,
     /// What lies over the lesson.
@@ -44,6 +46,7 @@ impl Look {
             before_presenting: Theme::Light,
             keys: false,
             home: false,
+            mistakes: false,
             editing: false,
             sheet: None,
             skipped: false,

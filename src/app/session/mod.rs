@@ -12,6 +12,7 @@ mod key_panel;
 mod lessons;
 mod link;
 mod look;
+mod mistakes;
 mod outline;
 mod own;
 mod pick;

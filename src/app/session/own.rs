@@ -131,6 +131,7 @@ impl Session {
             .map_err(|error| with_path(file.as_deref(), &error))?;
         self.file = file;
         self.look.home = false;
+        self.look.mistakes = false;
         self.look.editing = false;
         self.studying.is_open = false;
         Ok(())

@@ -29,6 +29,7 @@ impl Session {
             StudyCommand::View => {
                 studying.is_open = !studying.is_open;
                 self.look.home = false;
+                self.look.mistakes = false;
                 self.look.editing = false;
                 self.play = None;
             }

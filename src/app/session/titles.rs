@@ -22,6 +22,9 @@ impl Session {
         if self.look.home {
             return format!("Lightwalk – {}", self.localize(strings::LESSONS));
         }
+        if self.look.mistakes {
+            return format!("Lightwalk – {}", self.localize(strings::MISTAKES));
+        }
         let title = plain(self.lesson().title.in_language(self.look.language));
         format!("Lightwalk – {title} – {}", self.place())
     }

@@ -89,6 +89,8 @@ impl Session {
             Command::NextLesson => return self.open_neighbour(Neighbour::Next),
             Command::PreviousLesson => return self.open_neighbour(Neighbour::Previous),
             Command::Home => self.toggle_home(),
+            Command::Mistakes => self.toggle_mistakes(),
+            Command::ShowMistake(mistake) => return self.show_mistake(mistake),
             Command::Study(command) => return self.study(command),
             Command::Key(panel) => self.choose_key(panel),
             Command::KeyNumber(number) => self.choose_key(self.numbered(number)?),

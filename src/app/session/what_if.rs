@@ -4,15 +4,13 @@
 use super::against::TOLERANCE;
 use super::{Drawer, Session};
 use crate::algorithms::frame::Frame;
-use crate::app::background::{Job, in_background};
+use crate::app::background::{Job, Work};
 use crate::color::StoredImage;
 use crate::methods::{Method, Setup};
 use crate::render::render;
 use crate::study::against::{Comparison, with_mistake};
 use crate::study::mistakes::Mistake;
 use std::num::NonZeroUsize;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
 use std::sync::{Arc, OnceLock};
 use std::thread::available_parallelism;
 
@@ -32,20 +30,12 @@ pub struct WhatIf {
     off: Vec<(Mistake, usize)>,
     /// Ours.
     right: Arc<OnceLock<Frame>>,
-    work: Option<Work>,
+    /// What is drawn in the background; dropped, it ends before the next picture.
+    work: Option<Work<Drawn>>,
 }
 
-/// What is drawn in the background; dropped, it ends before the next picture.
-struct Work {
-    news: Receiver<(Mistake, Option<Made>)>,
-    cancelled: Arc<AtomicBool>,
-}
-
-impl Drop for Work {
-    fn drop(&mut self) {
-        self.cancelled.store(true, Ordering::Relaxed);
-    }
-}
+/// None where no pixel differs.
+type Drawn = (Mistake, Option<Made>);
 
 impl WhatIf {
     /// How many pixels are off with a mistake; none before that is known.
@@ -56,28 +46,23 @@ impl WhatIf {
 
     /// Draws the mistakes, one after the other.
     fn begin(&mut self, mistakes: Vec<Mistake>, setup: &Arc<Setup>, method: Method) {
-        let cancelled = Arc::new(AtomicBool::new(false));
-        let (sender, news) = channel();
         let jobs = mistakes.into_iter().map(|mistake| {
             let (right, setup) = (self.right.clone(), setup.clone());
-            let (sender, cancelled) = (sender.clone(), cancelled.clone());
-            let job: Job = Box::new(move || {
-                if cancelled.load(Ordering::Relaxed) {
+            let job: Job<Drawn> = Box::new(move |worker| {
+                if worker.go_on().is_err() {
                     return;
                 }
                 let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
                 let right = right.get_or_init(|| render(&setup, method, threads, &|_, _| {}));
                 let made = with_mistake(mistake, (&setup, method), right, TOLERANCE, threads);
-                // The receiver may be gone; then it is not needed.
-                drop(sender.send((mistake, made)));
+                worker.send((mistake, made));
             });
             job
         });
-        in_background("what if", jobs.collect());
-        self.work = Some(Work { news, cancelled });
+        self.work = Some(Work::begin_all("what-if", jobs.collect()));
     }
 
-    fn keep(&mut self, (mistake, made): (Mistake, Option<Made>)) {
+    fn keep(&mut self, (mistake, made): Drawn) {
         let off = made.as_ref().map_or(0, |(_, found)| found.off);
         self.off.retain(|(of, _)| *of != mistake);
         self.off.push((mistake, off));
@@ -111,8 +96,8 @@ impl Session {
     /// The mistakes that a program can make by the method shown.
     pub fn possible_mistakes(&self) -> impl Iterator<Item = Mistake> {
         let method = self.lesson().method;
-        let all = Mistake::ALL.into_iter();
-        all.filter(move |mistake| mistake.concerns(method))
+        let all = Mistake::GROUPS.iter().flat_map(|(_, group)| *group);
+        all.copied().filter(move |mistake| mistake.concerns(method))
     }
 
     /// Whether mistakes are still being drawn.
@@ -135,12 +120,12 @@ impl Session {
     /// Takes what was drawn with mistakes, and lets what is missing be drawn while their drawer is open: the one that is switched on
     /// first.
     pub fn take_mistakes(&mut self) {
-        while let Some(work) = &self.what_if.work {
-            match work.news.try_recv() {
-                Ok(news) => self.what_if.keep(news),
-                Err(TryRecvError::Empty) => break,
-                Err(TryRecvError::Disconnected) => self.what_if.work = None,
+        if let Some(work) = &mut self.what_if.work {
+            let drawn = work.take();
+            if work.is_done() {
+                self.what_if.work = None;
             }
+            drawn.into_iter().for_each(|drawn| self.what_if.keep(drawn));
         }
         let is_open = self.look.drawer == Some(Drawer::WhatIf);
         if !is_open || self.draws_mistakes() || self.awaits_picture() {
@@ -160,10 +145,10 @@ impl Session {
     pub fn wait_for_mistakes(&mut self) {
         self.wait_for_picture();
         self.take_mistakes();
-        while let Some(work) = self.what_if.work.take() {
-            for news in &work.news {
-                self.what_if.keep(news);
-            }
+        while let Some(mut work) = self.what_if.work.take() {
+            work.wait()
+                .into_iter()
+                .for_each(|drawn| self.what_if.keep(drawn));
             self.take_mistakes();
         }
     }

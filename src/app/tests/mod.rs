@@ -8,6 +8,7 @@ mod keys;
 mod layout;
 mod looking_closer;
 mod meanings;
+mod mistakes_page;
 mod outline;
 mod own;
 mod painter;

@@ -29,7 +29,7 @@ fn the_list_says_how_much_each_changes_and_a_click_shows_it() {
             .get_by_label(strings::WHAT_IF_UNCHANGED.text(language));
         screen.keep(&format!("what-if-{}", language.code()));
 
-        screen.click(&Mistake::InclusiveScanRule.title(language));
+        screen.click(&Mistake::FlipY.title(language));
         screen.session_mut().wait_for_mistakes();
         screen.harness.run_steps(3);
         for title in [
@@ -43,10 +43,7 @@ fn the_list_says_how_much_each_changes_and_a_click_shows_it() {
         }
         screen.keep(&format!("what-if-one-{}", language.code()));
         screen.click(strings::WHAT_IF_NEXT.text(language));
-        assert_eq!(
-            screen.session().what_if().on,
-            Some(Mistake::ChannelsSwapped)
-        );
+        assert_eq!(screen.session().what_if().on, Some(Mistake::MirrorX));
         screen.click(strings::WHAT_IF_ALL.text(language));
         assert_eq!(screen.session().what_if().on, None);
     }
