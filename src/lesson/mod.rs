@@ -7,6 +7,7 @@ mod answer;
 mod builtin;
 #[cfg(test)]
 mod changed;
+mod checks;
 mod contents;
 mod error;
 mod file;

@@ -1,9 +1,10 @@
 //! A lesson file checked, run, and tied to the steps of its run.
 
 use super::answer::Answer;
+use super::checks;
 use super::contents::{Chapter, chapter};
 use super::error::{LessonError, problem};
-use super::file::{FocusFile, LessonFile, StepFile, Text};
+use super::file::{LessonFile, StepFile, Text};
 use super::narrate::narrate;
 use super::narrated::Narrated;
 use super::parameters::{ByPath, Parameter, ParameterFile, Source, parameters};
@@ -11,14 +12,11 @@ use super::settings::{compare, mapping, radiosity, rays};
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::methods::{Method, Settings, Setup};
-use crate::panels::{Hidden, Panel};
+use crate::panels::Panel;
 use crate::record::RecordingLimit;
-use crate::render::{MAX_PIXELS, MAX_SIDE};
 use crate::replay::Run;
 use crate::scene::document::{self, ByName, Keyed, Problem};
-use crate::scene::{self, Limits, Names, Scene, View};
-use std::collections::BTreeSet;
-use std::iter;
+use crate::scene::{self, Limits, Scene, View};
 use std::sync::Arc;
 
 /// A lesson whose file is right by itself; it has not been run.
@@ -100,37 +98,13 @@ impl Lesson {
         }
 
         if let (Some(scene), Some(ByName(names))) = (&mut scene, &file.names) {
-            scene.names = checked_names(names, scene, &mut problems);
+            scene.names = checks::names(names, scene, &mut problems);
         }
 
-        let method = Method::from_name(&file.method);
-        if method.is_none() {
-            problems.push(problem(
-                "method",
-                format!(
-                    "found \"{}\"; allowed are {}",
-                    file.method,
-                    Method::ALL.map(Method::name).join(", ")
-                ),
-            ));
-        }
-        let mut panels = Vec::new();
-        for (index, name) in file.panels.iter().enumerate() {
-            match Panel::called(name) {
-                Some(panel) => panels.push(panel),
-                None => {
-                    let known = Panel::ALL.map(Panel::name).join(", ");
-                    problems.push(problem(
-                        format!("panels[{index}]"),
-                        format!("found \"{name}\"; allowed are {known}"),
-                    ));
-                }
-            }
-        }
+        let method = checks::method(&file, &mut problems);
+        let panels = checks::panels(&file, &mut problems);
         let chapter = chapter(&file, &mut problems);
-        check_keys(&file, &mut problems);
-        check_hidden(&file, &mut problems);
-        check_words(&file, &mut problems);
+        checks::texts(&file, &mut problems);
         let has_paths = file
             .parameters
             .iter()
@@ -143,29 +117,7 @@ impl Lesson {
             (Some(scene), Some(files)) => parameters(files, scene, source.as_ref(), &mut problems),
             _ => Default::default(),
         };
-        let focus = match file.focus {
-            FocusFile::Frame => Focus::Frame,
-            FocusFile::Polygon(number) => Focus::Polygon(number),
-            FocusFile::ScanLine(y) => Focus::ScanLine(y),
-            FocusFile::Pixel([x, y]) => Focus::Pixel { x, y },
-            FocusFile::Iterations([start, end]) => Focus::Iterations { start, end },
-            FocusFile::Patch(number) => Focus::Patch(number),
-            FocusFile::FormFactor([i, j]) => Focus::FormFactor { i, j },
-        };
-        if let Some(method) = method.filter(|method| !method.records(focus)) {
-            let allowed = if method.converts_polygons() {
-                "allowed are `frame`, `polygon`, `scan_line` and `pixel`"
-            } else if method.follows_rays() {
-                "ray methods go pixel by pixel: allowed are `pixel`, `scan_line` and `frame`"
-            } else {
-                "allowed are `frame`, `iterations`, `patch` and `form_factor`"
-            };
-            let message = format!(
-                "found a focus that {} does not have; {allowed}",
-                method.name()
-            );
-            problems.push(problem("focus", message));
-        }
+        let focus = checks::focus(&file, method, &mut problems);
         let settings = Settings::from(rays(&file, &mut problems))
             .with(radiosity(&file, &mut problems))
             .with(mapping(&file, &mut problems));
@@ -265,39 +217,6 @@ fn check_panels(narrated: &[Narrated], shown: &[Panel]) -> Result<(), LessonErro
     }
 }
 
-/// What a question hides is something that can be hidden.
-fn check_hidden(file: &LessonFile, problems: &mut Vec<Problem>) {
-    for (index, Keyed(step)) in file.steps.iter().enumerate() {
-        let Some(Keyed(question)) = &step.question else {
-            continue;
-        };
-        for (number, name) in question.hide.iter().flatten().enumerate() {
-            if Hidden::from_name(name).is_none() {
-                let place = format!("steps[{index}].question.hide[{number}]");
-                let known = Hidden::ALL.map(Hidden::name).join(", ");
-                let message = format!("found \"{name}\"; allowed are {known}");
-                problems.push(problem(place, message));
-            }
-        }
-    }
-}
-
-/// A key panel is one of the lesson's.
-fn check_keys(file: &LessonFile, problems: &mut Vec<Problem>) {
-    for (index, Keyed(step)) in file.steps.iter().enumerate() {
-        let Some(key) = &step.key else { continue };
-        if !file.panels.contains(key) {
-            problems.push(problem(
-                format!("steps[{index}].key"),
-                format!(
-                    "found \"{key}\"; allowed are the lesson's panels: {}",
-                    file.panels.join(", ")
-                ),
-            ));
-        }
-    }
-}
-
 fn read_scene(
     file: &LessonFile,
     limits: &Limits,
@@ -316,88 +235,5 @@ fn read_scene(
             Ok(Some(scene.map_err(|error| LessonError { problems: error.problems.into_iter().map(named).collect() })?))
         }
         _ => Err(problem("", "a lesson has exactly one of the keys `scene` (a scene) and `scene_file` (the path of one)").into()),
-    }
-}
-
-/// What the objects and materials of the scene are called.
-fn checked_names(
-    names: &[(String, Keyed<Text>)],
-    scene: &Scene,
-    problems: &mut Vec<Problem>,
-) -> Names {
-    let objects = scene.objects.iter().map(|object| object.name.as_str());
-    let materials = scene
-        .materials
-        .iter()
-        .map(|material| material.name.as_str());
-    let known: BTreeSet<&str> = objects.chain(materials).collect();
-    for (name, _) in names.iter().filter(|(name, _)| !known.contains(&**name)) {
-        let allowed: Vec<&str> = known.iter().copied().collect();
-        let message = format!(
-            "there is no object or material of this name; allowed are {}",
-            allowed.join(", ")
-        );
-        problems.push(problem(format!("names.{name}"), message));
-    }
-    let texts = names.iter().map(|(name, Keyed(text))| {
-        refuse_empty(&format!("names.{name}"), text, problems);
-        let texts = text.both().map(|(_, text)| text.to_owned());
-        (name.clone(), texts)
-    });
-    texts.collect()
-}
-
-fn refuse_empty(place: &str, text: &Text, problems: &mut Vec<Problem>) {
-    for (language, text) in text.both() {
-        if text.trim().is_empty() {
-            let place = format!("{place}.{}", language.code());
-            problems.push(problem(place, "found an empty text"));
-        }
-    }
-}
-
-/// What can be wrong with words and numbers before anything is run.
-fn check_words(file: &LessonFile, problems: &mut Vec<Problem>) {
-    let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-';
-    if file.id.is_empty() || !file.id.chars().all(plain) {
-        problems.push(problem(
-            "id",
-            format!(
-                "found \"{}\"; allowed are lower-case letters, digits and `-`",
-                file.id
-            ),
-        ));
-    }
-    let [width, height] = file.size.map(u64::from);
-    let sides = 1..=u64::from(MAX_SIDE);
-    if !sides.contains(&width) || !sides.contains(&height) || width * height > MAX_PIXELS {
-        let message = format!(
-            "found {width}×{height}; sides are from 1 to {MAX_SIDE}, with at most {MAX_PIXELS} pixels in all"
-        );
-        problems.push(problem("size", message));
-    }
-    if file.panels.is_empty() {
-        problems.push(problem(
-            "panels",
-            "found an empty list; a lesson shows one panel or more",
-        ));
-    }
-    if file.steps.is_empty() {
-        problems.push(problem(
-            "steps",
-            "found an empty list; a lesson says something at one step or more",
-        ));
-    }
-    let texts = [("title", &file.title), ("summary", &file.summary)]
-        .map(|(place, text)| (place.to_owned(), text));
-    let recap = file.recap.iter().map(|text| ("recap".to_owned(), text));
-    let steps = file.steps.iter().enumerate();
-    let of_steps = steps.flat_map(|(index, Keyed(step))| {
-        let title = step.title.iter();
-        let title = title.map(move |text| (format!("steps[{index}].title"), text));
-        iter::once((format!("steps[{index}].say"), &step.say)).chain(title)
-    });
-    for (place, text) in texts.into_iter().chain(recap).chain(of_steps) {
-        refuse_empty(&place, text, problems);
     }
 }
