@@ -3,7 +3,7 @@
 use super::arguments::{panel_names, parse_number, parse_size};
 use super::failure::Failure;
 use super::files;
-use super::of_lesson::{LessonArguments, StepsArguments, ThemeArgument};
+use super::of_lesson::{LessonArguments, ThemeArgument};
 use super::progress::Progress;
 use crate::color::{Animation, AnimationFormat};
 use crate::export::{SMALLEST_CARD, Shown, card, reading_seconds};
@@ -26,8 +26,6 @@ const LAST: f64 = 2.0;
 pub struct Arguments {
     #[command(flatten)]
     lesson: LessonArguments,
-    #[command(flatten)]
-    steps: StepsArguments,
     /// Only steps that are like this, written as a lesson's `at`: `Iteration` shows radiosity converging
     #[arg(long, value_name = "QUERY", conflicts_with_all = ["step", "narrated"])]
     at: Option<Query>,
@@ -56,17 +54,17 @@ fn parse_fps(text: &str) -> Result<f64, String> {
 impl Arguments {
     /// Whether frames have the words of their steps.
     fn explains(&self) -> bool {
-        self.at.is_none() && self.steps.steps.is_none()
+        self.at.is_none() && self.lesson.steps.steps.is_none()
     }
 
     fn steps(&self, open: &OpenLesson) -> Result<Vec<usize>, Failure> {
         let Some(at) = &self.at else {
-            return self.steps.of(open);
+            return self.lesson.steps.of(open);
         };
         let walk = open.run.walk();
-        let range = match &self.steps.steps {
+        let range = match &self.lesson.steps.steps {
             Some(_) => {
-                let steps = self.steps.of(open)?;
+                let steps = self.lesson.steps.of(open)?;
                 steps[0]..steps[steps.len() - 1] + 1
             }
             None => 0..walk.len(),

@@ -3,7 +3,7 @@
 use super::arguments::{panel_names, parse_scale, parse_size};
 use super::failure::Failure;
 use super::files;
-use super::of_lesson::{LessonArguments, StepsArguments, ThemeArgument};
+use super::of_lesson::{LessonArguments, ThemeArgument};
 use super::progress::Progress;
 use crate::panels::Panel;
 use crate::picture::{raster_size, rasterize, to_png, to_svg};
@@ -14,8 +14,6 @@ use std::path::PathBuf;
 pub struct Arguments {
     #[command(flatten)]
     lesson: LessonArguments,
-    #[command(flatten)]
-    steps: StepsArguments,
     /// One panel; all of the lesson's panels unless given
     #[arg(long, value_name = "PANEL", value_parser = panel_names())]
     panel: Option<String>,
@@ -42,7 +40,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let scale = arguments.scale * theme.text_scale();
     raster_size(size, scale).map_err(|error| Failure::Wrong(format!("--size: {error}")))?;
     let open = arguments.lesson.open()?;
-    let steps = arguments.steps.of(&open)?;
+    let steps = arguments.lesson.steps.of(&open)?;
     let panels = match arguments.panel.as_deref().and_then(Panel::called) {
         Some(panel) => vec![panel],
         None => open.lesson.panels.clone(),

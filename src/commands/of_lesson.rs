@@ -13,9 +13,10 @@ use crate::picture::Theme;
 use clap::Args;
 use std::num::NonZeroUsize;
 use std::ops::Range;
+use std::path::Path;
 use std::thread::available_parallelism;
 
-/// Which lesson, and in which language.
+/// Which lesson, in which language, and which of its steps.
 #[derive(Args)]
 pub struct LessonArguments {
     /// The id of a lesson, or a lesson file
@@ -25,7 +26,12 @@ pub struct LessonArguments {
     language: Language,
     #[command(flatten)]
     limits: LimitArguments,
+    #[command(flatten)]
+    pub steps: StepsArguments,
 }
+
+/// The most steps that one document holds: of pictures of a megabyte each it takes 500.
+const MOST_PAGES: usize = 500;
 
 impl LessonArguments {
     /// The lesson, run.
@@ -51,6 +57,30 @@ impl LessonArguments {
         Shown::new(open, panels, self.language, threads, &|done, all| {
             rendering.show(done, all)
         })
+    }
+
+    /// Writes what `make` makes of the steps: it gets the lesson, the steps, and what it calls with how many of them are done. The
+    /// document is in memory before it is written.
+    pub fn write_document(
+        &self,
+        out: &Path,
+        make: impl FnOnce(&mut Shown, &[usize], &dyn Fn(usize)) -> String,
+    ) -> Result<(), Failure> {
+        files::check_ending("--out", out, &["html"])?;
+        files::check_output(out)?;
+        let open = self.open()?;
+        let steps = self.steps.of(&open)?;
+        if steps.len() > MOST_PAGES {
+            return Err(Failure::Wrong(format!(
+                "{} steps are too many for one file; it holds at most {MOST_PAGES} (--steps, --step)",
+                steps.len()
+            )));
+        }
+        let panels = open.lesson.panels.clone();
+        let mut shown = self.show(open, &panels).asking();
+        let progress = Progress::new("drawing");
+        let document = make(&mut shown, &steps, &|done| progress.show(done, steps.len()));
+        files::write_whole(out, |out| out.write_all(document.as_bytes()))
     }
 }
 
@@ -94,23 +124,6 @@ impl StepsArguments {
         steps.sort_unstable();
         steps.dedup();
         Ok(steps)
-    }
-}
-
-/// The most steps that one document holds: of pictures of a megabyte each it takes 500.
-const MOST_PAGES: usize = 500;
-
-impl StepsArguments {
-    /// Those of one document, which is in memory before it is written.
-    pub fn pages(&self, open: &OpenLesson) -> Result<Vec<usize>, Failure> {
-        let steps = self.of(open)?;
-        match steps.len() > MOST_PAGES {
-            true => Err(Failure::Wrong(format!(
-                "{} steps are too many for one file; it holds at most {MOST_PAGES} (--steps, --step)",
-                steps.len()
-            ))),
-            false => Ok(steps),
-        }
     }
 }
 
