@@ -181,7 +181,7 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for ByName<T> {
             type Value = ByName<T>;
 
             fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("an object { \"name\": { … }, … }")
+                f.write_str("an object { \"name\": …, … }")
             }
 
             fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<ByName<T>, A::Error> {

@@ -83,7 +83,7 @@ fn a_trace_that_cannot_be_read_is_told_with_its_line() {
         ),
         (
             "{\"kind\": \"Ray\", \"u\": 1, \"u\": 2}",
-            "the key `u` is given twice",
+            "the name \"u\" is given twice",
         ),
         (
             "{\"kind\": 3}",

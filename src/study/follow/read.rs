@@ -1,10 +1,9 @@
 //! The lines of a trace, each a JSON object.
 
 use super::{Told, ToldValue};
+use crate::scene::document::ByName;
 use crate::scene::what_the_parser_says;
-use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 use serde_json::Value as Json;
-use std::fmt;
 
 /// The steps of a trace. Empty lines are passed over, and so is a byte order mark; `step` and `depth` are those of the program that
 /// wrote it. Errors: the first line that is none, and what would be right.
@@ -22,7 +21,7 @@ pub fn read(text: &str) -> Result<Vec<Told>, String> {
 }
 
 fn step(line: usize, text: &str) -> Result<Told, String> {
-    let Keys(keys) = serde_json::from_str(text).map_err(|error| {
+    let ByName(keys) = serde_json::from_str(text).map_err(|error| {
         let says = what_the_parser_says(&error, "the line");
         match error.column() {
             0 => format!(": {says}"),
@@ -75,32 +74,4 @@ fn told(value: &Json) -> Option<ToldValue> {
         }
         Json::Object(_) => return None,
     })
-}
-
-/// The keys of an object, in order, each at most once.
-struct Keys(Vec<(String, Json)>);
-
-impl<'de> Deserialize<'de> for Keys {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Object;
-        impl<'de> Visitor<'de> for Object {
-            type Value = Keys;
-
-            fn expecting(&self, f: &mut fmt::Formatter) -> fmt::Result {
-                f.write_str("an object { … }")
-            }
-
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Keys, A::Error> {
-                let mut keys: Vec<(String, Json)> = Vec::new();
-                while let Some((key, value)) = map.next_entry::<String, Json>()? {
-                    if keys.iter().any(|(other, _)| *other == key) {
-                        return Err(A::Error::custom(format!("duplicate field `{key}`")));
-                    }
-                    keys.push((key, value));
-                }
-                Ok(Keys(keys))
-            }
-        }
-        deserializer.deserialize_map(Object)
-    }
 }
