@@ -173,6 +173,21 @@ fn no_text_says_where_a_panel_is() {
     }
 }
 
+/// Paper has no keys, and neither has a phone.
+#[test]
+fn no_explanation_says_what_to_press() {
+    for lesson in LESSONS.iter() {
+        for narrated in &lesson.narrated {
+            for language in Language::ALL {
+                let say = narrated.say(language).to_lowercase();
+                let mut words = say.split(|c: char| !c.is_alphabetic());
+                let pressed = words.any(|word| ["press", "tekan"].contains(&word));
+                assert!(!pressed, "{}: {say}", lesson.id);
+            }
+        }
+    }
+}
+
 /// A panel that a text names stands in the window under that name.
 #[test]
 fn texts_call_the_lessons_panels_by_their_titles() {
