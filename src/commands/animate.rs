@@ -2,8 +2,8 @@
 
 use super::arguments::{panel_names, parse_number, parse_size};
 use super::failure::Failure;
-use super::files;
 use super::of_lesson::{LessonArguments, ThemeArgument};
+use super::output;
 use super::progress::Progress;
 use crate::color::{Animation, AnimationFormat};
 use crate::export::{SMALLEST_CARD, Shown, card, reading_seconds};
@@ -85,7 +85,7 @@ impl Arguments {
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let format = format(&arguments.out)?;
-    files::check_output(&arguments.out)?;
+    output::check_output(&arguments.out)?;
     let theme = arguments.theme.theme();
     let scale = theme.text_scale();
     let [width, height] = arguments.size;
@@ -116,7 +116,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     };
     let mut shown = arguments.lesson.show(open, &panels);
     let progress = Progress::new("drawing");
-    files::write_whole(&arguments.out, |out| {
+    output::write_whole(&arguments.out, |out| {
         let size_in_pixels = arguments.size;
         let count = steps.len() as u32;
         let mut animation = Animation::new(format, size_in_pixels, count, out)?;
@@ -159,7 +159,7 @@ fn frame(
 }
 
 fn format(out: &Path) -> Result<AnimationFormat, Failure> {
-    files::check_ending("--out", out, &["png", "gif"])?;
+    output::check_ending("--out", out, &["png", "gif"])?;
     Ok(
         match out.extension().is_some_and(|ending| ending == "gif") {
             true => AnimationFormat::Gif,

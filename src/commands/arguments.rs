@@ -1,11 +1,13 @@
 //! Options and values that several commands share.
 
 use super::failure::Failure;
+use super::notes;
 use crate::algorithms::primary::Settings;
 use crate::language::Language;
 use crate::methods::Method;
 use crate::panels::Panel;
 use crate::picture::Theme;
+use crate::scene::Note;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::fmt::Display;
@@ -49,6 +51,18 @@ impl RayArguments {
 
     pub fn is_given(self) -> bool {
         self.depth.is_some() || self.samples.is_some()
+    }
+
+    /// Notes on the options given that `method` has no use for.
+    pub fn notes(self, method: Method) -> Vec<Note> {
+        let depth = self.depth.map(|_| "--depth");
+        let samples = self.samples.map(|_| "--samples");
+        let is_sampled = |method: Method| !method.converts_polygons();
+        [
+            notes::without_effect(depth, method, |method| method == Method::RayTracing),
+            notes::without_effect(samples, method, is_sampled),
+        ]
+        .concat()
     }
 }
 

@@ -3,6 +3,8 @@
 use super::arguments::{LimitArguments, RayArguments, method, method_names};
 use super::failure::{Failure, note};
 use super::files;
+use super::notes;
+use super::output;
 use crate::algorithms::enclosure;
 use crate::color::{StoredImage, png_rgb8, read_image, surplus};
 use crate::language::Language;
@@ -58,7 +60,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         )));
     }
     if let Some(folder) = &arguments.out {
-        files::check_output_folder(folder)?;
+        output::check_output_folder(folder)?;
     }
     let image = &newest(&arguments.with)?;
     let wrong = |error: &str| files::wrong(&image.display(), &error);
@@ -70,6 +72,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         note(format_args!("{}: note: {what}", image.display()));
     }
     let setup = setup(&arguments, method, &mine)?;
+    notes::print(&arguments.scene.display(), &arguments.rays.notes(method));
     let threads = std::thread::available_parallelism().unwrap_or(std::num::NonZeroUsize::MIN);
     let found = compare(&mine, &setup, method, tolerance, threads);
     if let Some(folder) = &arguments.out {
@@ -181,7 +184,7 @@ fn write(folder: &Path, mine: &StoredImage, found: &Comparison) -> Result<(), Fa
     let difference = difference(&mine.pixels, found);
     for (name, bytes) in [("reference.png", reference), ("difference.png", difference)] {
         let png = png_rgb8(mine.width, mine.height, bytes.as_flattened());
-        files::write_whole(&folder.join(name), |writer| writer.write_all(&png))?;
+        output::write_whole(&folder.join(name), |writer| writer.write_all(&png))?;
     }
     Ok(())
 }

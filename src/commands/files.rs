@@ -1,15 +1,15 @@
-//! Reading scenes and lessons from files, and writing files that appear whole or not at all.
+//! Reading scenes and lessons from files.
 
 use super::failure::{Failure, note};
 use super::kind::is_lesson;
-use super::{interrupt, progress};
+use super::progress;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::suggestion;
 use crate::lesson::{Lesson, builtin, builtins};
 use crate::methods::{Method, Settings};
 use crate::scene::{self, Limits, Scene, Tessellation, View, document};
 use std::fs;
-use std::io::{BufWriter, Read, Write};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
 /// The largest mesh file that is read, in bytes: five million triangles take about 400 MB.
@@ -29,18 +29,25 @@ pub fn lesson_or_scene(name: &str, limits: &Limits) -> Result<Document, Failure>
             .read()
             .map(|lesson| Document::Lesson(lesson.into()))
             .map_err(|error| wrong(&name, &error)),
-        None if !path.exists() && path.extension().is_none() => {
-            let ids = builtins().iter().map(|lesson| lesson.id);
-            let meant = suggestion(name, ids);
-            Err(wrong(
-                &name,
-                &format!(
-                    "there is no such lesson or file{meant}; `lightwalk list` lists the lessons"
-                ),
-            ))
-        }
+        None if is_an_id(name) => Err(no_such_lesson(name, &[])),
         None => document(path, limits),
     }
+}
+
+/// Whether that is the id of a lesson, known or not, rather than the path of a file.
+pub fn is_an_id(name: &str) -> bool {
+    let path = Path::new(name);
+    !path.exists() && path.extension().is_none()
+}
+
+/// What is said of an id that is neither the program's nor one of the user's `own` lessons.
+pub fn no_such_lesson(id: &str, own: &[&str]) -> Failure {
+    let ids = builtins().iter().map(|lesson| lesson.id);
+    let meant = suggestion(id, ids.chain(own.iter().copied()));
+    wrong(
+        &id,
+        &format!("there is no such lesson or file{meant}; `lightwalk list` lists the lessons"),
+    )
 }
 
 /// Reads what the window can walk through: a lesson, a scene, or a mesh, which gets a camera and a light; with its path, where it is
@@ -205,7 +212,7 @@ pub fn wrong(file: &dyn std::fmt::Display, error: &dyn std::fmt::Display) -> Fai
     Failure::Wrong(lines.join("\n"))
 }
 
-fn folder_of(path: &Path) -> PathBuf {
+pub fn folder_of(path: &Path) -> PathBuf {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
         _ => PathBuf::from("."),
@@ -275,74 +282,6 @@ pub fn reason(error: &std::io::Error) -> String {
     }
 }
 
-/// Why nothing can be written in a folder. No path is in it: that of a temporary file would puzzle.
-fn unwritable(error: &std::io::Error) -> String {
-    match error.kind() {
-        std::io::ErrorKind::PermissionDenied => "no permission to write there".into(),
-        std::io::ErrorKind::NotFound => "no files can be made there".into(),
-        kind => kind.to_string(),
-    }
-}
-
-/// Makes a file in the folder, and takes it away again.
-fn probe(folder: &Path) -> Result<(), String> {
-    let probe = tempfile::Builder::new()
-        .prefix(".lightwalk-")
-        .tempfile_in(folder);
-    probe.map(drop).map_err(|error| unwritable(&error))
-}
-
-/// Whether what stands there is a device or a pipe.
-fn is_special(path: &Path) -> bool {
-    path.metadata()
-        .is_ok_and(|there| !there.is_file() && !there.is_dir())
-}
-
-/// Finds fault with the name of an output file before any work is done.
-pub fn check_output(path: &Path) -> Result<(), Failure> {
-    let wrong = |why: &str| Failure::Wrong(format!("{}: {why}", path.display()));
-    if path.is_dir() {
-        return Err(wrong("is a folder; name a file"));
-    }
-    if !folder_of(path).is_dir() {
-        return Err(wrong("its folder does not exist"));
-    }
-    if is_special(path) {
-        return Ok(());
-    }
-    probe(&folder_of(path)).map_err(|why| wrong(&format!("cannot be written: {why}")))
-}
-
-/// Finds fault with an output file whose name ends in none of these.
-pub fn check_ending(option: &str, path: &Path, allowed: &[&str]) -> Result<(), Failure> {
-    let ending = path.extension().and_then(|ending| ending.to_str());
-    match ending.is_some_and(|ending| allowed.contains(&ending)) {
-        true => Ok(()),
-        false => Err(Failure::Wrong(format!(
-            "{option} {}: the name ends in .{}",
-            path.display(),
-            allowed.join(" or .")
-        ))),
-    }
-}
-
-/// Finds fault with a folder for output, made or not made yet, before any work is done. Nothing is left in it.
-pub fn check_output_folder(path: &Path) -> Result<(), Failure> {
-    let wrong = |why: &str| Failure::Wrong(format!("--out {}: {why}", path.display()));
-    let nearest = path.ancestors().find(|folder| folder.exists());
-    let nearest = match nearest {
-        Some(folder) if !folder.is_dir() => {
-            return Err(wrong(&format!(
-                "{} is a file; name a folder",
-                folder.display()
-            )));
-        }
-        Some(folder) => folder,
-        None => Path::new("."),
-    };
-    probe(nearest).map_err(|why| wrong(&why))
-}
-
 /// What the processor is called, where the system tells it in the place where Linux does.
 pub fn processor_name() -> Option<String> {
     let recorded = fs::read_to_string("/proc/cpuinfo").ok()?;
@@ -351,50 +290,4 @@ pub fn processor_name() -> Option<String> {
         .find(|line| line.starts_with("model name"))?;
     let (_, name) = line.split_once(':')?;
     Some(name.trim().to_string())
-}
-
-/// Writes a file beside its place, then puts it there under its name. A device or a pipe stays what it is, and takes what is written
-/// as it comes.
-pub fn write_whole(
-    path: &Path,
-    write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
-) -> Result<(), Failure> {
-    let failed = |error: std::io::Error| {
-        Failure::Failed(format!(
-            "cannot write {}: {}",
-            path.display(),
-            unwritable(&error)
-        ))
-    };
-    if is_special(path) {
-        let device = fs::OpenOptions::new().write(true).open(path);
-        let mut writer = BufWriter::new(device.map_err(failed)?);
-        return write(&mut writer)
-            .and_then(|()| writer.flush())
-            .map_err(failed);
-    }
-    let mut builder = tempfile::Builder::new();
-    // As readable as any new file; temporary files are private otherwise.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let file = builder
-        .prefix(".lightwalk-")
-        .tempfile_in(folder_of(path))
-        .map_err(failed)?;
-    let unfinished = file.path().to_owned();
-    interrupt::guard(
-        &unfinished,
-        || {
-            let mut writer = BufWriter::new(file);
-            write(&mut writer).map_err(failed)?;
-            writer
-                .into_inner()
-                .map_err(|error| failed(error.into_error()))
-        },
-        |file| {
-            file.persist(path)
-                .map(drop)
-                .map_err(|error| failed(error.error))
-        },
-    )
 }

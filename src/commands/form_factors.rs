@@ -4,6 +4,7 @@ use super::arguments::{LimitArguments, parse_whole};
 use super::failure::Failure;
 use super::files;
 use super::notes;
+use super::output;
 use super::progress::{Progress, named};
 use super::tables::Table;
 use crate::algorithms::enclosure::{Enclosure, Settings};
@@ -128,7 +129,8 @@ pub fn matrix_of(enclosure: &Enclosure) -> &[f64] {
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     if let Some(out) = &arguments.out {
-        files::check_output(out)?;
+        output::check_known_ending("--out", out, &["json", "csv", "npy"])?;
+        output::check_output(out)?;
     }
     let tolerance = arguments.tolerance;
     if !(0.0..=1.0).contains(&tolerance) {
@@ -163,7 +165,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             Some(table) => {
                 let n = enclosure.patches.len();
                 let matrix = matrix.iter().copied();
-                files::write_whole(out, |out| table.write(out, &[n, n], matrix))?;
+                output::write_whole(out, |out| table.write(out, &[n, n], matrix))?;
             }
             None => write(out, &scene, &enclosure, matrix, seconds)?,
         }
@@ -187,7 +189,7 @@ fn write(
         reciprocity_defect,
         closure_defect,
     } = Report::of(&areas, matrix, &vec![true; areas.len()]);
-    files::write_whole(out, |out| {
+    output::write_whole(out, |out| {
         let patches = serde_json::to_string(&patches(scene, &enclosure.patches))?;
         write!(out, "{{\"patches\":{patches},\"matrix\":[")?;
         let n = enclosure.patches.len();

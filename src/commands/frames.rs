@@ -4,6 +4,7 @@ use super::arguments::{panel_names, parse_scale, parse_size};
 use super::failure::Failure;
 use super::files;
 use super::of_lesson::{LessonArguments, ThemeArgument};
+use super::output;
 use super::progress::Progress;
 use crate::panels::Panel;
 use crate::picture::{raster_size, rasterize, to_png, to_svg};
@@ -34,7 +35,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    files::check_output_folder(&arguments.out)?;
+    output::check_output_folder(&arguments.out)?;
     let theme = arguments.theme.theme();
     let size = Vec2::from(arguments.size.map(|side| side as f32)) / theme.text_scale();
     let scale = arguments.scale * theme.text_scale();
@@ -71,7 +72,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             };
             let name = format!("step-{step:06}-{}.{ending}", panel.name());
             let path = arguments.out.join(name);
-            files::write_whole(&path, |writer| writer.write_all(&bytes))?;
+            output::write_whole(&path, |writer| writer.write_all(&bytes))?;
         }
         progress.show(done + 1, steps.len());
     }

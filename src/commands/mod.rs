@@ -23,6 +23,7 @@ mod needs;
 mod notes;
 mod of_lesson;
 mod open;
+mod output;
 mod progress;
 mod radiosity;
 mod radiosity_table;

@@ -61,7 +61,8 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let prepared = files::prepared(with_camera(scene), SIZE, method, &path.display())?;
     let setup = Setup::new(prepared, settings);
     let skipped = setup.skipped(method);
-    let notes = [setup.notes(method), setup.replaced(method)].concat();
+    let without_effect = [arguments.rays.notes(method), solution.notes(method)].concat();
+    let notes = [without_effect, setup.notes(method), setup.replaced(method)].concat();
     notes::print(&path.display(), &notes);
     // The light of a room is the same for every camera.
     let measured = (has_camera || method == Method::Radiosity).then(|| {

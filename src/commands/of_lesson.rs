@@ -4,6 +4,7 @@ use super::arguments::{LimitArguments, languages, parse_range, parse_whole, them
 use super::failure::Failure;
 use super::files::{self, Document};
 use super::notes;
+use super::output;
 use super::progress::Progress;
 use crate::export::Shown;
 use crate::language::Language;
@@ -66,8 +67,8 @@ impl LessonArguments {
         out: &Path,
         make: impl FnOnce(&mut Shown, &[usize], &dyn Fn(usize)) -> String,
     ) -> Result<(), Failure> {
-        files::check_ending("--out", out, &["html"])?;
-        files::check_output(out)?;
+        output::check_ending("--out", out, &["html"])?;
+        output::check_output(out)?;
         let open = self.open()?;
         let steps = self.steps.of(&open)?;
         if steps.len() > MOST_PAGES {
@@ -80,7 +81,7 @@ impl LessonArguments {
         let mut shown = self.show(open, &panels).asking();
         let progress = Progress::new("drawing");
         let document = make(&mut shown, &steps, &|done| progress.show(done, steps.len()));
-        files::write_whole(out, |out| out.write_all(document.as_bytes()))
+        output::write_whole(out, |out| out.write_all(document.as_bytes()))
     }
 }
 

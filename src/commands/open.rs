@@ -23,10 +23,10 @@ const MISTAKES: &str = "mistakes";
 
 #[cfg(feature = "gui")]
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    use super::{files, lesson_folder};
+    use super::{files, lesson_folder, output};
     use crate::app::{self, FolderOfLessons, Readers, Start};
     use crate::color::{StoredImage, read_image};
-    use crate::lesson::{Lesson, Link};
+    use crate::lesson::{Lesson, Link, builtin};
     use std::path::Path;
 
     let Arguments {
@@ -78,6 +78,11 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             let own = folder.as_ref().and_then(|(_, folder)| folder.lesson(&name));
             let (lesson, path) = match own {
                 Some((lesson, path)) => (lesson.clone(), Some(path.to_owned())),
+                None if builtin(&name).is_none() && files::is_an_id(&name) => {
+                    let own = folder.iter().flat_map(|(_, folder)| folder.right());
+                    let ids: Vec<&str> = own.map(|(lesson, _)| &*lesson.id).collect();
+                    return Err(files::no_such_lesson(&name, &ids));
+                }
                 None => files::to_walk(&name)?,
             };
             // A lesson that does not resolve is a wrong file, whether or not there is a display.
@@ -112,7 +117,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             text: |path| files::text(path).map_err(|failure| failure.to_string()),
             scene: files::edited_scene,
             write: |path, bytes| {
-                let written = files::write_whole(path, |writer| writer.write_all(bytes));
+                let written = output::write_whole(path, |writer| writer.write_all(bytes));
                 written.map_err(|failure| failure.to_string())
             },
         },

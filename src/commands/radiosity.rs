@@ -6,6 +6,7 @@ use super::failure::{Failure, note};
 use super::files;
 use super::form_factors::{MemoryArgument, VisibilityArgument, enclosure, matrix_of, settings};
 use super::notes;
+use super::output;
 use super::progress::named;
 use super::radiosity_table::{write_radiosities, write_system};
 use super::tables::Table;
@@ -13,8 +14,9 @@ use crate::algorithms::enclosure::{Enclosure, Light, Settings};
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::radiosity::{ChannelUnsolved, RecordFilter, Solver, Unsolved};
 use crate::algorithms::{enclosure_notes, lamp_notes};
+use crate::methods;
 use crate::record::Unrecorded;
-use crate::scene::Scene;
+use crate::scene::{Note, Scene};
 use clap::builder::PossibleValuesParser;
 use serde_json::{Value as Json, json};
 use std::path::PathBuf;
@@ -80,11 +82,17 @@ impl SolutionArguments {
     pub fn or(&self, unless: Settings, limits: LimitArguments) -> Result<Settings, Failure> {
         self.tolerance.or(self.system.or(unless, limits)?)
     }
+
+    /// Notes on the options given, where `method` has no use for them.
+    pub fn notes(&self, method: methods::Method) -> Vec<Note> {
+        self.system.notes(self.tolerance, method)
+    }
 }
 
 impl ToleranceArgument {
-    pub fn is_given(self) -> bool {
-        self.tolerance.is_some()
+    /// The option, where it is given.
+    pub fn given(self) -> Option<&'static str> {
+        self.tolerance.map(|_| "--tolerance")
     }
 
     /// The tolerance given, or that of `settings`.
@@ -101,12 +109,24 @@ impl ToleranceArgument {
 }
 
 impl SystemArguments {
-    pub fn is_given(&self) -> bool {
-        self.solver.is_some()
-            || self.form_factors.is_some()
-            || self.visibility.is_given()
-            || self.closure.is_some()
-            || self.max_iterations.is_some()
+    /// The options that are given.
+    pub fn given(&self) -> Vec<&'static str> {
+        let all = [
+            ("--solver", self.solver.is_some()),
+            ("--form-factors", self.form_factors.is_some()),
+            ("--visibility", self.visibility.is_given()),
+            ("--closure", self.closure.is_some()),
+            ("--max-iterations", self.max_iterations.is_some()),
+        ];
+        let given = all.into_iter().filter(|(_, is_given)| *is_given);
+        given.map(|(option, _)| option).collect()
+    }
+
+    /// Notes on the options given, where `method` has no use for them.
+    pub fn notes(&self, tolerance: ToleranceArgument, method: methods::Method) -> Vec<Note> {
+        let given = self.given().into_iter().chain(tolerance.given());
+        let has_use = |method| method == methods::Method::Radiosity;
+        notes::without_effect(given, method, has_use)
     }
 
     /// The options given, and for the rest those of `unless`.
@@ -126,10 +146,11 @@ impl SystemArguments {
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    files::check_output(&arguments.out)?;
+    output::check_known_ending("--out", &arguments.out, &["json", "csv", "npy"])?;
+    output::check_output(&arguments.out)?;
     if let Some(path) = &arguments.matrix {
-        files::check_ending("--matrix", path, &["npy", "csv"])?;
-        files::check_output(path)?;
+        output::check_ending("--matrix", path, &["npy", "csv"])?;
+        output::check_output(path)?;
     }
     let (scene, unless) = files::scene(&arguments.scene, &arguments.limits.into())?;
     let settings = arguments.solution.or(unless.get(), arguments.limits)?;
@@ -190,7 +211,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     ) {
         result.extend(accuracy);
     }
-    files::write_whole(&arguments.out, |out| {
+    output::write_whole(&arguments.out, |out| {
         serde_json::to_writer(&mut *out, &result)?;
         writeln!(out)
     })

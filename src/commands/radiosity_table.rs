@@ -1,8 +1,8 @@
 //! The light of a room and the system that was solved for it as tables.
 
 use super::failure::Failure;
-use super::files;
 use super::form_factors::matrix_of;
+use super::output;
 use super::tables::{Table, write_line};
 use crate::algorithms::enclosure::{CHANNELS, Enclosure, Light};
 use crate::scene::Scene;
@@ -16,7 +16,7 @@ pub fn write_radiosities(
     enclosure: &Enclosure,
     light: &Light,
 ) -> Result<(), Failure> {
-    files::write_whole(out, |out| {
+    output::write_whole(out, |out| {
         if table == Table::Npy {
             let shape = [light.radiosity.len(), CHANNELS.len()];
             let channels = light.radiosity.iter().flat_map(|patch| patch.channels());
@@ -57,7 +57,7 @@ pub fn write_system(path: &Path, enclosure: &Enclosure) -> Result<(), Failure> {
     let rows = (0..CHANNELS.len()).flat_map(|channel| (0..n).map(move |i| (channel, i)));
     let entries = rows.flat_map(|(channel, i)| (0..n).map(move |j| entry(channel, i, j)));
     let table = Table::of(path).unwrap_or(Table::Npy);
-    files::write_whole(path, |out| {
+    output::write_whole(path, |out| {
         table.write(out, &[CHANNELS.len(), n, n], entries)
     })
 }

@@ -7,7 +7,7 @@ use super::failure::Failure;
 use super::form_factors::MemoryArgument;
 use super::progress::Progress;
 use super::radiosity::{SolutionArguments, light};
-use super::{files, needs, notes};
+use super::{files, needs, notes, output};
 use crate::algorithms::enclosure;
 use crate::color::{Rgb, pfm, png_rgb8};
 use crate::methods::{Method, Settings, Setup};
@@ -78,7 +78,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             "--exposure {exposure:?}: allowed are numbers from -64 to 64"
         )));
     }
-    files::check_output(out)?;
+    output::check_output(out)?;
 
     let start = Instant::now();
     let (scene, settings) = files::scene(&arguments.scene, &arguments.limits.into())?;
@@ -91,7 +91,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let prepared = files::prepared(scene, arguments.size, method, &arguments.scene.display())?;
     let setup = Setup::new(prepared, settings);
     let staged = start.elapsed();
-    let notes = setup.notes(method);
+    let mut notes = [arguments.rays.notes(method), solution.notes(method)].concat();
+    if arguments.smooth {
+        let has_use = |method| method == Method::Radiosity;
+        notes.extend(notes::without_effect(["--smooth"], method, has_use));
+    }
+    notes.extend(setup.notes(method));
     notes::print(&arguments.scene.display(), &notes);
     if method == Method::Radiosity {
         solve(&setup, &arguments)?;
@@ -121,7 +126,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             png_rgb8(*width, *height, &pixels)
         }
     };
-    files::write_whole(out, |writer| writer.write_all(&bytes))?;
+    output::write_whole(out, |writer| writer.write_all(&bytes))?;
     let written = start.elapsed();
 
     if arguments.stats {

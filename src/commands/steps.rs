@@ -6,6 +6,7 @@ use super::arguments::{
 use super::failure::{Failure, note};
 use super::files::{self, Document};
 use super::notes;
+use super::output;
 use super::progress::{self, Progress};
 use super::radiosity::{SystemArguments, ToleranceArgument};
 use super::steps_table::{self, latest};
@@ -131,7 +132,8 @@ pub const TRUNCATED: &str = "the recording met its memory limit, and tells only 
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     if let Some(out) = &arguments.out {
-        files::check_output(out)?;
+        output::check_known_ending("--out", out, &["jsonl", "json", "csv"])?;
+        output::check_output(out)?;
     }
     let Recording { run, .. } = arguments.recorded.record(arguments.tolerance)?;
     if run.walk().truncated() {
@@ -142,7 +144,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         note(format_args!("lightwalk: {TRUNCATED}"));
     }
     match &arguments.out {
-        Some(path) => files::write_whole(path, |writer| match Table::of(path) {
+        Some(path) => output::write_whole(path, |writer| match Table::of(path) {
             Some(Table::Csv) => steps_table::write(run.walk(), writer),
             _ => write_steps(run.walk(), writer),
         }),
@@ -175,14 +177,21 @@ impl Recorded {
     pub fn record(&self, tolerance: ToleranceArgument) -> Result<Recording, Failure> {
         let focus = self.focus.focus();
         let method = self.method.as_deref().map(method).transpose()?;
+        let notes = |method| {
+            let notes = [
+                self.rays.notes(method),
+                self.system.notes(tolerance, method),
+            ];
+            notes::print(&self.name, &notes.concat());
+        };
         match files::lesson_or_scene(&self.name, &self.limits.into())? {
             Document::Lesson(lesson)
                 if method.is_none()
                     && focus.is_none()
                     && self.size.is_none()
                     && !self.rays.is_given()
-                    && !self.system.is_given()
-                    && !tolerance.is_given() =>
+                    && self.system.given().is_empty()
+                    && tolerance.given().is_none() =>
             {
                 let open = lesson
                     .open()
@@ -199,12 +208,9 @@ impl Recorded {
                 let size = self.size.unwrap_or(lesson.size);
                 let settings = self.settings(lesson.settings, tolerance)?;
                 let prepared = files::prepared(lesson.scene, size, method, &self.name)?;
-                record_on(
-                    Setup::new(prepared, settings),
-                    method,
-                    focus.unwrap_or(lesson.focus),
-                    &self.name,
-                )
+                let focus = focus.unwrap_or(lesson.focus);
+                notes(method);
+                record_on(Setup::new(prepared, settings), method, focus, &self.name)
             }
             Document::Scene(scene) => {
                 let method = method.ok_or_else(|| {
@@ -216,12 +222,9 @@ impl Recorded {
                 let size = self.size.unwrap_or([640, 480]);
                 let settings = self.settings(Settings::default(), tolerance)?;
                 let prepared = files::prepared(*scene, size, method, &self.name)?;
-                record_on(
-                    Setup::new(prepared, settings),
-                    method,
-                    focus.unwrap_or(Focus::Frame),
-                    &self.name,
-                )
+                let focus = focus.unwrap_or(Focus::Frame);
+                notes(method);
+                record_on(Setup::new(prepared, settings), method, focus, &self.name)
             }
         }
     }

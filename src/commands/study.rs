@@ -4,6 +4,7 @@ use super::arguments::LimitArguments;
 use super::failure::{Failure, note};
 use super::files;
 use super::notes;
+use super::output;
 use super::progress::Progress;
 use crate::language::Language;
 use crate::picture::{Theme, rasterize, to_png, to_svg};
@@ -38,7 +39,7 @@ fn names() -> clap::builder::PossibleValuesParser {
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    files::check_output_folder(&arguments.out)?;
+    output::check_output_folder(&arguments.out)?;
     let scene = match &arguments.scene {
         Some(path) => {
             let (scene, ..) = files::scene(path, &arguments.limits.into())?;
@@ -80,7 +81,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let text = summary(&found, &skipped, &machine);
     let path = arguments.out.join("summary.md");
     make_folder(&arguments.out)?;
-    files::write_whole(&path, |out| out.write_all(text.as_bytes()))
+    output::write_whole(&path, |out| out.write_all(text.as_bytes()))
 }
 
 /// The four files of one study.
@@ -98,7 +99,7 @@ fn write(findings: &Findings, machine: &Machine, arguments: &Arguments) -> Resul
         let path = arguments
             .out
             .join(format!("{}.{ending}", findings.study.name));
-        files::write_whole(&path, |out| out.write_all(bytes))
+        output::write_whole(&path, |out| out.write_all(bytes))
     };
     put("csv", csv(findings).as_bytes())?;
     put("json", format!("{recorded:#}\n").as_bytes())?;

@@ -21,6 +21,7 @@ pub(super) fn narrate(
         run,
         walk: run.walk(),
         changed,
+        kinds_are_listed: false,
         problems: Vec::new(),
     };
     let mut narrated: Vec<Narrated> = Vec::new();
@@ -61,6 +62,8 @@ struct Search<'a> {
     run: &'a Run,
     walk: &'a dyn Walk,
     changed: bool,
+    /// The kinds of steps are listed in the first problem that is about them.
+    kinds_are_listed: bool,
     problems: Vec<Problem>,
 }
 
@@ -89,14 +92,12 @@ impl Search<'_> {
     fn find(&mut self, selector: &Query, from: usize, place: &str) -> Option<usize> {
         let found = query::matches(self.walk, selector, from..self.walk.len()).next();
         if found.is_none() {
-            let kinds: Vec<&str> = query::kinds(self.walk)
-                .into_iter()
-                .map(|(kind, _)| kind)
-                .collect();
-            let message = format!(
-                "no step from {from} on is like this; the run has steps of the kinds {}",
-                kinds.join(", ")
-            );
+            let mut message = format!("no step from {from} on is like this");
+            if !std::mem::replace(&mut self.kinds_are_listed, true) {
+                let kinds = query::kinds(self.walk).into_iter().map(|(kind, _)| kind);
+                let kinds = kinds.collect::<Vec<_>>().join(", ");
+                message += &format!("; the run has steps of the kinds {kinds}");
+            }
             self.problems.push(problem(format!("{place}.at"), message));
         }
         found

@@ -5,11 +5,13 @@
 //! tagged enums, which lose line, column and path.
 
 use super::mesh_file::misplaced;
-use super::parser_words::what_the_parser_says;
+use super::parser_words::{missing, what_the_parser_says};
+use super::schema::schema_of;
 pub use super::values::ByName;
+use schemars::JsonSchema;
 use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
-use serde::de::{DeserializeOwned, Deserializer, Error, MapAccess, Visitor};
+use serde::de::{DeserializeOwned, Deserializer, Error, IgnoredAny, MapAccess, Visitor};
 use serde_path_to_error::Segment;
 use std::fmt;
 use std::marker::PhantomData;
@@ -101,8 +103,9 @@ impl fmt::Display for Place<'_> {
 
 /// Reads a whole document, whose outermost object says `"schema": 1`. A byte order mark at its start is passed over.
 ///
-/// Errors: the first problem of size, encoding, schema, syntax, keys or types, with line and column.
-pub fn parse<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Problem> {
+/// Errors: the first problem of size, encoding, schema, syntax, keys or types, with line and column; of keys of the outermost object that
+/// are missing, all.
+pub fn parse<T: DeserializeOwned + JsonSchema>(bytes: &[u8]) -> Result<T, Problem> {
     let text = text_of(bytes)?;
     // The schema decides which keys there are, so it is judged before them, wherever it stands.
     let outline = read::<OnlySchema>(text);
@@ -110,7 +113,7 @@ pub fn parse<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Problem> {
         Err(problem) if problem.place == "schema" => return Err(problem.clone()),
         _ => (),
     }
-    let value = read(text)?;
+    let value = read(text).map_err(|problem| with_all_missing::<T>(problem, text))?;
     match outline?.schema {
         Some(Schema) => Ok(value),
         None => Err(Problem {
@@ -120,6 +123,28 @@ pub fn parse<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, Problem> {
                 "the key `schema` is missing; the document starts with \"schema\": 1".into(),
             )
         }),
+    }
+}
+
+/// The problem, which where it is that a key of the outermost object is missing names all that are.
+fn with_all_missing<T: JsonSchema>(problem: Problem, text: &str) -> Problem {
+    let Ok(ByName(keys)) = serde_json::from_str::<ByName<IgnoredAny>>(text) else {
+        return problem;
+    };
+    let schema = schema_of::<T>();
+    let required = schema["required"].as_array().into_iter().flatten();
+    let required = required.filter_map(|key| key.as_str());
+    let lacking: Vec<&str> = required
+        .filter(|required| keys.iter().all(|(key, _)| key != required))
+        .collect();
+    let is_of_one =
+        problem.place.is_empty() && lacking.iter().any(|key| problem.message == missing(&[key]));
+    match is_of_one {
+        true => Problem {
+            message: missing(&lacking),
+            ..problem
+        },
+        false => problem,
     }
 }
 
@@ -268,13 +293,15 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Keyed<T> {
 mod tests {
     use super::*;
 
-    #[derive(Debug, Deserialize)]
+    #[derive(Debug, Deserialize, JsonSchema)]
     #[serde(deny_unknown_fields)]
     struct Lamp {
         #[serde(default, deserialize_with = "present")]
         #[expect(dead_code, reason = "only `parse` reads it")]
         schema: Option<Schema>,
         watts: Vec<u32>,
+        #[expect(dead_code, reason = "only `parse` reads it")]
+        volts: u32,
     }
 
     fn problem(text: &str) -> String {
@@ -288,13 +315,23 @@ mod tests {
             "line 2, column 22: watts[1]: found the text \"much\"; expected a whole number of 0 or more"
         );
         assert!(problem("{\"schema\": 1, \"watts\": [1").contains("ends here"));
-        assert!(problem("{\"schema\": 1, \"watts\": []} x").contains("after the end"));
+        assert!(
+            problem("{\"schema\": 1, \"watts\": [], \"volts\": 2} x").contains("after the end")
+        );
+    }
+
+    #[test]
+    fn all_missing_keys_are_named_at_once() {
+        let all = "line 1, column 2: the keys `watts`, `volts`, `schema` are missing";
+        assert_eq!(problem("{}"), all);
+        assert!(problem("{ \"schema\": 1, \"volts\": 2 }").contains("the key `watts` is missing"));
+        assert!(problem("{ \"schema\": 1, \"amps\": 2 }").contains("unknown key `amps`"));
     }
 
     #[test]
     fn the_schema_is_judged_before_the_keys() {
-        assert!(problem("{\"volts\": 1, \"schema\": 2}").contains("schema: found 2; expected 1"));
-        assert!(problem("{\"watts\": []}").contains("`schema` is missing"));
+        assert!(problem("{\"amps\": 1, \"schema\": 2}").contains("schema: found 2; expected 1"));
+        assert!(problem("{\"watts\": [], \"volts\": 2}").contains("`schema` is missing"));
         assert!(problem("{\"schema\": null, \"watts\": []}").contains("expected 1"));
     }
 

@@ -50,7 +50,7 @@ fn in_plain_words(message: &str) -> String {
     }
     let behind = |start: &str| message.strip_prefix(start);
     if let Some(rest) = behind("missing field ") {
-        return format!("the key {rest} is missing");
+        return missing(&[rest.trim_matches('`')]);
     }
     if let Some(rest) = behind("duplicate field ") {
         return format!("the key {rest} is given twice; each may stand once");
@@ -72,6 +72,16 @@ fn in_plain_words(message: &str) -> String {
         return format!("found {length} {elements}; expected {}", plain(expected));
     }
     message.to_owned()
+}
+
+/// What is said where these keys, one or more, should be and are not.
+pub(super) fn missing(keys: &[&str]) -> String {
+    let quoted = keys.iter().map(|key| format!("`{key}`"));
+    let quoted = quoted.collect::<Vec<_>>().join(", ");
+    match keys.len() {
+        1 => format!("the key {quoted} is missing"),
+        _ => format!("the keys {quoted} are missing"),
+    }
 }
 
 /// "`x`, expected one of `a`, `b`": with the name that was probably meant.

@@ -125,6 +125,27 @@ fn every_broken_lesson_is_refused_with_its_place_and_reason() {
     }
 }
 
+#[test]
+fn the_kinds_of_steps_are_listed_once_for_all_anchors_that_are_not_found() {
+    let folder = folder();
+    let broken = LESSON.replace("\"VertexLit\"", "\"VertexLti\"");
+    let broken = broken.replace("\"EdgeTable\"", "\"EdgeTabel\"");
+    fs::write(folder.path().join("broken.json"), broken).unwrap();
+    let message = refused(&lightwalk(folder.path(), "check broken.json"), "anchors");
+    let count = |part: &str| message.matches(part).count();
+    assert_eq!(count("at: no step from 0 on is like this"), 2, "{message}");
+    assert_eq!(count("the run has steps of the kinds"), 1, "{message}");
+}
+
+#[test]
+fn an_empty_object_is_told_all_that_a_scene_needs() {
+    let folder = folder();
+    fs::write(folder.path().join("empty.json"), "{}").unwrap();
+    let message = refused(&lightwalk(folder.path(), "check empty.json"), "{}");
+    let all = "line 1, column 2: the keys `materials`, `objects`, `schema` are missing";
+    assert!(message.contains(all), "{message}");
+}
+
 #[cfg(unix)]
 #[test]
 fn a_mesh_outside_the_folder_is_refused_also_behind_a_link() {

@@ -1,5 +1,7 @@
 //! Results, messages, exit status, and where results go.
 
+#[cfg(feature = "gui")]
+use crate::broken_files::LESSON;
 use crate::{files, folder, lightwalk, refused, succeeded, text};
 use serde_json::Value;
 use std::fs;
@@ -9,8 +11,15 @@ use std::path::Path;
 #[test]
 fn what_the_window_cannot_open_is_told() {
     let folder = folder();
+    fs::create_dir_all(folder.path().join("own/meshes")).unwrap();
+    fs::write(folder.path().join("own/first.json"), LESSON).unwrap();
+    for file in ["scene.json", "meshes/pot.obj"] {
+        let own = folder.path().join("own").join(file);
+        fs::copy(folder.path().join(file), own).unwrap();
+    }
     for (arguments, said) in [
         ("open gouraud-tea", "did you mean gouraud-teapot?"),
+        ("open my-leson --lessons own", "did you mean my-lesson?"),
         ("open meshes", "meshes: there is no lesson in this folder"),
         ("open --lessons none", "none: no such file"),
         ("open meshes --step 3", "it is a folder"),
@@ -156,6 +165,18 @@ fn wrong_arguments_say_what_is_allowed() {
             "allowed are numbers, such as 0.5",
         ),
         ("frames scene.json --out x", "is a scene"),
+        (
+            "form-factors scene.json --out f.foo",
+            "--out f.foo: the name ends in .json or .csv or .npy",
+        ),
+        (
+            "radiosity scene.json --out b.foo",
+            "--out b.foo: the name ends in .json or .csv or .npy",
+        ),
+        (
+            "steps gouraud-triangle --out s.npy",
+            "--out s.npy: the name ends in .jsonl or .json or .csv",
+        ),
     ] {
         let message = refused(&lightwalk(folder.path(), arguments), arguments);
         assert!(message.contains(said), "{message} lacks {said}");

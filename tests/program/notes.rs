@@ -79,6 +79,37 @@ fn every_command_notes_what_has_no_effect_for_it() {
 }
 
 #[test]
+fn options_that_the_method_has_no_use_for_are_noted() {
+    let folder = folder();
+    let given = "--size 8x8 --depth 3 --samples 2 --solver direct --tolerance 1e-3";
+    let draw = format!("render scene.json {given} --out picture.png --stats --method");
+    let noted = |method: &str| {
+        let output = succeeded(folder.path(), &format!("{draw} {method}"));
+        let stats: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let noted = notes(&stats).into_iter();
+        let options = noted.filter_map(|note| {
+            let option = note
+                .strip_prefix("--")?
+                .strip_suffix(&format!(": given with {method}"));
+            Some(option.expect("the method").to_owned())
+        });
+        let options: Vec<String> = options.collect();
+        for option in &options {
+            let said = format!("note: --{option}: given with {method}: it counts only for ");
+            assert_eq!(text(&output.stderr).matches(&said).count(), 1, "{said}");
+        }
+        options
+    };
+    assert_eq!(noted("flat"), ["depth", "samples", "solver", "tolerance"]);
+    assert_eq!(noted("ray-casting"), ["depth", "solver", "tolerance"]);
+    assert_eq!(noted("ray-tracing"), ["solver", "tolerance"]);
+    let steps = "steps scene.json --method gouraud --pixel 4,4 --size 8x8 --depth 3";
+    let steps = text(&succeeded(folder.path(), steps).stderr);
+    let why = "note: --depth: given with gouraud: it counts only for ray-tracing";
+    assert!(steps.contains(why), "{steps}");
+}
+
+#[test]
 fn check_prints_an_object_a_file_also_of_a_wrong_one() {
     let folder = folder();
     fs::write(folder.path().join("wrong.json"), "{").unwrap();

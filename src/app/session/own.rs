@@ -24,7 +24,7 @@ pub struct LessonFromFile {
 
 impl FolderOfLessons {
     /// The lessons that are right, with their files.
-    fn right(&self) -> impl Iterator<Item = (&Lesson, &Path)> {
+    pub fn right(&self) -> impl Iterator<Item = (&Lesson, &Path)> {
         let lessons = self.lessons.iter();
         lessons.filter_map(|own| Some((own.lesson.as_ref().ok()?, own.path.as_path())))
     }
