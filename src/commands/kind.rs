@@ -4,7 +4,8 @@ use crate::lesson::lesson_schema;
 use crate::scene::scene_schema;
 use serde::de::IgnoredAny;
 use serde_json::Value;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
 
 /// What has the key `steps`, or more of the keys that only lessons have than of those that only scenes have, is a lesson: so a
 /// misspelt key makes no scene of one.
@@ -13,14 +14,21 @@ pub fn is_lesson(bytes: &[u8]) -> bool {
         Ok(outermost) => outermost.into_keys().collect(),
         Err(_) => named(&String::from_utf8_lossy(bytes)),
     };
-    let [lesson, scene] = [lesson_schema(), scene_schema()];
-    let only = |own: &Value, other: &Value| {
-        let has = |schema: &Value, key: &String| schema["properties"].get(key).is_some();
-        keys.iter()
-            .filter(|key| has(own, key) && !has(other, key))
-            .count()
+    let only = |own: &LazyLock<BTreeSet<String>>, other: &LazyLock<BTreeSet<String>>| {
+        let is_own = |key: &&String| own.contains(*key) && !other.contains(*key);
+        keys.iter().filter(is_own).count()
     };
-    keys.iter().any(|key| key == "steps") || only(&lesson, &scene) > only(&scene, &lesson)
+    let is_rather_a_lesson = || only(&OF_LESSONS, &OF_SCENES) > only(&OF_SCENES, &OF_LESSONS);
+    keys.iter().any(|key| key == "steps") || is_rather_a_lesson()
+}
+
+/// The keys of the outermost object.
+static OF_LESSONS: LazyLock<BTreeSet<String>> = LazyLock::new(|| keys(&lesson_schema()));
+static OF_SCENES: LazyLock<BTreeSet<String>> = LazyLock::new(|| keys(&scene_schema()));
+
+fn keys(schema: &Value) -> BTreeSet<String> {
+    let properties = schema["properties"].as_object().into_iter().flatten();
+    properties.map(|(key, _)| key.clone()).collect()
 }
 
 /// The keys of broken JSON, as far as they can be told: what stands in quotes before a colon.
