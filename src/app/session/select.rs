@@ -17,6 +17,16 @@ const FAR: usize = 20_000;
 pub(super) struct Selected {
     tag: Tag,
     step: Option<usize>,
+    looked: Looked,
+}
+
+/// Where the step of a thing was looked for already, so that it need not be again after a move: of the steps from `from` up to, but
+/// without, `to` none but the one that was found is about it, which is the first.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Looked {
+    recording: u64,
+    from: usize,
+    to: usize,
 }
 
 impl Session {
@@ -38,7 +48,7 @@ impl Session {
     /// All that lights up: what is under the pointer, what is selected, and what belongs to them.
     pub fn lit(&self) -> Vec<Tag> {
         let mut lit: Vec<Tag> = self.hovered.into_iter().flat_map(alike).collect();
-        let Some(Selected { tag, step }) = self.selected else {
+        let Some(Selected { tag, step, .. }) = self.selected else {
             return lit;
         };
         lit.extend(alike(tag));
@@ -70,8 +80,7 @@ impl Session {
             (Some(Tag::Patch(i)), Tag::Patch(j)) if i != j => Tag::FormFactor { i, j },
             _ => tag,
         };
-        let step = self.step_of(tag);
-        let new = Selected { tag, step };
+        let new = self.look_for(tag, None);
         let is_selected = self.selected() == Some(tag);
         self.selected = Some(new).filter(|_| !is_selected);
     }
@@ -111,33 +120,54 @@ impl Session {
 
     /// After a move, the step that is about the same thing.
     pub(super) fn select_again(&mut self) {
-        let selected = self.selected.take();
-        self.selected = selected.map(|Selected { tag, .. }| Selected {
-            tag,
-            step: self.step_of(tag),
-        });
+        if let Some(before) = self.selected.take() {
+            self.selected = Some(self.look_for(before.tag, Some(before)));
+        }
     }
 
-    /// The step that is about what a tag shows: the last one so far.
-    fn step_of(&self, tag: Tag) -> Option<usize> {
+    /// What a tag shows with the step that is about it: the last one so far. `before` was found when the run stood at another step.
+    fn look_for(&self, tag: Tag, before: Option<Selected>) -> Selected {
         let walk = self.walk();
-        match tag {
+        let step = match tag {
             Tag::Step(step) | Tag::Scope(step) => Some(step).filter(|&step| step < walk.len()),
             Tag::Pixel { x, y } => {
-                let dot = self.open.run.canvas()?.get(x as usize, y as usize)?;
-                dot.step.map(|step| step as usize)
+                let canvas = self.open.run.canvas();
+                let step = canvas.and_then(|canvas| canvas.get(x as usize, y as usize)?.step);
+                step.map(|step| step as usize)
             }
             Tag::Field(name) => {
                 let recorded = walk.recorded(self.inspected());
-                let value = recorded.iter().rfind(|value| value.field.name == name)?;
-                Some(value.step)
+                let value = recorded.iter().rfind(|value| value.field.name == name);
+                value.map(|value| value.step)
             }
-            _ => {
-                let here = self.step();
-                let in_room = self.open.run.enclosure().is_some();
-                let mut before = (here.saturating_sub(FAR)..=here).rev();
-                before.find(|&step| is_about(walk, step, tag, in_room))
-            }
+            _ => return self.look_for_thing(tag, before),
+        };
+        Selected {
+            tag,
+            step,
+            looked: Looked::default(),
+        }
+    }
+
+    fn look_for_thing(&self, tag: Tag, before: Option<Selected>) -> Selected {
+        let before = before.filter(|before| before.looked.recording == self.recording);
+        let step = before.and_then(|before| before.step);
+        let Looked { from, to, .. } = before.map(|before| before.looked).unwrap_or_default();
+        let in_room = self.open.run.enclosure().is_some();
+        let is_about = |&step: &usize| is_about(self.walk(), step, tag, in_room);
+        let (least, end) = (self.step().saturating_sub(FAR), self.step() + 1);
+        let behind = || (least.max(to)..end).rev().find(is_about);
+        let known = || step.filter(|step| (least..end).contains(step));
+        let in_front = || (least..end.min(from)).rev().find(is_about);
+        let step = behind().or_else(known).or_else(in_front);
+        Selected {
+            tag,
+            step,
+            looked: Looked {
+                recording: self.recording,
+                from: step.unwrap_or(least),
+                to: end,
+            },
         }
     }
 
@@ -149,7 +179,7 @@ impl Session {
             let mut ahead = self.step() + 1..walk.len();
             ahead.find(|&step| is_about(walk, step, tag, in_room))
         };
-        let step = self.step_of(tag).or_else(ahead);
+        let step = self.look_for(tag, None).step.or_else(ahead);
         self.go_to(step.ok_or(strings::NOT_FOUND)?)
     }
 }
@@ -199,4 +229,34 @@ fn things(walk: &dyn Walk, step: usize, in_room: bool) -> Vec<Tag> {
         things.extend(pair(["i", "j"]).map(|[i, j]| Tag::FormFactor { i, j }));
     }
     things
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::lesson::builtin;
+
+    #[test]
+    fn wherever_the_run_goes_the_last_step_about_a_thing_is_found_as_if_all_were_looked_through() {
+        let lesson = builtin("gouraud-triangle").unwrap().read().unwrap();
+        let mut session = Session::new(lesson).unwrap();
+        session.update(Command::Questions).unwrap();
+        let last = session.last_step();
+        let mut found = 0;
+        for tag in [Tag::Vertex(1), Tag::Edge(0), Tag::Edge(2), Tag::Edge(99)] {
+            session.seek(last / 2);
+            session.select(tag);
+            let far_apart = (0..60).map(|i| i * 7919 % (last + 1));
+            let one_by_one = (last / 3..last / 3 + 30).chain((0..last / 3).rev().take(30));
+            for step in far_apart.chain(one_by_one) {
+                session.seek(step);
+                let mut steps = (0..=step).rev();
+                let expected = steps.find(|&step| is_about(session.walk(), step, tag, false));
+                assert_eq!(session.selected_step(), expected, "{tag:?} at {step}");
+                found += usize::from(expected.is_some());
+            }
+            session.select(tag);
+        }
+        assert!(found > 100, "{found} steps were found");
+    }
 }
