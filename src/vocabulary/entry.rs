@@ -2,8 +2,6 @@
 
 use super::expression::Equation;
 use crate::language::Message;
-use std::collections::HashMap;
-use std::sync::LazyLock;
 
 /// The sentence and the formulas of a step.
 #[derive(Debug)]
@@ -44,23 +42,8 @@ impl Formula {
         }
     }
 
-    /// All formulas are parsed when the first is needed.
     pub fn equation(&self) -> &'static Equation {
-        static EQUATIONS: LazyLock<HashMap<&'static str, Equation>> = LazyLock::new(|| {
-            let entries = super::FAMILIES.into_iter().flatten();
-            let formulas = entries
-                .flat_map(|kind| kind.entries)
-                .flat_map(|entry| entry.formulas);
-            let parsed = |formula: &Formula| {
-                let equation = Equation::parse(formula.text);
-                (
-                    formula.text,
-                    equation.unwrap_or_else(|error| panic!("{error}")),
-                )
-            };
-            formulas.map(parsed).collect()
-        });
-        &EQUATIONS[self.text]
+        Equation::of(self.text)
     }
 }
 

@@ -46,25 +46,41 @@ fn clip<V: Linear>(
     clipped: &mut Vec<Corner<V>>,
 ) {
     clipped.clear();
-    for (index, &corner) in polygon.iter().enumerate() {
-        let previous = polygon[(index + polygon.len() - 1) % polygon.len()];
-        let (before, here) = (inside(previous.position), inside(corner.position));
-        if (before < 0.0) != (here < 0.0) {
-            // Always from the hidden to the visible end, so that two polygons cut their common edge at the same point.
-            let (hidden, seen, t) = if here < 0.0 {
-                (corner, previous, here / (here - before))
-            } else {
-                (previous, corner, before / (before - here))
-            };
-            clipped.push(Corner {
+    let inside = |corner: usize| inside(polygon[corner].position);
+    clipped.extend(kept(polygon.len(), inside).map(|kept| match kept {
+        Kept::Corner(corner) => polygon[corner],
+        // Always from the hidden to the visible end, so that two polygons cut their common edge at the same point.
+        Kept::Cut { hidden, seen } => {
+            let t = inside(hidden) / (inside(hidden) - inside(seen));
+            let (hidden, seen) = (polygon[hidden], polygon[seen]);
+            Corner {
                 position: hidden.position + (seen.position - hidden.position) * t,
                 value: hidden.value.plus(seen.value.minus(hidden.value).times(t)),
-            });
+            }
         }
-        if here >= 0.0 {
-            clipped.push(corner);
-        }
-    }
+    }));
+}
+
+/// A corner of a clipped polygon: one of its own, or where an edge between two of them is cut.
+pub enum Kept {
+    Corner(usize),
+    Cut { hidden: usize, seen: usize },
+}
+
+/// The corners of a polygon of `count` corners that is clipped where `inside` of a corner is negative: from each corner back to the one
+/// before, then the corner.
+pub fn kept(count: usize, inside: impl Fn(usize) -> f64) -> impl Iterator<Item = Kept> {
+    (0..count).flat_map(move |here| {
+        let before = (here + count - 1) % count;
+        let cut = match (inside(before) < 0.0, inside(here) < 0.0) {
+            (true, false) => Some([before, here]),
+            (false, true) => Some([here, before]),
+            _ => None,
+        };
+        let cut = cut.map(|[hidden, seen]| Kept::Cut { hidden, seen });
+        let corner = (inside(here) >= 0.0).then_some(Kept::Corner(here));
+        cut.into_iter().chain(corner)
+    })
 }
 
 #[cfg(test)]

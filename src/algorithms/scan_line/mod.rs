@@ -19,7 +19,7 @@ mod fill;
 mod span;
 mod varying;
 
-pub use clip::{clip_near, clip_to_picture};
+pub use clip::{Kept, clip_near, clip_to_picture, kept};
 pub use corner::Corner;
 pub use edge_table::EdgeTable;
 pub use event::Event;

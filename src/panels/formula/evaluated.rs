@@ -56,7 +56,7 @@ pub fn slipped(run: &Run, step: usize, slip: &Slip) -> Option<(&'static str, Val
         return None;
     }
     for text in slip.formulas {
-        let equation = Equation::parse(text).unwrap_or_else(|error| panic!("{error}"));
+        let equation = Equation::of(text);
         let (name, (relation, right)) = (equation.subject()?.name, equation.right.as_ref()?);
         let term = evaluate(right, &|reference| known.terms(reference))?;
         match relation {

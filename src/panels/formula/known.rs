@@ -71,8 +71,7 @@ impl<'a> Known<'a> {
 
     /// The value that is written so in a formula.
     pub fn referred(&self, text: &'static str) -> Option<Value> {
-        let equation = Equation::parse(text).unwrap_or_else(|error| panic!("{error}"));
-        self.values(equation.subject()?)?.first().copied()
+        self.values(Equation::of(text).subject()?)?.first().copied()
     }
 
     /// What the step itself recorded.

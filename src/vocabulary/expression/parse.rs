@@ -13,10 +13,27 @@
 //! formulas that follow.
 
 use super::{Equation, Expression, Function, Key, Operator, Reference, Relation, Source};
+use std::collections::HashMap;
+use std::sync::{LazyLock, PoisonError, RwLock};
 
 type Parsed<T> = Result<T, String>;
 
 impl Equation {
+    /// Of a text of the program's own, which is right; it is read once, however often it is asked for.
+    pub fn of(text: &'static str) -> &'static Equation {
+        static READ: LazyLock<RwLock<HashMap<&'static str, &'static Equation>>> =
+            LazyLock::new(RwLock::default);
+        let read = READ.read().unwrap_or_else(PoisonError::into_inner);
+        if let Some(equation) = read.get(text) {
+            return equation;
+        }
+        drop(read);
+        let equation = Equation::parse(text).unwrap_or_else(|error| panic!("{error}"));
+        let mut read = READ.write().unwrap_or_else(PoisonError::into_inner);
+        read.entry(text)
+            .or_insert_with(|| Box::leak(Box::new(equation)))
+    }
+
     /// Errors: what is wrong, and where.
     pub fn parse(text: &'static str) -> Parsed<Equation> {
         let mut parser = Parser { text, rest: text };

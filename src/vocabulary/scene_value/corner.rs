@@ -2,6 +2,7 @@
 
 use super::{Given, Recorded, SceneValue, index, one, value};
 use crate::algorithms::prepared_scene::{Polygon, PreparedVertex};
+use crate::algorithms::scan_line::{Kept, kept};
 use crate::record::Value;
 use crate::scene::Material;
 use glam::{DVec2, DVec3};
@@ -131,26 +132,15 @@ fn corner(given: Given, recorded: Recorded) -> Option<Corner> {
     if is_triangle && corners.iter().any(|(_, vertex)| is_hidden(vertex)) {
         return None;
     }
-    // As the polygon is cut: from each corner back to the one before, then the corner.
-    let mut left = Vec::new();
-    for (i, &(vertex, here)) in corners.iter().enumerate() {
-        let (_, before) = corners[(i + corners.len() - 1) % corners.len()];
-        if is_hidden(&before) != is_hidden(&here) {
-            let (hidden, seen) = if is_hidden(&here) {
-                (here, before)
-            } else {
-                (before, here)
-            };
-            left.push(Corner::Cut {
-                hidden: hidden.camera,
-                seen: seen.camera,
-            });
+    let inside = |corner: usize| corners[corner].1.camera.z - near;
+    let kept = kept(corners.len(), inside).nth(index(recorded, "corner")?)?;
+    Some(match kept {
+        Kept::Corner(corner) => Corner::Vertex(polygon.mesh.position(corners[corner].0)),
+        Kept::Cut { hidden, seen } => {
+            let [hidden, seen] = [hidden, seen].map(|corner| corners[corner].1.camera);
+            Corner::Cut { hidden, seen }
         }
-        if !is_hidden(&here) {
-            left.push(Corner::Vertex(polygon.mesh.position(vertex)));
-        }
-    }
-    left.into_iter().nth(index(recorded, "corner")?)
+    })
 }
 
 /// The hidden and the seen end of the edge that the corner of the step cuts.

@@ -105,9 +105,22 @@ fn part(given: Given, recorded: Recorded) -> Option<Part> {
     if t == 0.0 {
         return primitives.flat_part(object);
     }
-    let [origin, direction] = ray(given, recorded)?;
-    let hit = primitives.meet(object, &Ray { origin, direction })?;
-    (hit.t == t).then(|| primitives.part(object, hit.triangle))?
+    let triangle = triangle_met(given, object, ray(given, recorded)?, t)?;
+    primitives.part(object, triangle)
+}
+
+/// The triangle of the object, or the part of it, that the ray from an origin in a direction met at t.
+pub(super) fn triangle_met(
+    given: Given,
+    object: usize,
+    [origin, direction]: [DVec3; 2],
+    t: f64,
+) -> Option<u32> {
+    let hit = given
+        .prepared
+        .primitives()
+        .meet(object, &Ray { origin, direction })?;
+    (hit.t == t).then_some(hit.triangle)
 }
 
 fn sphere(given: Given, recorded: Recorded) -> Option<(DVec3, f64)> {

@@ -1,9 +1,10 @@
 //! The texture of the object of the step, and the chart that gives (u, v) at P.
 
 use super::corner::{material, polygon};
+use super::intersection::triangle_met;
 use super::{Given, Recorded, SceneValue, index, number, one, value, vector};
 use crate::scene::Texture;
-use crate::scene::primitives::{ChartPart, FaceChart, Hit, Ray};
+use crate::scene::primitives::{ChartPart, FaceChart, Hit};
 use glam::{DVec2, DVec3};
 
 pub(super) const VALUES: &[SceneValue] = &[
@@ -115,14 +116,13 @@ fn chart(given: Given, recorded: Recorded) -> Option<ChartPart> {
         return chart.part(vector(recorded, "P")?);
     }
     let primitives = prepared.primitives();
-    let [origin, direction] = [vector(recorded, "O")?, vector(recorded, "u")?];
     let t = number(recorded, "NearestT")?;
     let triangle = if t == 0.0 {
         // A surface that touches the one that the ray leaves: any part of it will do.
         primitives.flat_part(object).map(|_| 0)?
     } else {
-        let hit = primitives.meet(object, &Ray { origin, direction })?;
-        (hit.t == t).then_some(hit.triangle)?
+        let ray = [vector(recorded, "O")?, vector(recorded, "u")?];
+        triangle_met(given, object, ray, t)?
     };
     let object = u32::try_from(object).ok()?;
     primitives.chart_part(&Hit {
