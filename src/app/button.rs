@@ -6,8 +6,8 @@ use super::{keys, style};
 use crate::language::Message;
 use egui::{Button, Response, Ui, Vec2};
 
-/// Has what is off say why: under the pointer, and to a screen reader.
-pub(super) fn off(response: Response, why: &str) -> Response {
+/// Has what is disabled say why: under the pointer, and to a screen reader.
+pub(super) fn explain_disabled(response: Response, why: &str) -> Response {
     let node = response.id;
     response
         .ctx
@@ -15,7 +15,7 @@ pub(super) fn off(response: Response, why: &str) -> Response {
     response.on_disabled_hover_text(why)
 }
 
-/// A button for a command: off, with the reason, where it cannot act; its hint names its key.
+/// A button for a command: disabled, with the reason, where it cannot act; its hint names its key.
 pub(super) fn button(
     session: &Session,
     button: Button,
@@ -33,7 +33,7 @@ pub(super) fn button(
         keys::key_of(&command).map_or_else(|| name.to_owned(), |key| format!("{name}  ({key})"));
     let response = response.on_hover_text(hint);
     if let Err(refused) = allowed {
-        return off(response, refused.in_language(session.look.language));
+        return explain_disabled(response, refused.in_language(session.look.language));
     }
     if response.clicked() {
         commands.push(command);

@@ -77,8 +77,10 @@ fn channel(other: &OtherValue) -> usize {
     else {
         return 0;
     };
-    let off = |&c: &usize| (theirs[c] - ours[c]).abs();
-    (0..3).max_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0)
+    let difference = |&c: &usize| (theirs[c] - ours[c]).abs();
+    (0..3)
+        .max_by(|a, b| difference(a).total_cmp(&difference(b)))
+        .unwrap_or(0)
 }
 
 /// What the step does, and its formulas with our numbers.

@@ -126,8 +126,8 @@ impl Answer {
                 },
                 &Guess::Arrow(degrees),
             ) => {
-                let off = arrow::turn(degrees, plane.degrees(direction)).abs();
-                Ok(off <= tolerance)
+                let apart = arrow::turn(degrees, plane.degrees(direction)).abs();
+                Ok(apart <= tolerance)
             }
             _ => Err(NoAnswer::OtherKind),
         }

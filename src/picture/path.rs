@@ -31,17 +31,31 @@ pub(super) fn rounded(outer: PixelRect, inset: f32, radius: f32) -> Option<Path>
     let (right, bottom) = (outer.right as f32 - inset, outer.bottom as f32 - inset);
     let largest = 0.5 * (right - left).min(bottom - top);
     let r = (radius - inset).clamp(0.0, largest.max(0.0));
-    let off = r * (1.0 - ARC);
+    let handle = r * (1.0 - ARC);
     let mut path = PathBuilder::new();
     path.move_to(left + r, top);
     path.line_to(right - r, top);
-    path.cubic_to(right - off, top, right, top + off, right, top + r);
+    path.cubic_to(right - handle, top, right, top + handle, right, top + r);
     path.line_to(right, bottom - r);
-    path.cubic_to(right, bottom - off, right - off, bottom, right - r, bottom);
+    path.cubic_to(
+        right,
+        bottom - handle,
+        right - handle,
+        bottom,
+        right - r,
+        bottom,
+    );
     path.line_to(left + r, bottom);
-    path.cubic_to(left + off, bottom, left, bottom - off, left, bottom - r);
+    path.cubic_to(
+        left + handle,
+        bottom,
+        left,
+        bottom - handle,
+        left,
+        bottom - r,
+    );
     path.line_to(left, top + r);
-    path.cubic_to(left, top + off, left + off, top, left + r, top);
+    path.cubic_to(left, top + handle, left + handle, top, left + r, top);
     path.close();
     path.finish()
 }

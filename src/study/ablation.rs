@@ -132,7 +132,8 @@ pub fn both(setup: &Setup, method: Method, patience: Patience) -> Result<[Timing
     let sweep_settings = [Parts::NONE, setup.forced()]
         .map(|parts| sweep_setting(Arc::new(setup.with_forced(parts)), method));
     let curves = sweep_settings.each_ref().map(std::slice::from_ref);
-    let timed = time(&curves, patience, &|_, _| Ok(())).map_err(|off| off.to_string())?;
+    let timed =
+        time(&curves, patience, &|_, _| Ok(())).map_err(|cancelled| cancelled.to_string())?;
     let mut timed = timed.into_iter();
     let mut next = || -> Result<Timing, String> {
         let (_, timing) = timed.next().ok_or("nothing was run")??;

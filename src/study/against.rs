@@ -229,10 +229,10 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|c| (a[c] - b[c]).abs()).fold(0.0, f64::max)
 }
 
-/// Where a channel is off by more; half a thousandth of the tolerance is rounding.
+/// Where a channel is differs by more; half a thousandth of the tolerance is rounding.
 fn differing(mine: &[[f64; 3]], reference: &[[f64; 3]], tolerance: f64) -> Vec<bool> {
-    let off = |(&a, &b): (&[f64; 3], &[f64; 3])| distance(a, b) > tolerance * 1.0005;
-    mine.iter().zip(reference).map(off).collect()
+    let differs = |(&a, &b): (&[f64; 3], &[f64; 3])| distance(a, b) > tolerance * 1.0005;
+    mine.iter().zip(reference).map(differs).collect()
 }
 
 fn rms(mine: &[[f64; 3]], reference: &[[f64; 3]]) -> f64 {

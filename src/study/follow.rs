@@ -315,11 +315,11 @@ impl ToldValue {
     fn agrees(&self, ours: &ToldValue, tolerance: f64) -> bool {
         let near = |a: &[f64], b: &[f64]| {
             let largest = b.iter().fold(1.0_f64, |largest, b| largest.max(b.abs()));
-            let off = |(a, b): (&f64, &f64)| {
+            let is_near = |(a, b): (&f64, &f64)| {
                 let are_endless = !a.is_finite() && !b.is_finite();
                 are_endless || (a - b).abs() <= tolerance * largest
             };
-            a.iter().zip(b).all(off)
+            a.iter().zip(b).all(is_near)
         };
         match (self, ours) {
             (ToldValue::Number(Some(a)), ToldValue::Number(Some(b))) => near(&[*a], &[*b]),

@@ -127,9 +127,9 @@ vocabulary! {
                 &[
                     is("x_0 = [x_1 + x_2 + x_3; 3]"),
                     is("y_0 = [y_1 + y_2 + y_3; 3]"),
-                    is("N_0 = [N_1 + N_2 + N_3; 3]").when(When::All(&[SEEN, UPRIGHT])),
-                    is("N_0 = −[N_1 + N_2 + N_3; 3]").when(When::All(&[SEEN, TURNED])),
-                    is("N_0 = face_normal").when(When::All(&[VANISHED, UPRIGHT])),
+                    is("N_0 = [N_1 + N_2 + N_3; 3]").when(When::All(&[NOT_VANISHED, NOT_TURNED])),
+                    is("N_0 = −[N_1 + N_2 + N_3; 3]").when(When::All(&[NOT_VANISHED, TURNED])),
+                    is("N_0 = face_normal").when(When::All(&[VANISHED, NOT_TURNED])),
                     is("N_0 = −face_normal").when(When::All(&[VANISHED, TURNED])),
                     is("[1; z_0] = [1 / z_1 + 1 / z_2 + 1 / z_3; 3]"),
                     ],
@@ -146,9 +146,9 @@ vocabulary! {
                 &[
                     is("{D=double_area} := (x_2 − x_1) (y_3 − y_1) − (x_3 − x_1) (y_2 − y_1)"),
                     is("N_x = [(y_3 − y_1) (N_2 − N_1) − (y_2 − y_1) (N_3 − N_1); {D=double_area}]")
-                        .when(When::All(&[SLOPES, UPRIGHT])),
+                        .when(When::All(&[SLOPES, NOT_TURNED])),
                     is("N_y = [(x_2 − x_1) (N_3 − N_1) − (x_3 − x_1) (N_2 − N_1); {D=double_area}]")
-                        .when(When::All(&[SLOPES, UPRIGHT])),
+                        .when(When::All(&[SLOPES, NOT_TURNED])),
                     is("N_x = −[(y_3 − y_1) (N_2 − N_1) − (y_2 − y_1) (N_3 − N_1); {D=double_area}]")
                         .when(When::All(&[SLOPES, TURNED])),
                     is("N_y = −[(x_2 − x_1) (N_3 − N_1) − (x_3 − x_1) (N_2 − N_1); {D=double_area}]")
@@ -342,12 +342,12 @@ const ALONG_V: &[Formula] = along!("V");
 const WHOLE: When = When::Known("corner_position");
 const PIECE: When = When::Not(&WHOLE);
 const TURNED: When = When::True("turned");
-const UPRIGHT: When = When::Not(&TURNED);
+const NOT_TURNED: When = When::Not(&TURNED);
 /// The normals of the corners cancel out.
 const VANISHED: When = When::True("vanished");
-const SEEN: When = When::Not(&VANISHED);
+const NOT_VANISHED: When = When::Not(&VANISHED);
 /// The triangle has an area, and its normals do not cancel out.
-const SLOPES: When = When::All(&[SEEN, When::Not(&When::Zero("double_area"))]);
+const SLOPES: When = When::All(&[NOT_VANISHED, When::Not(&When::Zero("double_area"))]);
 const PIECES: &str = "a triangle that reaches behind the eye is cut to pieces";
 const TABLE: &str = "a table gives the power";
 const FROM_TABLE: Message = Message("note-power-table");

@@ -265,7 +265,7 @@ vocabulary! {
                     is(ALONG),
                     is(AREA),
                     is("delta_F = [{ΔA=pixel_area}; π ({u=u_pixel}^2 + {v=v_pixel}^2 + 1)^2]"),
-                    is(SEEN),
+                    is(SUM_OF_PIXELS),
                     ],
             ),
             only(
@@ -276,7 +276,7 @@ vocabulary! {
                     is(ALONG),
                     is(AREA),
                     is("delta_F = [{v=v_pixel} · {ΔA=pixel_area}; π ({u=u_pixel}^2 + {v=v_pixel}^2 + 1)^2]"),
-                    is(SEEN),
+                    is(SUM_OF_PIXELS),
                     ],
             ),
         ];

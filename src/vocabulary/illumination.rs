@@ -188,15 +188,15 @@ vocabulary! {
                 When::Recorded("I_a"),
                 "event-illuminated",
                 &[
-                    is("I = I_a + Σ{+I_added}").when(LIT),
-                    is("I = I_a").when(When::Not(&LIT)),
+                    is("I = I_a + Σ{+I_added}").when(HAS_LIGHT),
+                    is("I = I_a").when(When::Not(&HAS_LIGHT)),
                     ],
             ),
         ];
 }
 
 /// The scene has a light.
-const LIT: When = When::Known("{+I_added}");
+const HAS_LIGHT: When = When::Known("{+I_added}");
 /// A texture has changed the material's k_d.
 const TEXTURED: When = When::Not(&When::Same("k_d", "material_k_d"));
 const BY_RAY: When = When::Recorded("u");

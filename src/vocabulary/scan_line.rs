@@ -301,8 +301,8 @@ vocabulary! {
                 When::Recorded("x_0"),
                 "event-pixel-colored-summed",
                 &[
-                    is("{pixel=color} = {I_a@} + Σ{*I_d} + Σ{*I_s}").when(LIT),
-                    is("{pixel=color} = {I_a@}").when(When::Not(&LIT)),
+                    is("{pixel=color} = {I_a@} + Σ{*I_d} + Σ{*I_s}").when(LIGHT_ARRIVES),
+                    is("{pixel=color} = {I_a@}").when(When::Not(&LIGHT_ARRIVES)),
                     ],
             ),
             only(
@@ -342,7 +342,7 @@ const NORMAL_ABOVE: When = When::Known("{N_4_incremental<<polygon,edge,y-1}");
 const BEFORE: When = When::Known("{I_P_incremental<<polygon,y,first,x-1}");
 const NORMAL_BEFORE: When = When::Known("{N_P_incremental<<polygon,y,first,x-1}");
 /// Whether any light reaches the pixel.
-const LIT: When = When::Known("{*I_d}");
+const LIGHT_ARRIVES: When = When::Known("{*I_d}");
 const CUT: &str = "a piece of what the near plane and the sides of the picture leave";
 const ROW_BELOW: Message = Message("note-row-below");
 const FIRST_ROW: Message = Message("note-first-row");

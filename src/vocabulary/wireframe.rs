@@ -29,15 +29,15 @@ vocabulary! {
                 "event-edge-clipped",
                 &[
                     is("{z_a=from_depth} := (from_position − eye) · forward"),
-                    is("x_1 = [width; 2] + focal · [(from_position − eye) · right; {z_a=from_depth}]").when(SEEN),
-                    is("y_1 = [height; 2] − focal · [(from_position − eye) · up; {z_a=from_depth}]").when(SEEN),
-                    is("x_1 = 'x_a' + 's' ('x_b' − 'x_a')").when(When::Not(&SEEN)).unevaluated(CUT),
-                    is("y_1 = 'y_a' + 's' ('y_b' − 'y_a')").when(When::Not(&SEEN)).unevaluated(CUT),
+                    is("x_1 = [width; 2] + focal · [(from_position − eye) · right; {z_a=from_depth}]").when(BOTH_ENDS_SEEN),
+                    is("y_1 = [height; 2] − focal · [(from_position − eye) · up; {z_a=from_depth}]").when(BOTH_ENDS_SEEN),
+                    is("x_1 = 'x_a' + 's' ('x_b' − 'x_a')").when(When::Not(&BOTH_ENDS_SEEN)).unevaluated(CUT),
+                    is("y_1 = 'y_a' + 's' ('y_b' − 'y_a')").when(When::Not(&BOTH_ENDS_SEEN)).unevaluated(CUT),
                     is("{z_b=to_depth} := (to_position − eye) · forward"),
-                    is("x_2 = [width; 2] + focal · [(to_position − eye) · right; {z_b=to_depth}]").when(SEEN),
-                    is("y_2 = [height; 2] − focal · [(to_position − eye) · up; {z_b=to_depth}]").when(SEEN),
-                    is("x_2 = 'x_a' + 's' ('x_b' − 'x_a')").when(When::Not(&SEEN)).unevaluated(CUT),
-                    is("y_2 = 'y_a' + 's' ('y_b' − 'y_a')").when(When::Not(&SEEN)).unevaluated(CUT),
+                    is("x_2 = [width; 2] + focal · [(to_position − eye) · right; {z_b=to_depth}]").when(BOTH_ENDS_SEEN),
+                    is("y_2 = [height; 2] − focal · [(to_position − eye) · up; {z_b=to_depth}]").when(BOTH_ENDS_SEEN),
+                    is("x_2 = 'x_a' + 's' ('x_b' − 'x_a')").when(When::Not(&BOTH_ENDS_SEEN)).unevaluated(CUT),
+                    is("y_2 = 'y_a' + 's' ('y_b' − 'y_a')").when(When::Not(&BOTH_ENDS_SEEN)).unevaluated(CUT),
                     ],
             ),
         ];
@@ -92,7 +92,7 @@ vocabulary! {
 }
 
 /// Both ends of the edge are within the picture, so that nothing cuts it.
-const SEEN: When = When::All(&[When::True("from_is_seen"), When::True("to_is_seen")]);
+const BOTH_ENDS_SEEN: When = When::All(&[When::True("from_is_seen"), When::True("to_is_seen")]);
 /// The pixel before was plotted too.
 const GOES_ON: When = When::Known("{x_exact<}");
 const STARTS: When = When::All(&[When::Same("x_exact", "x_1"), When::Same("y_exact", "y_1")]);

@@ -233,12 +233,12 @@ impl<R: Recorder<Event>> Look<'_, R> {
             for (side, s, t) in BORDER {
                 let Seen { whole, visible } = self.from(point(s, t));
                 let share = if whole > 0.0 { visible / whole } else { 0.0 };
-                let off = if all_visible && whole > 0.0 {
+                let unexpected = if all_visible && whole > 0.0 {
                     1.0 - share
                 } else {
                     share
                 };
-                cell.by_border[side] += off * cell.whole / BORDER.len() as f64;
+                cell.by_border[side] += unexpected * cell.whole / BORDER.len() as f64;
             }
         }
         cell

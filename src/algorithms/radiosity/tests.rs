@@ -53,10 +53,10 @@ fn solvers_take_the_iterations_of_the_table() {
                 rho[0],
                 found.iterations
             );
-            let off = (f64::from(found.iterations) / f64::from(expected) - 1.0).abs();
+            let apart = (f64::from(found.iterations) / f64::from(expected) - 1.0).abs();
             let one = found.iterations.abs_diff(expected) <= 1;
             assert!(
-                off <= 0.1 || one,
+                apart <= 0.1 || one,
                 "{}: {} for {expected}",
                 solver.name(),
                 found.iterations

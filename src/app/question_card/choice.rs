@@ -1,6 +1,6 @@
 //! A button for each option; a wrong one that was chosen is struck out.
 
-use crate::app::button::{for_finger, off};
+use crate::app::button::{explain_disabled, for_finger};
 use crate::app::prose::prose;
 use crate::app::session::{Command, Session};
 use crate::app::{strings, style};
@@ -27,7 +27,7 @@ pub(super) fn ask(
         let button = for_finger(Button::new(text).wrap(), ui);
         let button = ui.add_enabled(!was_chosen, button);
         if was_chosen {
-            off(button, session.localize(strings::ALREADY_TRIED));
+            explain_disabled(button, session.localize(strings::ALREADY_TRIED));
         } else if button.clicked() {
             commands.push(Command::Answer(guess));
         }

@@ -1,7 +1,7 @@
 //! A row for each item, with buttons that move it up and down.
 
 use super::primary;
-use crate::app::button::{for_finger, off};
+use crate::app::button::{explain_disabled, for_finger};
 use crate::app::prose::prose;
 use crate::app::row_end::row_end;
 use crate::app::session::{Command, Session};
@@ -92,6 +92,6 @@ fn step(
     button.widget_info(|| WidgetInfo::labeled(Role::Button, can, &name));
     match can {
         true => button,
-        false => off(button, session.localize(strings::AT_ITS_END)),
+        false => explain_disabled(button, session.localize(strings::AT_ITS_END)),
     }
 }

@@ -1,6 +1,6 @@
 //! A button for each thing, for those who do not click it in the picture; those already tried are disabled.
 
-use crate::app::button::{for_finger, off};
+use crate::app::button::{explain_disabled, for_finger};
 use crate::app::prose::prose;
 use crate::app::session::{Command, Session};
 use crate::app::strings;
@@ -34,7 +34,7 @@ pub(super) fn ask(
             let button = ui.add_enabled(is_new, for_finger(Button::new(shown), ui));
             button.widget_info(|| WidgetInfo::labeled(Role::Button, is_new, name));
             if !is_new {
-                off(button, session.localize(strings::ALREADY_TRIED));
+                explain_disabled(button, session.localize(strings::ALREADY_TRIED));
                 continue;
             }
             let text = prose(session, name, 13.0, Ink::Text);

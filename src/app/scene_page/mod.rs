@@ -4,7 +4,7 @@ mod controls;
 mod document;
 mod tree;
 
-use super::button::off;
+use super::button::explain_disabled;
 use super::opened::Readers;
 use super::panel_view::{PanelView, Scale};
 use super::session::{Command, Session};
@@ -154,7 +154,7 @@ fn head(
         let response = ui.add_enabled(refused.is_none(), Button::new(name));
         match refused {
             Some(why) => {
-                off(response, session.localize(why));
+                explain_disabled(response, session.localize(why));
                 false
             }
             None => response.clicked(),

@@ -7,8 +7,8 @@ use glam::Vec2;
 use std::collections::HashMap;
 
 const SIZE: Vec2 = Vec2::new(740.0, 560.0);
-/// So many pixels of a colour are seen.
-const SEEN: u32 = 1500;
+/// A colour of fewer pixels is not noticed.
+const LEAST_PIXELS: u32 = 1500;
 
 /// The colours that are seen in a panel, as bytes.
 fn colors(session: &Session, panel: Panel) -> Vec<[u8; 3]> {
@@ -19,7 +19,9 @@ fn colors(session: &Session, panel: Panel) -> Vec<[u8; 3]> {
         let color = [pixel.red(), pixel.green(), pixel.blue()];
         *counts.entry(color.map(|byte| byte & 0xf8)).or_default() += 1;
     }
-    let seen = counts.into_iter().filter(|&(_, count)| count >= SEEN);
+    let seen = counts
+        .into_iter()
+        .filter(|&(_, count)| count >= LEAST_PIXELS);
     seen.map(|(color, _)| color).collect()
 }
 

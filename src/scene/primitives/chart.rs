@@ -115,8 +115,8 @@ fn inverse_bilinear(vertices: [DVec3; 4], point: DVec3) -> DVec2 {
             u.is_finite().then_some(DVec2::new(u, v))
         })
         .min_by(|a, b| {
-            let off = |uv: &DVec2| outside(uv.x).max(outside(uv.y));
-            off(a).total_cmp(&off(b))
+            let outside_by = |uv: &DVec2| outside(uv.x).max(outside(uv.y));
+            outside_by(a).total_cmp(&outside_by(b))
         })
         .unwrap_or_default()
 }

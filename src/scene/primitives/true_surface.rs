@@ -152,11 +152,15 @@ fn meet_patch(
     const MOST: usize = 16;
     // The ray is where two planes meet.
     let (a, b) = direction.any_orthonormal_pair();
-    let off = |v: DVec3| DVec2::new(v.dot(a), v.dot(b));
+    let across_ray = |v: DVec3| DVec2::new(v.dot(a), v.dot(b));
     let mut uv = start;
     for _ in 0..MOST {
         let at = Derivatives::of(points, uv);
-        let (from_ray, by_u, by_v) = (off(at.position - eye), off(at.by_u), off(at.by_v));
+        let (from_ray, by_u, by_v) = (
+            across_ray(at.position - eye),
+            across_ray(at.by_u),
+            across_ray(at.by_v),
+        );
         let determinant = by_u.perp_dot(by_v);
         let change = DVec2::new(from_ray.perp_dot(by_v), by_u.perp_dot(from_ray)) / determinant;
         if !change.is_finite() || (uv - start).abs().max_element() > cell {
@@ -170,7 +174,7 @@ fn meet_patch(
     // A step of a rounding error or two may repeat for ever.
     let at = Derivatives::of(points, uv);
     let scale = at.position.distance(eye);
-    (off(at.position - eye).length() < 1e-12 * scale).then_some(at)
+    (across_ray(at.position - eye).length() < 1e-12 * scale).then_some(at)
 }
 
 /// The cubic Bernstein polynomials at t.

@@ -112,8 +112,8 @@ fn every_mistake_is_told_from_all_others_by_its_own_picture() {
         let Ok(mistaken) = mistaken(&setup, method, &frame, (Encoding::Srgb, false), ONE, &go_on);
         for (mistake, wrong) in &mistaken {
             let differs = differing(wrong, &reference, TOLERANCE);
-            let off = differs.iter().filter(|&&differs| differs).count();
-            if off == 0 {
+            let differing = differs.iter().filter(|&&differs| differs).count();
+            if differing == 0 {
                 continue;
             }
             let mine = StoredImage {
@@ -123,7 +123,8 @@ fn every_mistake_is_told_from_all_others_by_its_own_picture() {
                 is_float: false,
             };
             let found = explanations(&mine, TOLERANCE, &reference, &mistaken);
-            let is_right = |found: &&Explanation| (found.explains, found.rms_after) == (off, 0.0);
+            let is_right =
+                |found: &&Explanation| (found.explains, found.rms_after) == (differing, 0.0);
             let right: Vec<&str> = found
                 .iter()
                 .take_while(is_right)
@@ -174,12 +175,12 @@ fn the_small_programs_without_a_mistake_draw_the_reference() {
             }
             _ => ScanConverter::new(&setup, method, None).picture(),
         };
-        let off = |(a, b): (&Rgb, &Rgb)| distance(a.channels(), b.channels());
+        let distance_of = |(a, b): (&Rgb, &Rgb)| distance(a.channels(), b.channels());
         let largest = frame
             .color
             .iter()
             .zip(&own.color)
-            .map(off)
+            .map(distance_of)
             .fold(0.0, f64::max);
         assert!(largest < 1e-12, "{name} by {}: {largest:e}", method.name());
     }

@@ -171,8 +171,8 @@ pub const CASES: &[Case] = &[
             let (emission, black) = (lamp(2), vec![0.0; area.len()]);
             with(&f, &area, &black, &emission, |system| {
                 let found = by(system, Solver::Auto, Stop::default())?;
-                let off = zip(&found.radiosity, &emission).map(|(b, e)| (b - e).abs());
-                Ok(Measured::absolute(off.fold(0.0, f64::max), 0.0).into())
+                let errors = zip(&found.radiosity, &emission).map(|(b, e)| (b - e).abs());
+                Ok(Measured::absolute(errors.fold(0.0, f64::max), 0.0).into())
             })
         },
         recorded: holds(0.0),

@@ -52,8 +52,8 @@ pub fn furnace_by(solver: Solver, rho: f64, emission: f64, stop: Stop) -> Result
     with(&f, &area, &vec![rho; n], &vec![emission; n], |system| {
         let found = by(system, solver, stop)?;
         let exact = emission / (1.0 - rho);
-        let off = |b: f64| (b / exact - 1.0).abs();
-        let farthest = |a: f64, b: f64| if off(a) > off(b) { a } else { b };
+        let error = |b: f64| (b / exact - 1.0).abs();
+        let farthest = |a: f64, b: f64| if error(a) > error(b) { a } else { b };
         let farthest = found.radiosity.into_iter().reduce(farthest);
         let measured = Measured::relative(farthest.unwrap_or(f64::NAN), exact);
         Ok(Ran::from(measured).conditioned((1.0 + rho) / (1.0 - rho)))
@@ -96,11 +96,11 @@ pub fn cavity(solver: Solver) -> Result<Ran, String> {
             ..Stop::default()
         };
         let found = by(system, solver, stop)?;
-        let off = (0..5).map(|i| {
+        let errors = (0..5).map(|i| {
             let exact = emission[i] + rho[i] * arriving;
             (found.radiosity[i] / exact - 1.0).abs()
         });
-        Ok(Measured::absolute(off.fold(0.0, f64::max), 0.0).into())
+        Ok(Measured::absolute(errors.fold(0.0, f64::max), 0.0).into())
     })
 }
 
@@ -149,8 +149,8 @@ pub fn small_residual() -> Result<Ran, String> {
     with(&f, &area, &vec![rho; area.len()], &lamp(4), |system| {
         let exact = by(system, Solver::Direct, Stop::default())?.radiosity;
         let found = by(system, Solver::Jacobi, Stop::default())?.radiosity;
-        let off = zip(found, exact).map(|(b, exact)| (b / exact - 1.0).abs());
-        let worst = Measured::absolute(off.fold(0.0, f64::max), 0.0);
+        let errors = zip(found, exact).map(|(b, exact)| (b / exact - 1.0).abs());
+        let worst = Measured::absolute(errors.fold(0.0, f64::max), 0.0);
         Ok(Ran::from(worst).conditioned((1.0 + rho) / (1.0 - rho)))
     })
 }

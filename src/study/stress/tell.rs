@@ -29,11 +29,11 @@ pub fn table(reports: &[Report]) -> String {
                     case,
                     Language::English.number(ran.in_f64.expected),
                     Language::English.number(ran.in_f64.found),
-                    off(&ran.in_f64),
+                    error_of(&ran.in_f64),
                     single.map_or("–".into(), |measured| {
                         Language::English.number(measured.found)
                     }),
-                    single.map_or("–".into(), off),
+                    single.map_or("–".into(), error_of),
                     ran.condition.map_or("–".into(), |c| format!("{c:.0e}")),
                     verdict(report),
                 ];
@@ -142,7 +142,7 @@ fn wrapped(out: &mut String, word: &str, said: &str) {
 }
 
 /// An error with its unit, in at most nine columns.
-fn off(measured: &Measured) -> String {
+fn error_of(measured: &Measured) -> String {
     let error = measured.error;
     let short = |v: f64| match v {
         0.0 => "0".to_owned(),

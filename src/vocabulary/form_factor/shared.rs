@@ -31,7 +31,7 @@ pub(super) const RAY: &[Formula] = &[is("x"), is("{u=direction}"), is("hits")];
 pub(super) const ACROSS: &str = "{u=u_pixel} := 2 ({x=pixel_x} + 0.5) / {n=resolution} − 1";
 pub(super) const ALONG: &str = "{v=v_pixel} := 2 ({y=pixel_y} + 0.5) / {n=resolution} − 1";
 pub(super) const AREA: &str = "{ΔA=pixel_area} := ([2; {n=resolution}])^2";
-pub(super) const SEEN: &str = "F_x = {F_{x,old}=F_x<0} + delta_F";
+pub(super) const SUM_OF_PIXELS: &str = "F_x = {F_{x,old}=F_x<0} + delta_F";
 pub(super) const SIGHT: &[Formula] = &[is("{V_{ij}=share} = ['Σ K V(x, y)'; 'Σ K']")
     .unevaluated("what single lines of sight would carry is not recorded")];
 pub(super) const SEEN_FROM: &[Formula] = &[is("x"), is("F_x"), is("F_visible")];

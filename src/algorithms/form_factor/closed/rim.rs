@@ -97,8 +97,8 @@ fn left_along_lines(mut edges: Vec<Edge>, slack: f64) -> Vec<Edge> {
         let direction = (longest.ends[1] - origin).normalize_or_zero();
         let along = |point: DVec3| (point - origin).dot(direction);
         let is_on_line = |edge: &Edge| {
-            let off = |end: DVec3| (end - origin - along(end) * direction).length();
-            edge.ends.iter().all(|&end| off(end) <= slack)
+            let from_line = |end: DVec3| (end - origin - along(end) * direction).length();
+            edge.ends.iter().all(|&end| from_line(end) <= slack)
         };
         let (mut on_line, rest): (Vec<Edge>, Vec<Edge>) = edges.into_iter().partition(is_on_line);
         edges = rest;

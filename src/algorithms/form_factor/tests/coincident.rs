@@ -79,9 +79,12 @@ fn rays_and_hemicubes_know_what_lies_on_what() {
     ] {
         let found = matrix(method);
         for (k, (found, exact)) in found.iter().zip(&exact).enumerate() {
-            let off = (found - exact).abs();
+            let error = (found - exact).abs();
             let [i, j] = [k / patches.len(), k % patches.len()];
-            assert!(off <= tolerance, "{method:?} {i} {j}: {found} for {exact}");
+            assert!(
+                error <= tolerance,
+                "{method:?} {i} {j}: {found} for {exact}"
+            );
             assert!(*exact > 0.0 || *found == 0.0, "{method:?} {i} {j}: {found}");
         }
         let sum = |i: usize| {

@@ -1,4 +1,4 @@
-//! That no value falls from the sky: what a step takes rather than computes is listed.
+//! Every computed value has a formula; what a step takes rather than computes is listed.
 
 use super::*;
 
@@ -88,7 +88,7 @@ fn without_formula(
 }
 
 #[test]
-fn no_value_falls_from_the_sky() {
+fn every_computed_value_has_a_formula_or_is_listed() {
     let mut missing: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     each_step(|kind, known, _| {
         let entry = entry(kind, known).expect("every step has one");
