@@ -305,7 +305,7 @@ fn short_name(racer: &Racer, language: Language) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::fixture::Fixture;
-    use super::super::fixtures::{self, SIZES, assert_legible};
+    use super::super::fixtures::{self, assert_steps_are_legible, views_in_turn};
     use super::*;
     use crate::algorithms::focus::Focus;
     use crate::algorithms::radiosity::Solver;
@@ -335,15 +335,7 @@ mod tests {
             Fixture::room(Solver::Auto, Focus::Frame),
             fixtures::fixtures(Method::Gouraud),
         ] {
-            for step in fixture.some_steps(9973) {
-                fixture.seek(step);
-                for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                    let picture = draw(&fixture.show_in(language), size);
-                    let what = format!("{} {step} at {size}", fixture.walk().kind(step));
-                    assert_legible(&picture, &what);
-                    assert!(!picture.items.is_empty(), "{what}");
-                }
-            }
+            assert_steps_are_legible(&mut fixture, 9973, &views_in_turn(), draw);
         }
     }
 

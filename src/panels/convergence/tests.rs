@@ -1,5 +1,5 @@
 use super::super::fixture::Fixture;
-use super::super::fixtures::{self, SIZES, assert_legible};
+use super::super::fixtures::{self, assert_steps_are_legible, views_in_turn};
 use super::*;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::radiosity::Solver;
@@ -31,15 +31,7 @@ fn every_step_is_legible_at_every_size() {
         Fixture::room(Solver::Auto, Focus::FormFactor { i: 0, j: 60 }),
         fixtures::fixtures(Method::Gouraud),
     ] {
-        for step in fixture.some_steps(9973) {
-            fixture.seek(step);
-            for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                let picture = draw(&fixture.show_in(language), size);
-                let what = format!("{} {step} at {size}", fixture.walk().kind(step));
-                assert_legible(&picture, &what);
-                assert!(!picture.items.is_empty(), "{what}");
-            }
-        }
+        assert_steps_are_legible(&mut fixture, 9973, &views_in_turn(), draw);
     }
 }
 

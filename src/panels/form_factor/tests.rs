@@ -1,6 +1,7 @@
 use super::super::fixture::Fixture;
 use super::super::fixtures::{
-    SIZES, WALLS, assert_legible, crowded, form_factors, nothing, open_room, texts,
+    SIZES, WALLS, all_views, assert_legible, assert_steps_are_legible, crowded, form_factors,
+    nothing, open_room, texts,
 };
 use super::super::names::scope_known_at;
 use super::super::strings::Language;
@@ -13,16 +14,7 @@ use crate::replay::moves::next_scope;
 #[test]
 fn every_step_is_legible_at_every_size() {
     for mut fixture in form_factors() {
-        for step in fixture.some_steps(97) {
-            fixture.seek(step);
-            for size in SIZES {
-                for language in Language::ALL {
-                    let picture = draw(&fixture.show_in(language), size);
-                    let what = format!("{} {step} at {size}", fixture.walk().kind(step));
-                    assert_legible(&picture, &what);
-                }
-            }
-        }
+        assert_steps_are_legible(&mut fixture, 97, &all_views(), draw);
     }
 }
 

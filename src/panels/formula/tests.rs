@@ -1,7 +1,9 @@
 mod taken;
 
 use super::super::fixture::{self, Fixture};
-use super::super::fixtures::{self, SIZES, assert_legible, texts};
+use super::super::fixtures::{
+    self, SIZES, all_views, assert_legible, assert_steps_are_legible, texts,
+};
 use super::*;
 use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
@@ -151,17 +153,7 @@ fn every_step_is_legible_at_every_size() {
         .into_iter()
         .chain(fixtures::form_factors());
     for mut fixture in crowds.into_iter().chain(light) {
-        for step in fixture.some_steps(2011) {
-            fixture.seek(step);
-            for size in SIZES {
-                for language in Language::ALL {
-                    let picture = draw(&fixture.show_in(language), size);
-                    let what = format!("{} {step} at {size}", fixture.walk().kind(step));
-                    assert_legible(&picture, &what);
-                    assert!(!picture.items.is_empty(), "{what}");
-                }
-            }
-        }
+        assert_steps_are_legible(&mut fixture, 2011, &all_views(), draw);
     }
 }
 

@@ -1,4 +1,6 @@
-use super::super::fixtures::{self, SIZES, assert_legible, texts};
+use super::super::fixtures::{
+    self, SIZES, all_views, assert_legible, assert_steps_are_legible, texts,
+};
 use super::super::strings::Language;
 use super::*;
 use crate::render::Method;
@@ -6,17 +8,7 @@ use crate::render::Method;
 #[test]
 fn every_step_is_legible_at_every_size() {
     for method in Method::ALL {
-        let mut fixture = fixtures::fixtures(method);
-        for step in fixture.some_steps(997) {
-            fixture.seek(step);
-            for size in SIZES {
-                for language in Language::ALL {
-                    let picture = draw(&fixture.show_in(language), size);
-                    let what = format!("{} {step} at {size}", fixture.walk().kind(step));
-                    assert_legible(&picture, &what);
-                }
-            }
-        }
+        assert_steps_are_legible(&mut fixtures::fixtures(method), 997, &all_views(), draw);
     }
 }
 

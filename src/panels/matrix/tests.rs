@@ -1,5 +1,7 @@
 use super::super::fixture::Fixture;
-use super::super::fixtures::{SIZES, assert_legible, nothing, open_room, solvers, texts};
+use super::super::fixtures::{
+    SIZES, all_views, assert_legible, assert_steps_are_legible, nothing, open_room, solvers, texts,
+};
 use super::super::patches::form_factor_values;
 use super::*;
 use crate::algorithms::enclosure;
@@ -25,16 +27,7 @@ fn at(fixture: &mut Fixture, kind: &str, size: [f32; 2]) -> Picture {
 #[test]
 fn every_step_is_legible_at_every_size() {
     for mut fixture in solvers() {
-        for step in fixture.some_steps(211) {
-            fixture.seek(step);
-            for size in SIZES {
-                for language in Language::ALL {
-                    let picture = draw(&fixture.show_in(language), size);
-                    let what = format!("{} at {size}", fixture.walk().kind(step));
-                    assert_legible(&picture, &what);
-                }
-            }
-        }
+        assert_steps_are_legible(&mut fixture, 211, &all_views(), draw);
     }
 }
 

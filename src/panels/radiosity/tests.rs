@@ -1,5 +1,7 @@
 use super::super::fixture::Fixture;
-use super::super::fixtures::{self, SIZES, assert_legible};
+use super::super::fixtures::{
+    self, SIZES, assert_legible, assert_steps_are_legible, views_in_turn,
+};
 use super::*;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::radiosity::Solver;
@@ -49,20 +51,10 @@ fn every_step_is_legible_at_every_size() {
         fixtures::fixtures(Method::Gouraud),
         fixtures::rays(Method::RayCasting, 1),
     ] {
-        for step in fixture.some_steps(9973) {
-            fixture.seek(step);
-            for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                let smooth = (step % 2 == 1).then_some(smooth_patches as _);
-                let input = PanelInput {
-                    smooth,
-                    ..fixture.show_in(language)
-                };
-                let picture = draw(&input, size);
-                let what = format!("{} {step} at {size}", fixture.walk().kind(step));
-                assert_legible(&picture, &what);
-                assert!(!picture.items.is_empty(), "{what}");
-            }
-        }
+        assert_steps_are_legible(&mut fixture, 9973, &views_in_turn(), |input, size| {
+            let smooth = (input.run.walk().position() % 2 == 1).then_some(smooth_patches as _);
+            draw(&PanelInput { smooth, ..*input }, size)
+        });
     }
 }
 

@@ -1,5 +1,5 @@
 use super::super::fixture::{BALL, FLOOR, Fixture, SKY, SPARK, rays_scene};
-use super::super::fixtures::{SIZES, assert_legible, fixtures, nothing, texts};
+use super::super::fixtures::{assert_steps_are_legible, fixtures, nothing, texts, views_in_turn};
 use super::super::strings::Language;
 use super::*;
 use crate::picture::{Shape, Tag};
@@ -21,14 +21,8 @@ fn nothing_overlaps_or_is_cut_at_any_step_and_size() {
         (fixtures(Method::Gouraud), 10_000),
         (nothing(), 1),
     ];
-    for (i, (mut fixture, stride)) in samples.into_iter().enumerate() {
-        for step in fixture.some_steps(stride) {
-            fixture.seek(step);
-            for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                let picture = draw(&fixture.show_in(language), size);
-                assert_legible(&picture, &format!("sample {i}, step {step}, {size}"));
-            }
-        }
+    for (mut fixture, stride) in samples {
+        assert_steps_are_legible(&mut fixture, stride, &views_in_turn(), draw);
     }
 }
 

@@ -1,7 +1,11 @@
-//! A run with every kind of event for the tests of panels, and what every picture must hold to.
+//! A run with every kind of event for the tests of panels.
 
+mod legible;
 mod open_room;
 
+pub use legible::{
+    all_views, assert_legible, assert_steps_are_legible, illegible, texts, views_in_turn,
+};
 pub use open_room::{
     FLOOR, LAMP, WALLS, crossing, crowded, form_factors, hinge, open_room, solvers,
 };
@@ -15,7 +19,6 @@ use crate::algorithms::texture::Mapping;
 use crate::color::Rgb;
 use crate::methods::Setup;
 use crate::panels::PanelInput;
-use crate::picture::{Picture, Rect, Shape as Drawn};
 use crate::record::RecordingLimit;
 use crate::render::Method;
 use crate::replay::{Run, Walk};
@@ -335,58 +338,4 @@ pub fn nothing() -> Fixture {
         RecordingLimit(0),
     );
     fixture
-}
-
-/// The texts of a picture with the boxes that they take, as far as they are seen.
-pub fn texts(picture: &Picture) -> Vec<(&str, Rect)> {
-    picture
-        .items
-        .iter()
-        .filter_map(|item| match &item.shape {
-            Drawn::Text { text, .. } if !text.trim().is_empty() => {
-                let bounds = item.shape.bounds();
-                let seen = item.clip.map_or(bounds, |clip| bounds.intersection(&clip));
-                Some((text.as_str(), seen))
-            }
-            _ => None,
-        })
-        .collect()
-}
-
-/// Everything lies within the picture, no text is too small or covers another, and the step is said in words.
-pub fn assert_legible(picture: &Picture, what: &str) {
-    let faults = illegible(picture);
-    assert!(faults.is_empty(), "{what}: {}", faults.join("; "));
-}
-
-/// What cannot be read in a picture.
-pub fn illegible(picture: &Picture) -> Vec<String> {
-    let mut faults = Vec::new();
-    let bounds = picture.bounds().grown(0.01);
-    for item in &picture.items {
-        let shape = item.shape.bounds();
-        // What is clipped within the picture is seen only there.
-        let clipped = item.clip.is_some_and(|clip| bounds.encloses(&clip));
-        if !clipped && !bounds.encloses(&shape) {
-            faults.push(format!("{:?} lies outside, at {shape:?}", item.shape));
-        }
-        if let Drawn::Text { set, text, .. } = &item.shape
-            && set.size < 11.0
-        {
-            faults.push(format!("{text} has {} points", set.size));
-        }
-    }
-    let texts = texts(picture);
-    for (i, (text, rect)) in texts.iter().enumerate() {
-        for (other, other_rect) in &texts[..i] {
-            let common = rect.intersection(other_rect);
-            if common.width >= 0.5 && common.height >= 0.5 {
-                faults.push(format!("“{text}” covers “{other}”"));
-            }
-        }
-    }
-    if picture.alt.is_empty() {
-        faults.push("nothing is said in words".into());
-    }
-    faults
 }

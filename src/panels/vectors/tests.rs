@@ -1,5 +1,5 @@
 use super::super::fixture::{self, Fixture};
-use super::super::fixtures::{self, SIZES, assert_legible, texts};
+use super::super::fixtures::{self, assert_steps_are_legible, texts, views_in_turn};
 use super::super::names;
 use super::super::strings::Language;
 use super::*;
@@ -23,15 +23,7 @@ fn every_step_is_legible_at_every_size() {
         fixtures::fixtures(Method::Gouraud),
         fixtures::nothing(),
     ] {
-        for step in fixture.some_steps(251) {
-            fixture.seek(step);
-            for (size, language) in SIZES.into_iter().zip(Language::ALL.into_iter().cycle()) {
-                let picture = draw(&fixture.show_in(language), size);
-                let what = format!("{} {step} at {size}", fixture.walk().kind(step));
-                assert_legible(&picture, &what);
-                assert!(!picture.items.is_empty(), "{what}");
-            }
-        }
+        assert_steps_are_legible(&mut fixture, 251, &views_in_turn(), draw);
     }
 }
 
