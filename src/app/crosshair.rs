@@ -1,6 +1,6 @@
 //! The crosshair of a picture that has the focus: the arrows move it from one thing to the next, and Enter clicks what it is on.
 
-use super::picture_view::Place;
+use super::picture_place::Place;
 use super::{arrow_focus, style};
 use crate::picture::{Ink, Picture, Tag};
 use egui::{Key, Response, Stroke, Ui};

@@ -11,9 +11,9 @@ pub use folder::Store;
 #[cfg(target_arch = "wasm32")]
 pub use page::Store;
 
-use super::session::{Kept, Session};
+use super::borders::Borders;
+use super::session::Kept;
 use super::strings;
-use super::window_state::{Borders, Window};
 use crate::language::Language;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -21,7 +21,7 @@ use std::io;
 use std::time::Duration;
 
 /// Until another window has written.
-const BUSY: Duration = Duration::from_millis(20);
+pub const BUSY: Duration = Duration::from_millis(20);
 
 /// What is kept.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize)]
@@ -83,7 +83,7 @@ impl Keeper {
     }
 
     /// Writes what differs from what is kept. Errors: why it cannot, once.
-    fn save(&mut self, state: &State) -> Result<Saved, Trouble> {
+    pub fn save(&mut self, state: &State) -> Result<Saved, Trouble> {
         let ours = serde_json::to_value(state).map_err(io::Error::other)?;
         if ours == self.known || self.refused.as_ref() == Some(&ours) {
             return Ok(Saved::Unchanged);
@@ -136,7 +136,7 @@ impl Keeper {
 
 /// What came of writing.
 #[derive(Debug, PartialEq)]
-enum Saved {
+pub enum Saved {
     Unchanged,
     Written,
     /// Another window is writing; to be tried again soon.
@@ -175,27 +175,6 @@ fn merged(known: Option<&Value>, ours: Option<&Value>, theirs: Option<&Value>) -
         Some((key.clone(), merged(known, our.get(key), their.get(key))?))
     });
     Some(Value::Object(entries.collect::<Map<_, _>>()))
-}
-
-impl Window {
-    /// Keeps progress and settings, if they have changed.
-    pub(super) fn keep(&mut self, session: &mut Session, ctx: &egui::Context) {
-        let Some(keeper) = &mut self.keeper else {
-            return;
-        };
-        let state = State {
-            session: session.keep(),
-            layout: self.borders,
-        };
-        match keeper.save(&state) {
-            Ok(Saved::Busy) => ctx.request_repaint_after(BUSY),
-            Ok(_) => {}
-            Err(trouble) => {
-                self.notice = Some(trouble.in_language(session.look.language));
-                ctx.request_repaint();
-            }
-        }
-    }
 }
 
 #[cfg(test)]

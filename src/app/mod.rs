@@ -1,9 +1,11 @@
 //! The window: a [`Session`] holds what is shown, [`window`] shows it, [`open`] puts it on the screen.
 
 mod against_drawer;
+mod announced;
 mod arrow_focus;
 mod background;
 mod binding;
+mod borders;
 mod button;
 mod cards;
 mod compared_pictures;
@@ -14,6 +16,7 @@ mod finished;
 mod forget;
 mod home;
 mod image_controls;
+mod inspector_controls;
 mod inspector_drawer;
 mod keeper;
 mod key_sheet;
@@ -30,8 +33,10 @@ mod opened;
 mod outline;
 #[cfg(target_arch = "wasm32")]
 mod page;
+mod panel_on;
 mod panel_view;
 mod parameter_drawer;
+mod picture_place;
 mod picture_view;
 mod presentation;
 mod pressed;

@@ -1,8 +1,9 @@
 //! The left column: what this step is and why, the note on the slide, the question, pseudocode and formula.
 
+use super::announced::announced;
 use super::button::link;
-use super::cards::panel_on;
 use super::layout::{self, MARGIN};
+use super::panel_on::panel_on;
 use super::panel_view::Key;
 use super::prose::prose;
 use super::session::{Command, Session};
@@ -191,13 +192,6 @@ fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui
             commands.push(Command::NextNarrated);
         }
     }
-}
-
-/// Has a screen reader say what stands there whenever it changes.
-pub(super) fn announced(response: egui::Response) {
-    response.ctx.accesskit_node_builder(response.id, |node| {
-        node.set_live(egui::accesskit::Live::Polite);
-    });
 }
 
 /// This step in words, as the panels say it for those who cannot see them.

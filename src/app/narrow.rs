@@ -1,8 +1,9 @@
 //! The window of a phone: one column, and everything as large as a finger needs it.
 
 use super::button::for_finger;
-use super::cards::{numbered, panel_on, show_drawer};
+use super::cards::{numbered, show_drawer};
 use super::layout::{MARGIN, Narrow};
+use super::panel_on::panel_on;
 use super::session::{Command, Session};
 use super::window_state::Window;
 use super::{narration, notice, strings, style, transport};

@@ -1,6 +1,6 @@
 //! Why the last command did nothing, or what it did: over the lower border of the panels, until the next command.
 
-use super::narration::announced;
+use super::announced::announced;
 use super::session::Session;
 use super::window_state::Window;
 use super::{strings, style};

@@ -1,7 +1,8 @@
 //! A panel on the screen.
 
 use super::layout;
-use super::picture_view::{PictureView, Place};
+use super::picture_place::Place;
+use super::picture_view::PictureView;
 use super::prose::prose;
 use super::session::{Command, Session};
 use super::strings;

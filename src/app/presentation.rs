@@ -1,7 +1,7 @@
 //! Presentation: the key panel, one formula and one sentence, readable from eight times the screen's height.
 
-use super::cards::entered;
 use super::layout::{GAP, MARGIN};
+use super::panel_on::entered;
 use super::panel_view::Scale;
 use super::prose::{prose, set};
 use super::session::{Command, Session, Standing};

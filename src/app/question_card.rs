@@ -6,8 +6,8 @@ mod number;
 mod order;
 mod pick;
 
+use super::announced::announced;
 use super::button::{for_finger, link};
-use super::narration::announced;
 use super::prose::{prose, set};
 use super::session::{Command, Session, Standing};
 use super::window_state::Window;

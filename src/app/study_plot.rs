@@ -1,6 +1,7 @@
 //! The plot of a part of a study, to be pointed at, clicked, zoomed and dragged.
 
-use super::picture_view::{PictureView, Place};
+use super::picture_place::Place;
+use super::picture_view::PictureView;
 use super::session::{PointAt, Session};
 use super::{strings, study_words, tree_controls};
 use crate::figure::View;

@@ -1,7 +1,7 @@
 //! Error against run time: a study is chosen and measured, and what it finds is shown curve by curve and point by point.
 
 use super::button::button;
-use super::session::{Command, Outcome, PointAt, Session, StudyCommand};
+use super::session::{Command, Outcome, PointAt, Session, StudyCommand, name_of_point};
 use super::study_plot::StudyPlot;
 use super::{prose, strings, study_words, style};
 use crate::language::Message;
@@ -224,7 +224,7 @@ fn points(
             let picked = session.studying().picked == Some(at);
             let button = Button::new(RichText::new(text).small()).selected(picked);
             let response = ui.add(button);
-            let name = study_words::name(line, point, language);
+            let name = name_of_point(line, point, language);
             response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
             let description = study_words::recorded(session, line, point);
             ui.ctx()

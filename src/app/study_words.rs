@@ -1,21 +1,15 @@
 //! What a study says of a point.
 
-use super::session::Session;
+use super::session::{Session, name_of_point};
 use super::strings;
-use crate::language::{Language, Message};
+use crate::language::Message;
 use crate::study::harness::{Line, Point};
 use crate::study::report::strings as report;
-
-/// The curve and the setting of a point.
-pub fn name(line: &Line, point: &Point, language: Language) -> String {
-    let [line, setting] = [&line.name, &point.setting].map(|label| label.text(language));
-    format!("{line}, {setting}")
-}
 
 /// Everything about a point, a line each.
 pub fn recorded(session: &Session, line: &Line, point: &Point) -> String {
     let localize = |strings| session.localize(strings);
-    let mut recorded = name(line, point, session.look.language);
+    let mut recorded = name_of_point(line, point, session.look.language);
     if let Some(errors) = point.errors {
         let [rms, largest, relative] = [errors.rms, errors.largest, errors.relative]
             .map(|error| session.look.language.significant(error, 2));

@@ -1,8 +1,8 @@
 //! The whole window, in a function of `&mut Ui`: it needs no screen, and tests show it as the screen would.
 
-use super::cards::panel_on;
 use super::layout::{GAP, Layout, TRANSPORT, Wishes, column_widths, is_narrow, layout};
 use super::opened::{self, Opened};
+use super::panel_on::panel_on;
 use super::session::{Command, Session, Sheet};
 use super::window_state::Window;
 use super::{

@@ -1,15 +1,16 @@
 //! What the window remembers from frame to frame.
 
+use super::borders::Borders;
 use super::home::HomePage;
-use super::keeper::Keeper;
+use super::keeper::{BUSY, Keeper, Saved, State};
 use super::mistakes_page::MistakesPage;
 use super::opened::Opened;
 use super::panel_view::{Key, PanelView};
 use super::scene_page::ScenePage;
+use super::session::Session;
 use super::study_plot::StudyPlot;
 use crate::panels::Panel;
 use crate::picture::Theme;
-use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 
 /// What the window keeps that the session need not know: textures, tile borders, half-typed texts.
@@ -49,12 +50,23 @@ pub struct Window {
     pub(super) time: Option<f64>,
 }
 
-/// How the user has divided the window; what was not chosen is as usual. It is kept from one start of the program to the next.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, Serialize)]
-#[serde(default)]
-pub(super) struct Borders {
-    /// Width of the left column.
-    pub column: Option<f32>,
-    /// Height of the time line without its buttons.
-    pub time_line: Option<f32>,
+impl Window {
+    /// Keeps progress and settings, if they have changed.
+    pub(super) fn keep(&mut self, session: &mut Session, ctx: &egui::Context) {
+        let Some(keeper) = &mut self.keeper else {
+            return;
+        };
+        let state = State {
+            session: session.keep(),
+            layout: self.borders,
+        };
+        match keeper.save(&state) {
+            Ok(Saved::Busy) => ctx.request_repaint_after(BUSY),
+            Ok(_) => {}
+            Err(trouble) => {
+                self.notice = Some(trouble.in_language(session.look.language));
+                ctx.request_repaint();
+            }
+        }
+    }
 }

@@ -1,7 +1,9 @@
 //! The checks of a lesson's file by itself, before it is run.
 
+use super::chapter::Chapter;
 use super::error::problem;
-use super::file::{FocusFile, LessonFile, Text};
+use super::file::{FocusFile, LessonFile};
+use super::text::Text;
 use crate::algorithms::focus::Focus;
 use crate::methods::Method;
 use crate::panels::{Hidden, Panel};
@@ -10,6 +12,18 @@ use crate::scene::document::{Keyed, Problem};
 use crate::scene::{Names, Scene};
 use std::collections::BTreeSet;
 use std::iter;
+
+/// The chapter that a lesson file names.
+pub(super) fn chapter(file: &LessonFile, problems: &mut Vec<Problem>) -> Option<Chapter> {
+    let name = file.chapter.as_deref()?;
+    let chapter = Chapter::from_name(name);
+    if chapter.is_none() {
+        let known = Chapter::ALL.map(Chapter::name).join(", ");
+        let message = format!("found \"{name}\"; allowed are {known}");
+        problems.push(problem("chapter", message));
+    }
+    chapter
+}
 
 /// The method of that name.
 pub(super) fn method(file: &LessonFile, problems: &mut Vec<Problem>) -> Option<Method> {

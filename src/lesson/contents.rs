@@ -1,32 +1,8 @@
 //! What is in a lesson, as far as it is known without running it: for the list of lessons.
 
-use super::error::problem;
-use super::file::LessonFile;
 use super::resolve::Lesson;
 use crate::language::Language;
-use crate::scene::document::{Keyed, Problem};
-
-named! {
-    /// A part of the list of lessons, in the order of the list.
-    pub enum Chapter {
-        Shading = "shading",
-        RayTracing = "ray-tracing",
-        Radiosity = "radiosity",
-        Study = "study",
-    }
-}
-
-/// The chapter that a lesson file names.
-pub(super) fn chapter(file: &LessonFile, problems: &mut Vec<Problem>) -> Option<Chapter> {
-    let name = file.chapter.as_deref()?;
-    let chapter = Chapter::from_name(name);
-    if chapter.is_none() {
-        let known = Chapter::ALL.map(Chapter::name).join(", ");
-        let message = format!("found \"{name}\"; allowed are {known}");
-        problems.push(problem("chapter", message));
-    }
-    chapter
-}
+use crate::scene::document::Keyed;
 
 impl Lesson {
     /// How many steps are explained.

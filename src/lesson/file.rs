@@ -1,12 +1,12 @@
 //! The lesson file as it is written: what is shown, and what is said and asked at which steps.
 
-use super::contents::Chapter;
+use super::chapter::Chapter;
 use super::parameters::ParameterFile;
+use super::text::Text;
 use crate::algorithms::form_factor;
 use crate::algorithms::radiosity::Solver;
 use crate::algorithms::texture::Mapping;
 use crate::methods::Method;
-use crate::panels::strings::Language;
 use crate::panels::{Hidden, Panel};
 use crate::replay::Query;
 use crate::scene::document::{ByName, Keyed, Schema, present};
@@ -188,31 +188,7 @@ pub struct OptionFile {
     pub when: Query,
 }
 
-/// A text in both languages. `{I_4}` in it stands for the value of that field at the step, `{I_4:3}` for three decimals,
-/// `{object:name}` for the name of the thing of that number.
-#[derive(Clone, Debug, Deserialize, JsonSchema, PartialEq, Eq)]
-#[serde(deny_unknown_fields)]
-pub struct Text {
-    pub en: String,
-    pub id: String,
-}
-
 /// The JSON Schema of lesson files.
 pub fn lesson_schema() -> serde_json::Value {
     schema_of::<LessonFile>()
-}
-
-impl Text {
-    pub fn in_language(&self, language: Language) -> &str {
-        match language {
-            Language::English => &self.en,
-            Language::Indonesian => &self.id,
-            #[cfg(test)]
-            Language::Pseudo => &self.en,
-        }
-    }
-
-    pub fn both(&self) -> [(Language, &str); 2] {
-        Language::ALL.map(|language| (language, self.in_language(language)))
-    }
 }

@@ -7,6 +7,8 @@ mod answer;
 mod builtin;
 #[cfg(test)]
 mod changed;
+mod changes;
+mod chapter;
 mod checks;
 mod contents;
 mod error;
@@ -21,6 +23,7 @@ mod resolve;
 mod settings;
 mod synthetic;
 pub mod template;
+mod text;
 #[cfg(test)]
 mod translated;
 #[cfg(test)]
@@ -28,12 +31,13 @@ mod unanswered;
 
 pub use answer::{ARROW_START, Answer, Guess, NoAnswer, Thing, read_number, rounded};
 pub use builtin::{Builtin, builtin, builtins};
-pub use contents::Chapter;
+pub use chapter::Chapter;
 pub use error::LessonError;
-pub use file::{LessonFile, Text, lesson_schema};
+pub use file::{LessonFile, lesson_schema};
 pub use link::Link;
 pub use narrated::{Narrated, Question};
 pub use parameters::{
     ByPath, Change, Coefficient, DIVISIONS, Kind, NotAllowed, Parameter, PathValue,
 };
 pub use resolve::{Lesson, OpenLesson};
+pub use text::Text;

@@ -2,9 +2,10 @@
 
 use super::answer::{Answer, arrow, order, pick};
 use super::error::{LessonError, problem};
-use super::file::{AnswerFile, QuestionFile, StepFile, Text};
+use super::file::{AnswerFile, QuestionFile, StepFile};
 use super::narrated::{Narrated, Question};
 use super::template::{fill, types_numbers};
+use super::text::Text;
 use crate::panels::{Hidden, Panel, named_by};
 use crate::record::{Fields, Value};
 use crate::replay::{Query, Run, Walk, query};

@@ -1,7 +1,8 @@
 //! What is said and asked at a step, with the values of the run filled in.
 
 use super::answer::Answer;
-use super::file::{StepFile, Text};
+use super::file::StepFile;
+use super::text::Text;
 use crate::panels::strings::Language;
 use crate::panels::{Hidden, Panel};
 

@@ -7,8 +7,6 @@ pub use by_path::{ByPath, Kind, PathValue, Source};
 pub use file::ParameterFile;
 pub(super) use file::parameters;
 
-use super::resolve::Lesson;
-use crate::methods::Settings;
 use crate::scene::{LARGEST, Material, Movable, NoRoom, Object, Scene, Shape};
 use glam::DVec3;
 
@@ -82,7 +80,7 @@ pub enum NotAllowed {
 
 impl Parameter {
     /// The change that would make the scene what it is; none for what is not of the scene.
-    fn value(self, scene: &Scene) -> Option<Change> {
+    pub(super) fn value(self, scene: &Scene) -> Option<Change> {
         Some(match self {
             Parameter::Place(of) => Change::Place {
                 of,
@@ -123,7 +121,7 @@ impl Change {
     }
 
     /// Makes the change in `scene`, which was `opened` before any change. Errors: nothing has changed then.
-    fn make(self, scene: &mut Scene, opened: &Scene) -> Result<(), NotAllowed> {
+    pub(super) fn make(self, scene: &mut Scene, opened: &Scene) -> Result<(), NotAllowed> {
         match self {
             // The scene is read with it.
             Change::ByPath { .. } => {}
@@ -159,44 +157,6 @@ impl Change {
             }
         }
         Ok(())
-    }
-}
-
-impl Lesson {
-    /// The value that a parameter has after the changes.
-    pub fn value(&self, parameter: Parameter, changes: &[Change]) -> Option<Change> {
-        let mut changes = changes.iter().copied();
-        let changed = changes.rfind(|change| change.parameter() == parameter);
-        changed.or_else(|| match parameter {
-            Parameter::ByPath(parameter) => Some(Change::ByPath {
-                parameter,
-                value: self.by_path.get(parameter)?.value,
-            }),
-            _ => parameter.value(&self.scene),
-        })
-    }
-
-    /// Scene and settings after the changes, of which there is at most one a parameter. Errors: why a value cannot be had.
-    pub fn changed(&self, changes: &[Change]) -> Result<(Scene, Settings), NotAllowed> {
-        let by_path = changes.iter().filter_map(|change| match *change {
-            Change::ByPath { parameter, value } => Some((self.by_path.get(parameter)?, value)),
-            _ => None,
-        });
-        let mut by_path = by_path.peekable();
-        let source = self.source.as_ref().filter(|_| by_path.peek().is_some());
-        let (opened, settings) = match source {
-            None => (self.scene.clone(), self.settings.clone()),
-            Some(source) => {
-                let read = source.with(by_path);
-                let read = read.map_err(|error| NotAllowed::Refused(error.to_string()))?;
-                (read.scene, read.settings)
-            }
-        };
-        let mut scene = opened.clone();
-        for change in changes {
-            change.make(&mut scene, &opened)?;
-        }
-        Ok((scene, settings))
     }
 }
 

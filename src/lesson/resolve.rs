@@ -1,14 +1,15 @@
 //! A lesson file checked, run, and tied to the steps of its run.
 
 use super::answer::Answer;
+use super::chapter::Chapter;
 use super::checks;
-use super::contents::{Chapter, chapter};
 use super::error::{LessonError, problem};
-use super::file::{LessonFile, StepFile, Text};
+use super::file::{LessonFile, StepFile};
 use super::narrate::narrate;
 use super::narrated::Narrated;
 use super::parameters::{ByPath, Parameter, ParameterFile, Source, parameters};
 use super::settings::{compare, mapping, radiosity, rays};
+use super::text::Text;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::methods::{Method, Settings, Setup};
@@ -103,7 +104,7 @@ impl Lesson {
 
         let method = checks::method(&file, &mut problems);
         let panels = checks::panels(&file, &mut problems);
-        let chapter = chapter(&file, &mut problems);
+        let chapter = checks::chapter(&file, &mut problems);
         checks::texts(&file, &mut problems);
         let has_paths = file
             .parameters

@@ -1,8 +1,9 @@
 //! Lessons that are made in the program: a picture that can be walked through, with a few words at its first step.
 
-use super::file::{StepFile, Text};
+use super::file::StepFile;
 use super::parameters::{Coefficient, Parameter};
 use super::resolve::Lesson;
+use super::text::Text;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::{Language, Message};
 use crate::methods::{Family, Settings};

@@ -2,10 +2,9 @@
 //!
 //! Surfaces that lie back to back, as the two sides of a thin wall, hide nothing of each other's front.
 
-use super::closed::Sheet;
 use super::faces::Face;
-use super::parts::polygons;
-use super::polygon::Polygon;
+use super::polygon::{Polygon, polygons};
+use super::sheet::Sheet;
 use crate::scene::patches::Patches;
 use glam::DVec3;
 use std::ops::Range;

@@ -36,6 +36,8 @@ pub mod report;
 pub mod sample;
 pub mod sampled;
 mod shaft;
+mod share;
+mod sheet;
 mod shortcuts;
 pub mod sobol;
 pub mod through;
@@ -279,7 +281,7 @@ impl<'a> FormFactors<'a> {
     fn polygons(&self, patch: usize) -> Vec<Polygon<'_>> {
         match self.blockers {
             Some(blockers) => blockers.polygons(self.patches, patch),
-            None => parts::polygons(self.patches, patch).collect(),
+            None => polygon::polygons(self.patches, patch).collect(),
         }
     }
 

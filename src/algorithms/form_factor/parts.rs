@@ -1,7 +1,7 @@
 //! The parts of patches that light comes to.
 
 use super::closed::{self, Closed};
-use super::polygon::Polygon;
+use super::polygon::{Polygon, polygons};
 use super::visibility::Blockers;
 use crate::scene::patches::Patches;
 use glam::DVec3;
@@ -52,10 +52,4 @@ impl Blockers {
                 .all(|[from, to]| (to - from).cross(point - from).dot(part.normal) >= 0.0)
         })
     }
-}
-
-/// The pieces of a patch.
-pub fn polygons(patches: &Patches, patch: usize) -> impl Iterator<Item = Polygon<'_>> {
-    let pieces = patches.pieces(patch);
-    pieces.filter_map(|piece| Polygon::new(piece.corners.into(), piece.normal))
 }

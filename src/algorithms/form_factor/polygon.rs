@@ -1,6 +1,7 @@
 //! Convex planar polygons: cut at a plane, and covered with Gauss points.
 
 use super::gauss::gauss;
+use crate::scene::patches::Patches;
 use glam::DVec3;
 use std::borrow::Cow;
 
@@ -176,4 +177,10 @@ fn triangle_points([a, b, c]: [DVec3; 3], n: usize, at: &mut impl FnMut(DVec3, f
             at(point, weight_u * weight_v * twice * (1.0 - v));
         }
     }
+}
+
+/// The pieces of a patch.
+pub fn polygons(patches: &Patches, patch: usize) -> impl Iterator<Item = Polygon<'_>> {
+    let pieces = patches.pieces(patch);
+    pieces.filter_map(|piece| Polygon::new(piece.corners.into(), piece.normal))
 }

@@ -5,18 +5,14 @@
 //! within the face. Where the whole shaft does so within one face, nothing passes. What the other faces leave is found by
 //! `occlusion`, exactly from each point of one patch; where they are too many for that, by rays ([`super::sampled`]).
 
-use super::Event;
-use super::closed::{Closed, Sheet};
+use super::closed::Closed;
 use super::coincident::{self, Exposed};
 use super::faces::{self, Face};
 use super::groups::{Group, facets, groups};
-use super::occlusion::{self, Passing};
-use super::polygon::Polygon;
 use super::sample::Sample;
-use super::shaft::{self, Shaft, Sight};
-use super::view::Blocker;
-use super::{facing, sampled};
-use crate::record::{Listing, Recorder};
+use super::shaft::{Shaft, Sight};
+use super::sheet::Sheet;
+use crate::record::Listing;
 use crate::scene::patches::Patches;
 use crate::scene::primitives::{Primitives, Ray};
 use crate::scene::{Scene, Tessellation};
@@ -47,10 +43,6 @@ const SLACK: f64 = 64.0 * f64::EPSILON;
 /// How far from their patches rays begin and end, as a share of the scene's extent: so that they do not meet what they leave.
 const LIFT: f64 = 4e-9;
 
-/// Above so many faces between two patches, rays are cheaper than exact clipping. Measured on a ball in a cube with one patch a wall: 512
-/// facets take 4 s exactly, with rows within 3e-5 of 1; 2048 facets take 26 s, or 1.4 s by rays with rows within 8e-3.
-const MOST_FACES: usize = 512;
-
 /// The patches of a scene as they stand in each other's way. Objects that cast no shadow do not.
 #[derive(Clone, Debug)]
 pub struct Blockers {
@@ -60,7 +52,7 @@ pub struct Blockers {
     starts: Vec<usize>,
     corners: Vec<DVec3>,
     groups: Vec<Group>,
-    faces: Vec<Face>,
+    pub(super) faces: Vec<Face>,
     /// By group, those of `faces` that it is made of.
     faces_of: Vec<Range<usize>>,
     /// By patch, a bit a group: no corner behind its plane, and none in front.
@@ -190,7 +182,7 @@ impl Blockers {
     }
 
     /// What can stand between two patches.
-    fn between(&self, i: usize, j: usize) -> Between {
+    pub(super) fn between(&self, i: usize, j: usize) -> Between {
         if self.has_too_many {
             return Between::TooMany;
         }
@@ -261,107 +253,10 @@ impl Blockers {
                 distance,
             )
     }
-
-    /// The share of what i and j would exchange that nothing blocks, and an estimate of its error. `f` is the larger of their form factors if
-    /// nothing did. With `forced`, it is looked for where nothing can, too.
-    pub fn share<R: Recorder<Event>>(
-        &self,
-        patches: &Patches,
-        [i, j]: [usize; 2],
-        f: f64,
-        forced: bool,
-        recorder: &mut R,
-    ) -> [f64; 2] {
-        let faces = match self.between(i, j) {
-            Between::Nothing if forced => Vec::new(),
-            Between::Nothing => return [1.0, 0.0],
-            Between::Everything => {
-                recorder.step(|| Event::Visible {
-                    rays: 0,
-                    share: 0.0,
-                });
-                return [0.0, 0.0];
-            }
-            Between::Faces(faces) => faces,
-            Between::TooMany => return sampled::share(self, patches, [i, j], f, recorder),
-        };
-        let mut pairs = Vec::new();
-        for piece_i in self.polygons(patches, i) {
-            for piece_j in self.polygons(patches, j) {
-                if let Some([a, b]) = facing(piece_i.clone(), piece_j) {
-                    let blockers = self.in_front(&a, &b, &faces);
-                    pairs.push((a, b, blockers));
-                }
-            }
-        }
-        let most = pairs.iter().map(|(.., blockers)| blockers.len()).max();
-        match most.unwrap_or(0) {
-            0 if !forced => return [1.0, 0.0],
-            n if n > MOST_FACES => return sampled::share(self, patches, [i, j], f, recorder),
-            _ => {}
-        }
-        let mut sum = Passing::default();
-        for (a, b, blockers) in pairs {
-            let passing = self.passing(a, b, &blockers, recorder);
-            sum.whole += passing.whole;
-            sum.visible += passing.visible;
-            sum.error += passing.error;
-            sum.points += passing.points;
-        }
-        let [share, error] = match sum.whole > 0.0 {
-            true => [sum.visible / sum.whole, sum.error / sum.whole],
-            false => [0.0, 0.0],
-        };
-        recorder.step(|| Event::Visible {
-            rays: sum.points,
-            share,
-        });
-        [share, error]
-    }
-
-    /// What of the faces lies in front of two polygons that lie in front of each other.
-    fn in_front(&self, a: &Polygon, b: &Polygon, faces: &[usize]) -> Vec<Blocker> {
-        let part = |&face: &usize| {
-            let Blocker { corners, normal } = &self.faces[face].outline;
-            let whole = Polygon::new(corners.into(), *normal)?;
-            let part = whole
-                .in_front_of(a, self.slack)?
-                .in_front_of(b, self.slack)?;
-            Some(Blocker {
-                corners: part.corners.into_owned(),
-                normal: *normal,
-            })
-        };
-        let mut blockers: Vec<Blocker> = faces.iter().filter_map(part).collect();
-        // What stands between the centres hides the most. It comes first, so that little is left to be divided.
-        blockers.sort_by_key(|blocker| !blocker.is_met(a.center, b.center));
-        blockers
-    }
-
-    /// What passes between two polygons that lie in front of each other, the blockers in front of both.
-    fn passing<R: Recorder<Event>>(
-        &self,
-        a: Polygon,
-        b: Polygon,
-        blockers: &[Blocker],
-        recorder: &mut R,
-    ) -> Passing {
-        let spreads = shaft::spreads(&a, &b, blockers);
-        let (receiver, source, spread) = match spreads[0] >= spreads[1] {
-            true => (a, b, spreads[0]),
-            false => (b, a, spreads[1]),
-        };
-        // Through the gaps of a grating, what is seen jumps about as often as there are bars.
-        let bars = shaft::most_in_a_plane(blockers, self.slack);
-        let cells = if bars > 2 { bars as f64 } else { 1.0 };
-        let grid = (1.0 / spread).max(cells).clamp(1.0, 6.0).ceil() as u32;
-        let parts = shaft::divided(receiver, blockers, self.slack);
-        occlusion::passing(&parts, &source, blockers, grid, self.slack, recorder)
-    }
 }
 
 /// What can stand between two patches.
-enum Between {
+pub(super) enum Between {
     Nothing,
     /// One face hides all of one from the other.
     Everything,

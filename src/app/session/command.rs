@@ -1,6 +1,5 @@
 //! What a user can ask of a session, and why it may be refused.
 
-use super::outline::Sheet;
 use crate::algorithms::focus::Focus;
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Guess};
@@ -198,4 +197,15 @@ impl From<Message> for Refused {
     fn from(strings: Message) -> Self {
         Refused::Because(strings)
     }
+}
+
+/// What lies over the lesson.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sheet {
+    /// The lesson's explanations, to go to one.
+    Outline,
+    /// What was learned, and how the questions were answered.
+    Finished,
+    /// Asks whether the progress in all lessons shall be forgotten.
+    Forget,
 }

@@ -35,15 +35,15 @@ mod what_if;
 mod tests;
 
 pub use against::Against;
-pub use command::{Command, PointAt, Refused, StudyCommand};
+pub use command::{Command, PointAt, Refused, Sheet, StudyCommand};
 pub use kept::{Kept, Progress};
 pub use lessons::{Listed, listed};
 pub use look::Look;
-pub use outline::{Entry, Sheet};
+pub use outline::Entry;
 pub use own::{FolderOfLessons, LessonFromFile};
 pub use playing::Direction;
 pub use results::Results;
-pub use study::{Outcome, Studying};
+pub use study::{Outcome, Studying, name_of_point};
 
 use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;

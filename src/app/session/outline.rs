@@ -1,18 +1,7 @@
 //! Where one is in the lesson: its explanations in their order, and how their questions stand.
 
-use super::{Refused, Session, Standing};
+use super::{Refused, Session, Sheet, Standing};
 use crate::app::strings;
-
-/// What lies over the lesson.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sheet {
-    /// The lesson's explanations, to go to one.
-    Outline,
-    /// What was learned, and how the questions were answered.
-    Finished,
-    /// Asks whether the progress in all lessons shall be forgotten.
-    Forget,
-}
 
 /// An explanation in the outline.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,8 +2,8 @@
 
 use super::Session;
 use super::command::{PointAt, Refused, StudyCommand};
-use super::study::Studying;
-use crate::app::{strings, study_words};
+use super::study::{Studying, name_of_point};
+use crate::app::strings;
 use crate::language::{Language, Message};
 use crate::lesson::Lesson;
 use crate::study::families;
@@ -61,7 +61,7 @@ impl Session {
         let found = self.studying.point(at);
         let (_, line, point) = found.ok_or(strings::NO_SUCH_POINT)?;
         let lesson = point.drawn.as_ref().map(|drawn| {
-            let title = Language::ALL.map(|language| study_words::name(line, point, language));
+            let title = Language::ALL.map(|language| name_of_point(line, point, language));
             let say = strings::said_of_a_point(point);
             Lesson::of_picture(title, say, &drawn.setup, drawn.method)
         });

@@ -3,8 +3,7 @@
 //! A changed document is read and checked again as a whole, so that a value can do no more than one that is written in the file.
 
 use super::super::error::{LessonError, problem};
-use super::super::file::Text;
-use super::super::resolve::Lesson;
+use super::super::text::Text;
 use crate::scene::Limits;
 use crate::scene::document::{Keyed, present};
 use schemars::JsonSchema;
@@ -223,7 +222,7 @@ impl Path {
 pub struct Source {
     document: Value,
     files: Vec<(String, Vec<u8>)>,
-    limits: Limits,
+    pub limits: Limits,
 }
 
 impl Source {
@@ -253,11 +252,11 @@ impl Source {
         })
     }
 
-    /// The lesson with other values. Errors: what the file would be refused for.
+    /// The document with other values. Errors: a value that is out of its range.
     pub fn with<'a>(
         &self,
         values: impl Iterator<Item = (&'a ByPath, PathValue)>,
-    ) -> Result<Lesson, LessonError> {
+    ) -> Result<Vec<u8>, LessonError> {
         let mut document = self.document.clone();
         for (parameter, value) in values {
             for place in &parameter.places {
@@ -268,12 +267,14 @@ impl Source {
                 }
             }
         }
-        let bytes = serde_json::to_vec(&document).expect("a document is written as text");
-        Lesson::read(&bytes, &self.limits, &mut |path| {
-            let file = self.files.iter().find(|(name, _)| name == path);
-            file.map(|(_, bytes)| bytes.clone())
-                .ok_or_else(|| format!("{path} was not read with the lesson"))
-        })
+        Ok(serde_json::to_vec(&document).expect("a document is written as text"))
+    }
+
+    /// A file that belongs to it. Errors: it was not read with the lesson.
+    pub fn file(&self, path: &str) -> Result<Vec<u8>, String> {
+        let file = self.files.iter().find(|(name, _)| name == path);
+        file.map(|(_, bytes)| bytes.clone())
+            .ok_or_else(|| format!("{path} was not read with the lesson"))
     }
 }
 
@@ -362,31 +363,6 @@ fn given(text: &str, source: &Source) -> Result<Place, String> {
         plus: 0.0,
         own: found,
     })
-}
-
-impl Lesson {
-    /// The first of the values of its parameters, tried all over their ranges, with which the lesson would be refused.
-    pub fn check_parameters(&self) -> Result<(), LessonError> {
-        let Some(source) = &self.source else {
-            return Ok(());
-        };
-        for parameter in &self.by_path {
-            for value in parameter.sampled() {
-                let read = source.with([(parameter, value)].into_iter());
-                read.map_err(|error| {
-                    let value = match value {
-                        PathValue::Number(number) => number.to_string(),
-                        PathValue::Option(index) => format!("option {index}"),
-                    };
-                    let name = &parameter.name.en;
-                    let message = format!("with {value} for “{name}”: {error}");
-                    let error = LessonError::from(problem("parameters", message));
-                    error.located(self.text.as_deref().unwrap_or_default())
-                })?;
-            }
-        }
-        Ok(())
-    }
 }
 
 #[cfg(test)]

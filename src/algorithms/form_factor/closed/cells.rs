@@ -2,38 +2,8 @@
 //! passes through it or stands on it. In front of a cell all points lie on the same side of every surface.
 
 use super::super::polygon::Polygon;
+use super::super::sheet::Sheet;
 use glam::DVec3;
-
-/// A convex polygon, and the box that holds it.
-#[derive(Clone, Debug)]
-pub struct Sheet {
-    pub polygon: Polygon<'static>,
-    pub low: DVec3,
-    pub high: DVec3,
-}
-
-impl Sheet {
-    pub fn new(polygon: Polygon<'static>) -> Sheet {
-        let corners = || polygon.corners.iter().copied();
-        Sheet {
-            low: corners().fold(DVec3::INFINITY, DVec3::min),
-            high: corners().fold(DVec3::NEG_INFINITY, DVec3::max),
-            polygon,
-        }
-    }
-
-    /// Whether their boxes are no farther apart than `slack`.
-    pub fn is_near(&self, other: &Sheet, slack: f64) -> bool {
-        (self.low.cmple(other.high + slack) & self.high.cmpge(other.low - slack)).all()
-    }
-
-    /// Whether they lie in one plane and look at opposite sides.
-    pub fn is_opposite(&self, other: &Sheet, slack: f64) -> bool {
-        let [a, b] = [&self.polygon, &other.polygon];
-        let height = |corner: &DVec3| a.normal.dot(*corner - a.corners[0]).abs();
-        a.normal.dot(b.normal) < -0.5 && b.corners.iter().all(|corner| height(corner) <= slack)
-    }
-}
 
 /// The cells of a sheet. `slack` is how far rounding may have moved a corner.
 pub fn cells(sheet: &Sheet, others: &[Sheet], slack: f64) -> Vec<Polygon<'static>> {

@@ -20,11 +20,9 @@ mod cap;
 mod cells;
 mod rim;
 
-pub use cells::Sheet;
-
 use super::coincident::Exposed;
-use super::parts::polygons;
-use super::polygon::Polygon;
+use super::polygon::{Polygon, polygons};
+use super::sheet::Sheet;
 use crate::scene::patches::Patches;
 use cap::{cap, normals_at};
 use cells::cells;

@@ -6,6 +6,7 @@ mod tests;
 use super::command::{PointAt, Refused};
 use crate::app::background::{Work, Worker};
 use crate::app::strings;
+use crate::language::Language;
 use crate::study::families;
 use crate::study::form::{Request, Study};
 use crate::study::harness::{Line, Part, Point, Unmeasured};
@@ -130,6 +131,12 @@ impl Studying {
         let news = measuring.map_or_else(Vec::new, |mut measuring| measuring.wait());
         news.into_iter().for_each(|news| self.keep(news));
     }
+}
+
+/// The curve and the setting of a point.
+pub fn name_of_point(line: &Line, point: &Point, language: Language) -> String {
+    let [line, setting] = [&line.name, &point.setting].map(|label| label.text(language));
+    format!("{line}, {setting}")
 }
 
 fn measure(study: &'static Study, quick: bool, worker: &Worker<News>) {
