@@ -54,7 +54,25 @@ pub struct Polygon<'a> {
     vertices: &'a [PreparedVertex],
 }
 
+/// The most polygons that a scene may become for the scan-line methods: ten million take about 4 GB.
+const MAX_POLYGONS: u64 = 10_000_000;
+
 impl PreparedScene {
+    /// A scene in front of its own camera, in a picture of that size. Errors: why there is none.
+    pub fn of_size(scene: Scene, [width, height]: [u32; 2]) -> Result<Self, String> {
+        let Some(camera) = scene.camera else {
+            return Err("camera: the key is missing; a picture needs a camera".into());
+        };
+        let polygons = Tessellation::count(&scene);
+        if polygons > MAX_POLYGONS {
+            return Err(format!(
+                "objects: they divide into {polygons} polygons; at most {MAX_POLYGONS} are drawn"
+            ));
+        }
+        let view = View::new(&camera, width, height);
+        Ok(PreparedScene::new(scene, view))
+    }
+
     /// `view` must be of the scene's own camera. Its near plane is set to a millionth of the distance to the nearest vertex, and nearer
     /// where a polygon larger than that passes by: so what is seen depends on no unit of length, nor on how far away the
     /// camera's target was put.

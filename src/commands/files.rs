@@ -1,13 +1,12 @@
 //! Reading scenes and lessons from files.
 
 use super::failure::{Failure, note};
-use super::kind::is_lesson;
 use super::progress;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::suggestion;
-use crate::lesson::{Lesson, builtin, builtins};
+use crate::lesson::{Lesson, builtin, builtins, is_lesson};
 use crate::methods::{Method, Settings};
-use crate::scene::{self, Limits, Scene, Tessellation, View, document};
+use crate::scene::{self, Limits, Scene, document};
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -23,14 +22,21 @@ pub enum Document {
 
 /// Reads a lesson of the program's own by its id, or else a lesson or scene file by its path.
 pub fn lesson_or_scene(name: &str, limits: &Limits) -> Result<Document, Failure> {
-    let path = Path::new(name);
+    match own_lesson(name)? {
+        Some(lesson) => Ok(Document::Lesson(lesson.into())),
+        None => document(Path::new(name), limits),
+    }
+}
+
+/// The lesson of the program's own with that id; none where it names a file.
+fn own_lesson(name: &str) -> Result<Option<Lesson>, Failure> {
     match builtin(name) {
         Some(lesson) => lesson
             .read()
-            .map(|lesson| Document::Lesson(lesson.into()))
+            .map(Some)
             .map_err(|error| wrong(&name, &error)),
         None if is_an_id(name) => Err(no_such_lesson(name, &[])),
-        None => document(path, limits),
+        None => Ok(None),
     }
 }
 
@@ -54,36 +60,22 @@ pub fn no_such_lesson(id: &str, own: &[&str]) -> Failure {
 /// no lesson of the program's own.
 #[cfg(feature = "gui")]
 pub fn to_walk(name: &str) -> Result<(Lesson, Option<PathBuf>), Failure> {
+    if let Some(lesson) = own_lesson(name)? {
+        return Ok((lesson, None));
+    }
     let path = Path::new(name);
-    let limits = Limits::default();
-    let extension = path
-        .extension()
-        .map(|extension| extension.to_ascii_lowercase());
-    let is_mesh = extension
-        .is_some_and(|extension| ["obj", "gltf", "glb"].iter().any(|mesh| extension == *mesh));
-    let title = path.file_name().unwrap_or_default().to_string_lossy();
-    let scene = if is_mesh {
-        let folder = folder_of(path);
-        let mut read_file = |name: &str| read_inside(&folder, name);
-        scene::scene_of_mesh(&title, &limits, &mut read_file)
-            .map_err(|error| wrong(&path.display(), &error))?
-    } else {
-        match lesson_or_scene(name, &limits)? {
-            Document::Lesson(lesson) => {
-                let file = builtin(name).is_none().then(|| path.to_owned());
-                return Ok((*lesson, file));
-            }
-            Document::Scene(scene) => *scene,
-        }
+    let limit = match scene::is_mesh(name) {
+        true => MAX_MESH_BYTES,
+        false => document::MAX_BYTES as u64,
     };
-    // The window asks for all that a picture needs.
-    let checked = prepared(
-        scene,
-        Lesson::SIZE_OF_A_WALK,
-        Method::RayTracing,
-        &path.display(),
-    )?;
-    Ok((Lesson::of_scene(&title, checked), Some(path.to_owned())))
+    let bytes = read_named(path, limit)?;
+    let folder = folder_of(path);
+    let mut read_file = |name: &str| read_inside(&folder, name);
+    let lesson = progress::named(&format!("reading {}", path.display()), || {
+        Lesson::of_file(&title(path), &bytes, &mut read_file)
+    });
+    let lesson = lesson.map_err(|error| wrong(&path.display(), &error))?;
+    Ok((lesson, Some(path.to_owned())))
 }
 
 /// A walk through a scene whose text may not be in its file yet.
@@ -91,20 +83,13 @@ pub fn to_walk(name: &str) -> Result<(Lesson, Option<PathBuf>), Failure> {
 pub fn edited_scene(path: &Path, text: &[u8]) -> Result<Lesson, Vec<document::Problem>> {
     let folder = folder_of(path);
     let mut read_file = |name: &str| read_inside(&folder, name);
-    let scene = scene::read(text, &Limits::default(), &mut read_file);
-    let scene = scene.map_err(|error| error.problems)?;
-    let title = path.file_name().unwrap_or_default().to_string_lossy();
-    // What is wrong with all of it has no place.
-    let checked = prepared(scene, Lesson::SIZE_OF_A_WALK, Method::RayTracing, &title);
-    let checked = checked.map_err(|failure| {
-        vec![document::Problem {
-            place: String::new(),
-            line: None,
-            column: None,
-            message: failure.to_string(),
-        }]
-    })?;
-    Ok(Lesson::of_scene(&title, checked))
+    Lesson::of_scene_text(&title(path), text, &mut read_file)
+}
+
+#[cfg(feature = "gui")]
+fn title(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default();
+    name.to_string_lossy().into_owned()
 }
 
 /// Whether a file can be read and is no lesson.
@@ -115,13 +100,7 @@ pub fn is_scene(path: &Path) -> bool {
 
 /// Reads a lesson or scene file.
 pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
-    let bytes = read(path, document::MAX_BYTES as u64).map_err(|reason| {
-        let meant = match path.exists() {
-            true => String::new(),
-            false => like_it(path),
-        };
-        wrong(&path.display(), &format!("cannot be read: {reason}{meant}"))
-    })?;
+    let bytes = read_named(path, document::MAX_BYTES as u64)?;
     let folder = folder_of(path);
     let mut read_file = |name: &str| read_inside(&folder, name);
     let wrong = |error: &dyn std::fmt::Display| wrong(&path.display(), &error);
@@ -136,6 +115,17 @@ pub fn document(path: &Path, limits: &Limits) -> Result<Document, Failure> {
                 Err(error) => Err(wrong(&error)),
             },
         }
+    })
+}
+
+/// Reads a file that somebody named.
+fn read_named(path: &Path, limit: u64) -> Result<Vec<u8>, Failure> {
+    read(path, limit).map_err(|reason| {
+        let meant = match path.exists() {
+            true => String::new(),
+            false => like_it(path),
+        };
+        wrong(&path.display(), &format!("cannot be read: {reason}{meant}"))
     })
 }
 
@@ -160,35 +150,17 @@ pub fn scene(path: &Path, limits: &Limits) -> Result<(Scene, Settings), Failure>
     }
 }
 
-/// The most polygons that a scene may become for the scan-line methods: ten million take about 4 GB.
-const MAX_POLYGONS: u64 = 10_000_000;
-
 /// A scene in front of its own camera, in a picture of `width`×`height`. Says which objects are left out.
 pub fn prepared(
     scene: Scene,
-    [width, height]: [u32; 2],
+    size: [u32; 2],
     method: Method,
     name: &dyn std::fmt::Display,
 ) -> Result<PreparedScene, Failure> {
-    let Some(camera) = scene.camera else {
-        return Err(wrong(
-            name,
-            &"camera: the key is missing; a picture needs a camera",
-        ));
-    };
-    let polygons = Tessellation::count(&scene);
-    if polygons > MAX_POLYGONS {
-        return Err(wrong(
-            name,
-            &format!(
-                "objects: they divide into {polygons} polygons; at most {MAX_POLYGONS} are drawn"
-            ),
-        ));
-    }
-    let view = View::new(&camera, width, height);
     let prepared = progress::named("dividing the scene into polygons", || {
-        PreparedScene::new(scene, view)
+        PreparedScene::of_size(scene, size)
     });
+    let prepared = prepared.map_err(|error| wrong(name, &error))?;
     if method.follows_rays() {
         return Ok(prepared);
     }

@@ -15,7 +15,6 @@ mod form_factors;
 mod frames;
 mod handout;
 mod interrupt;
-mod kind;
 #[cfg(feature = "gui")]
 mod lesson_folder;
 mod list;

@@ -13,6 +13,7 @@ mod checks;
 mod contents;
 mod error;
 mod file;
+mod kind;
 mod link;
 mod narrate;
 mod narrated;
@@ -28,12 +29,14 @@ mod text;
 mod translated;
 #[cfg(test)]
 mod unanswered;
+mod walkable;
 
 pub use answer::{ARROW_START, Answer, Guess, NoAnswer, Thing, read_number, rounded};
 pub use builtin::{Builtin, builtin, builtins};
 pub use chapter::Chapter;
 pub use error::LessonError;
 pub use file::{LessonFile, lesson_schema};
+pub use kind::is_lesson;
 pub use link::Link;
 pub use narrated::{Narrated, Question};
 pub use parameters::{

@@ -3,10 +3,19 @@
 use super::{Camera, Light, Limits, ReadFile, Scene, SceneError, Shape, read};
 use crate::color::Rgb;
 use glam::DVec3;
+use std::path::Path;
 
 /// Half of the camera's angle that is sure to lie in a picture of 4 by 3.
 const HALF_ANGLE: f64 = 0.26;
 const FOV_X: f64 = 0.7;
+
+/// Whether a file of that name is a mesh.
+pub fn is_mesh(name: &str) -> bool {
+    let ending = Path::new(name)
+        .extension()
+        .map(|ending| ending.to_ascii_lowercase());
+    ending.is_some_and(|ending| ["obj", "gltf", "glb"].iter().any(|mesh| ending == *mesh))
+}
 
 /// The scene of the mesh file of that name, which `read_file` reads. Errors: those of a scene with the mesh.
 pub fn scene_of_mesh(

@@ -27,7 +27,7 @@ mod tessellation;
 mod validate;
 mod values;
 
-pub use bare_mesh::scene_of_mesh;
+pub use bare_mesh::{is_mesh, scene_of_mesh};
 pub use body_notes::body_notes;
 pub use camera::{Camera, View};
 pub use file::SceneFile;

@@ -1,6 +1,6 @@
 //! Whether a JSON file is meant as a lesson or as a scene.
 
-use crate::lesson::lesson_schema;
+use super::lesson_schema;
 use crate::scene::scene_schema;
 use serde::de::IgnoredAny;
 use serde_json::Value;

@@ -1,0 +1,52 @@
+//! What can be walked through, from the bytes of a file.
+
+use super::kind::is_lesson;
+use super::resolve::Lesson;
+use crate::algorithms::prepared_scene::PreparedScene;
+use crate::scene::document::Problem;
+use crate::scene::{self, Limits, ReadFile, Scene, is_mesh};
+
+impl Lesson {
+    /// What the file of that name holds: a lesson, or a walk through a scene, or through a mesh, which gets a camera and a light.
+    /// `read_file` reads what the file names. Errors: what is wrong with it, one problem a line.
+    pub fn of_file(name: &str, bytes: &[u8], read_file: &mut ReadFile) -> Result<Lesson, String> {
+        let limits = Limits::default();
+        if !is_mesh(name) && is_lesson(bytes) {
+            let lesson = Lesson::read(bytes, &limits, read_file);
+            return lesson.map_err(|error| error.to_string());
+        }
+        let scene = match is_mesh(name) {
+            true => scene::scene_of_mesh(name, &limits, &mut |wanted| match wanted == name {
+                true => Ok(bytes.to_vec()),
+                false => read_file(wanted),
+            }),
+            false => scene::read(bytes, &limits, read_file),
+        };
+        Lesson::through(name, scene.map_err(|error| error.to_string())?)
+    }
+
+    /// A walk through the scene of that name whose text is given. Errors: what is wrong with it, and where.
+    pub fn of_scene_text(
+        name: &str,
+        text: &[u8],
+        read_file: &mut ReadFile,
+    ) -> Result<Lesson, Vec<Problem>> {
+        let scene = scene::read(text, &Limits::default(), read_file);
+        let scene = scene.map_err(|error| error.problems)?;
+        // What is wrong with all of it has no place.
+        Lesson::through(name, scene).map_err(|message| {
+            vec![Problem {
+                place: String::new(),
+                line: None,
+                column: None,
+                message,
+            }]
+        })
+    }
+
+    /// A walk through a scene. Errors: why no picture can be made of it.
+    fn through(name: &str, scene: Scene) -> Result<Lesson, String> {
+        let prepared = PreparedScene::of_size(scene, Lesson::SIZE_OF_A_WALK)?;
+        Ok(Lesson::of_scene(name, prepared))
+    }
+}
