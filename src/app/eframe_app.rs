@@ -17,6 +17,13 @@ impl App {
         creation.egui_ctx.set_fonts(style::fonts());
         App { session, window }
     }
+
+    /// Opens what was dropped on the page, or tells why it cannot be read.
+    #[cfg(target_arch = "wasm32")]
+    pub fn open(&mut self, dropped: Result<PathBuf, String>) {
+        let told = dropped.and_then(|path| self.window.open_file(&mut self.session, &path));
+        self.window.notice = told.err();
+    }
 }
 
 impl eframe::App for App {

@@ -1,8 +1,11 @@
 //! The window in a web page: [`start`] shows it in the page's canvas, and its address says what is shown.
 
+mod files;
+
 use super::background;
 use super::eframe_app::{App, to_go_on_with};
 use super::keeper::{Keeper, Store};
+use super::opened::Opened;
 use super::session::{Kept, Session};
 use super::window_state::Window;
 use crate::lesson::Link;
@@ -41,6 +44,7 @@ async fn run() -> Result<(), String> {
         .ok_or("the page has no canvas")?;
     let mut window = Window {
         address: Some(base(&page)),
+        opened: Some(Opened::new(files::readers(), None)),
         ..Window::default()
     };
     let mut kept = Kept::default();
@@ -94,6 +98,10 @@ struct PageApp {
 impl eframe::App for PageApp {
     fn ui(&mut self, ui: &mut egui::Ui, frame: &mut eframe::Frame) {
         self.address.follow(&mut self.app);
+        files::take_dropped(ui.ctx());
+        if let Some(dropped) = files::next_dropped() {
+            self.app.open(dropped);
+        }
         eframe::App::ui(&mut self.app, ui, frame);
         self.address.tell(&self.app.session);
         if background::do_next() {

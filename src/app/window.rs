@@ -12,6 +12,7 @@ use super::{
 use crate::panels::{Panel, time_line_heights};
 use crate::picture::Tag;
 use egui::{CursorIcon, Popup, Pos2, Rect, Sense, Stroke, Ui, Vec2, ViewportCommand};
+use std::path::Path;
 use std::time::Duration;
 
 /// How long to wait before looking whether more of the whole picture has come in.
@@ -209,15 +210,24 @@ impl Window {
         }
     }
 
+    /// Opens a file in place of what is shown. Errors: what is wrong with it.
+    pub(super) fn open_file(&mut self, session: &mut Session, path: &Path) -> Result<(), String> {
+        match &mut self.opened {
+            Some(opened) => opened.open(session, path),
+            None => Ok(()),
+        }
+    }
+
     /// Opens what is dropped on the window, and reads again what was saved.
     fn open_files(&mut self, session: &mut Session, ctx: &egui::Context) {
-        let Some(opened) = &mut self.opened else {
-            return;
-        };
         let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
         let told = match dropped {
-            Some(file) => Some(opened.open(session, file.path()).map(|()| None)),
-            None => opened.look(session).map(|read| read.map(Some)),
+            Some(file) => Some(self.open_file(session, file.path()).map(|()| None)),
+            None => {
+                let opened = self.opened.as_mut();
+                let read = opened.and_then(|opened| opened.look(session));
+                read.map(|read| read.map(Some))
+            }
         };
         if let Some(told) = told {
             self.notice = match told {
