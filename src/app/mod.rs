@@ -54,6 +54,7 @@ mod study_plot;
 mod study_view;
 mod study_words;
 mod style;
+mod take_away;
 mod thumbnails;
 mod top_bar;
 mod transport;

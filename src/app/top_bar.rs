@@ -5,6 +5,7 @@ use super::layout::{BAR, TARGET};
 use super::prose::prose;
 use super::row_end::row_end;
 use super::session::{Command, Session, Sheet, StudyCommand};
+use super::take_away::TakeAway;
 use super::{strings, style};
 use crate::language::{Language, Message};
 use crate::methods::Method;
@@ -242,6 +243,15 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             commands.push(Command::Questions);
         }
         ui.separator();
+        if !session.look.home {
+            ui.label(style::strong(session.localize(strings::TAKE_AWAY), 13.0));
+            for what in TakeAway::ALL {
+                let name = session.localize(what.name());
+                let take = Command::TakeAway(what);
+                button(session, Button::new(name), name, take, commands, ui);
+            }
+            ui.separator();
+        }
         let studies = session.localize(strings::STUDIES);
         let view = Command::Study(StudyCommand::View);
         button(session, Button::new(studies), studies, view, commands, ui);

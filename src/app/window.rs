@@ -7,7 +7,7 @@ use super::session::{Command, Session, Sheet};
 use super::window_state::Window;
 use super::{
     cards, finished, forget, home, key_sheet, mistakes_page, narration, narrow, notice, outline,
-    presentation, pressed, skipped, strings, study_view, style, top_bar, transport,
+    presentation, pressed, skipped, strings, study_view, style, take_away, top_bar, transport,
 };
 use crate::panels::{Panel, time_line_heights};
 use crate::picture::Tag;
@@ -37,6 +37,7 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     {
         ctx.request_repaint_after(LOOK_AGAIN);
     }
+    window.save_what_is_made(session, &ctx);
     window.keep_up(session, &ctx);
 
     let mut commands = Vec::new();
@@ -210,6 +211,25 @@ impl Window {
         }
     }
 
+    /// Saves what was made to be taken away, and says where.
+    fn save_what_is_made(&mut self, session: &Session, ctx: &egui::Context) {
+        let (Some(taking), Some(opened)) = (&mut self.taking, &self.opened) else {
+            return;
+        };
+        for made in taking.take() {
+            let saved = take_away::save(made, opened.readers());
+            let language = session.look.language;
+            self.notice = Some(match saved {
+                Ok(name) => strings::TAKEN.format(language, &[("name", &name)]),
+                Err(why) => why,
+            });
+        }
+        match taking.is_done() {
+            true => self.taking = None,
+            false => ctx.request_repaint_after(LOOK_AGAIN),
+        }
+    }
+
     /// Opens a file in place of what is shown. Errors: what is wrong with it.
     pub(super) fn open_file(&mut self, session: &mut Session, path: &Path) -> Result<(), String> {
         match &mut self.opened {
@@ -261,6 +281,11 @@ impl Window {
         if self.title != title {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
+        }
+        if let Some(what) = session.wanted.take() {
+            self.notice = Some(session.localize(strings::TAKING).to_owned());
+            self.taking = Some(take_away::begin(session, what));
+            ctx.request_repaint();
         }
         if let Some(command) = session.shared.take() {
             let shared = match &self.address {

@@ -1,5 +1,6 @@
 //! What the window remembers from frame to frame.
 
+use super::background::Work;
 use super::borders::Borders;
 use super::home::HomePage;
 use super::keeper::{BUSY, Keeper, Saved, State};
@@ -9,6 +10,7 @@ use super::panel_view::{Key, PanelView};
 use super::scene_page::ScenePage;
 use super::session::Session;
 use super::study_plot::StudyPlot;
+use super::take_away::Made;
 use crate::panels::Panel;
 use crate::picture::Theme;
 use std::collections::HashMap;
@@ -34,6 +36,8 @@ pub struct Window {
     pub(super) borders: Borders,
     /// Files that are opened in the window; none in tests.
     pub(super) opened: Option<Opened>,
+    /// What is made to be taken away.
+    pub(super) taking: Option<Work<Made>>,
     /// Where progress is kept; nowhere in tests.
     pub(super) keeper: Option<Keeper>,
     /// The least heights of the first formula and of all, with their numbers, and what they depend on.

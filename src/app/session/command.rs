@@ -1,6 +1,7 @@
 //! What a user can ask of a session, and why it may be refused.
 
 use crate::algorithms::focus::Focus;
+use crate::app::take_away::TakeAway;
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Guess};
 use crate::methods::Method;
@@ -115,6 +116,8 @@ pub enum Command {
     NextTheme,
     /// Copies the command that opens this lesson at this step; the window takes it to the clipboard.
     Share,
+    /// Makes a file of the lesson.
+    TakeAway(TakeAway),
     /// Presentation: the whole screen, larger and with more contrast.
     Present,
     /// Ends what fills the window, or the presentation.

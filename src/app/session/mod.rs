@@ -48,6 +48,7 @@ pub use study::{Outcome, Studying, name_of_point};
 use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::app::take_away::TakeAway;
 use crate::language::Message;
 use crate::lesson::{Guess, Lesson, LessonError, Narrated, OpenLesson};
 use crate::methods::Setup;
@@ -159,6 +160,8 @@ pub struct Session {
     pub search_wanted: bool,
     /// A command line on its way to the clipboard; the window takes this.
     pub shared: Option<String>,
+    /// What the window is to make a file of.
+    pub wanted: Option<TakeAway>,
     studying: Studying,
     /// The picture that is compared with ours.
     against: Option<Against>,
@@ -205,6 +208,7 @@ impl Session {
             search: String::new(),
             search_wanted: false,
             shared: None,
+            wanted: None,
             studying: Studying::new(),
             against: None,
             what_if: Default::default(),

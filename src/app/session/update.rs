@@ -115,6 +115,7 @@ impl Session {
             Command::Share => {
                 self.shared = Some(self.command_line()?);
             }
+            Command::TakeAway(what) => self.wanted = Some(what),
             command => return self.change_look(&command),
         }
         Ok(())

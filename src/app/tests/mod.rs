@@ -21,6 +21,7 @@ mod reading;
 mod scene_page;
 mod skipped;
 mod studies;
+mod take_away;
 mod what_if;
 
 use super::session::{Command, Session, Sheet, Standing};
