@@ -38,6 +38,7 @@ chromium.stdio[4].on("data", (data) => {
   rest = parts.pop();
   for (const message of parts.map((part) => JSON.parse(part))) {
     const { id, result, error, method, params } = message;
+    if (method === "Runtime.consoleAPICalled" && params.type === "error") problems.push(params.args.map(({ value, description }) => value ?? description).join(" "));
     if (method === "Runtime.exceptionThrown") problems.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
     const [done, failed] = waiting.get(id) ?? [];
     waiting.delete(id);
@@ -61,7 +62,8 @@ async function until(expression, what, seconds = 60) {
     if (await evaluate(expression)) return;
     await new Promise((later) => setTimeout(later, 50));
   }
-  throw new Error(`${what}: the address is ${await evaluate("location.href")}; ${problems.join("; ")}`);
+  const told = await evaluate("document.getElementById('trouble')?.textContent ?? ''");
+  throw new Error(`not so: ${what}. The address is ${await evaluate("location.href")}. ${told} ${problems.join("; ")}`);
 }
 async function press(key, code) {
   for (const type of ["keyDown", "keyUp"]) {
