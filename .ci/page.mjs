@@ -1,12 +1,12 @@
 // Opens the page in a headless Chromium as a student would, and checks by its address and title what happens. Screenshots go to the
-// second folder. Usage: node page.mjs SITE OUT
+// second folder. Usage: node page.mjs SITE OUT SCENE.json
 import { spawn } from "node:child_process";
 import { readFile, writeFile, mkdtemp } from "node:fs/promises";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
-import { extname, join } from "node:path";
+import { basename, extname, join, resolve } from "node:path";
 
-const [site, out] = process.argv.slice(2);
+const [site, out, scene] = process.argv.slice(2);
 const types = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" };
 // In a subfolder, as on a course page.
 const server = createServer(async (request, response) => {
@@ -79,7 +79,8 @@ async function open(hash) {
   await send("Page.navigate", { url: "about:blank" });
   const start = Date.now();
   await send("Page.navigate", { url: home + hash });
-  await until("location.href !== 'about:blank' && document.getElementById('loading') === null", `${hash} opens`);
+  const shown = "document.readyState === 'complete' && document.getElementById('lightwalk') && !document.getElementById('loading')";
+  await until(`location.href !== 'about:blank' && Boolean(${shown})`, `${hash} opens`);
   return Date.now() - start;
 }
 const at = (part) => `location.hash.includes("${part}")`;
@@ -106,7 +107,14 @@ try {
   await until(at("lesson=shadows"), "back leads to the lesson");
   await evaluate("location.hash = '#lesson=gathering&step=3'");
   await until(at("lesson=gathering&step=3"), "another address is followed");
-  await until("document.title.includes('Lightwalk')", "the title is set");
+  await until("document.title.includes('step 3')", "the title names the step");
+  await until("document.getElementById('step').textContent !== ''", "what is said is there for screen readers");
+
+  // A scene from the user's own computer.
+  const at_middle = { x: 640, y: 300, data: { items: [], files: [resolve(scene)], dragOperationsMask: 1 } };
+  for (const type of ["dragEnter", "dragOver", "drop"]) await send("Input.dispatchDragEvent", { type, ...at_middle });
+  await until(`document.title.includes("${basename(scene)}")`, "a scene that is dropped is walked through");
+  await picture("page-scene");
 
   // What was seen is kept, and the page works without a network.
   await until("navigator.serviceWorker.ready.then(() => true)", "the page is kept for later");

@@ -15,10 +15,11 @@ use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::spawn_local;
 use web_sys::HtmlCanvasElement;
 
-/// The ids of the page's canvas, of what stands there until it is drawn, and of what is told where it cannot be.
+/// The ids of the page's canvas, of what stands there until it is drawn, of what is told where it cannot be, and of what is said.
 const CANVAS: &str = "lightwalk";
 const LOADING: &str = "loading";
 const TROUBLE: &str = "trouble";
+const STEP: &str = "step";
 
 /// Shows the window in the page.
 pub fn start() {
@@ -72,6 +73,7 @@ async fn run() -> Result<(), String> {
                 Ok(Box::new(PageApp {
                     app: App::new(session, window, creation),
                     address,
+                    title: String::new(),
                 }))
             }),
         )
@@ -89,10 +91,29 @@ fn base(page: &web_sys::Window) -> String {
     href.split('#').next().unwrap_or_default().to_owned()
 }
 
-/// The window, with the page's address kept in step.
+/// The window, with the page's address kept in step, and its title.
 struct PageApp {
     app: App,
     address: Address,
+    /// As it was last told.
+    title: String,
+}
+
+impl PageApp {
+    /// Tells the page where the window is: its title, and for screen readers, which see nothing of a canvas, what is said at the step.
+    fn tell(&mut self) {
+        let session = &self.app.session;
+        let title = session.window_title();
+        let document = web_sys::window().and_then(|window| window.document());
+        let Some(document) = document.filter(|_| self.title != title) else {
+            return;
+        };
+        document.set_title(&title);
+        if let Some(step) = document.get_element_by_id(STEP) {
+            step.set_text_content(Some(&session.said_here()));
+        }
+        self.title = title;
+    }
 }
 
 impl eframe::App for PageApp {
@@ -104,6 +125,7 @@ impl eframe::App for PageApp {
         }
         eframe::App::ui(&mut self.app, ui, frame);
         self.address.tell(&self.app.session);
+        self.tell();
         if background::do_next() {
             ui.ctx().request_repaint();
         }

@@ -35,6 +35,20 @@ impl Session {
         strings::STEP_OF.format(self.look.language, &[("step", &step), ("last", &last)])
     }
 
+    /// What the lesson says here, or else what the step does, without mathematical signs.
+    #[cfg(target_arch = "wasm32")]
+    pub fn said_here(&self) -> String {
+        let language = self.look.language;
+        match self.narration_here() {
+            Some(told) => plain(told.say(language)),
+            None => plain(&crate::panels::said(
+                self.panel_input().run,
+                self.step(),
+                language,
+            )),
+        }
+    }
+
     /// The command that opens this lesson at this step. Errors: why there is none.
     pub fn command_line(&self) -> Result<String, Message> {
         if self.lesson().number == Lesson::UNNUMBERED {
