@@ -8,11 +8,13 @@ import { basename, extname, join, resolve } from "node:path";
 
 const [site, out, scene] = process.argv.slice(2);
 const types = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm" };
+const frame = `<iframe src="./?embed#lesson=shadows&step=4" style="width: 900px; height: 600px"></iframe>
+<script>const heard = []; addEventListener("message", ({ data }) => heard.push(data));</script>`;
 // In a subfolder, as on a course page.
 const server = createServer(async (request, response) => {
   const path = new URL(request.url, "http://x").pathname.replace(/^\/course\//, "");
   try {
-    const bytes = await readFile(join(site, path === "" ? "index.html" : path));
+    const bytes = path === "frame.html" ? Buffer.from(frame) : await readFile(join(site, path === "" ? "index.html" : path));
     response.writeHead(200, { "Content-Type": types[extname(path || "index.html")] ?? "", "Content-Length": bytes.length });
     response.end(bytes);
   } catch {
@@ -115,6 +117,13 @@ try {
   for (const type of ["dragEnter", "dragOver", "drop"]) await send("Input.dispatchDragEvent", { type, ...at_middle });
   await until(`document.title.includes("${basename(scene)}")`, "a scene that is dropped is walked through");
   await picture("page-scene");
+
+  // In a frame of another page, which steers it and hears of it.
+  await send("Page.navigate", { url: `${home}frame.html` });
+  await until("heard.at(-1)?.address?.includes('step=4')", "a page with a frame hears where it is");
+  await evaluate("document.querySelector('iframe').contentWindow.postMessage({ lightwalk: 'show', address: 'lesson=shadows&step=9' }, '*')");
+  await until("heard.at(-1)?.address?.includes('step=9')", "a page with a frame says where to go");
+  await picture("page-frame");
 
   // What was seen is kept, and the page works without a network.
   await until("navigator.serviceWorker.ready.then(() => true)", "the page is kept for later");

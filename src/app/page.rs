@@ -14,12 +14,16 @@ use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::spawn_local;
 use web_sys::HtmlCanvasElement;
+use web_sys::js_sys::{Function, Reflect};
 
-/// The ids of the page's canvas, of what stands there until it is drawn, of what is told where it cannot be, and of what is said.
+/// The ids of the page's canvas, of what stands there until it is drawn, and of what is told where it cannot be.
 const CANVAS: &str = "lightwalk";
 const LOADING: &str = "loading";
 const TROUBLE: &str = "trouble";
-const STEP: &str = "step";
+/// What the address says of a page in a frame of another one.
+const EMBEDDED: &str = "embed";
+/// The function of the page that takes what is told, as JSON.
+const TELL: &str = "tell";
 
 /// Shows the window in the page.
 pub fn start() {
@@ -46,6 +50,10 @@ async fn run() -> Result<(), String> {
     let mut window = Window {
         address: Some(base(&page)),
         opened: Some(Opened::new(files::readers(), None)),
+        embedded: page
+            .location()
+            .search()
+            .is_ok_and(|asked| asked.contains(EMBEDDED)),
         ..Window::default()
     };
     let mut kept = Kept::default();
@@ -73,7 +81,7 @@ async fn run() -> Result<(), String> {
                 Ok(Box::new(PageApp {
                     app: App::new(session, window, creation),
                     address,
-                    title: String::new(),
+                    told: String::new(),
                 }))
             }),
         )
@@ -91,28 +99,41 @@ fn base(page: &web_sys::Window) -> String {
     href.split('#').next().unwrap_or_default().to_owned()
 }
 
-/// The window, with the page's address kept in step, and its title.
+/// The window, with what the page tells of it.
 struct PageApp {
     app: App,
     address: Address,
     /// As it was last told.
-    title: String,
+    told: String,
 }
 
 impl PageApp {
-    /// Tells the page where the window is: its title, and for screen readers, which see nothing of a canvas, what is said at the step.
+    /// Tells where the window is: by the page's title; for screen readers, which see nothing of a canvas, by what is said at the step; and
+    /// to the page that has this one in a frame, with how the questions stand.
     fn tell(&mut self) {
         let session = &self.app.session;
-        let title = session.window_title();
-        let document = web_sys::window().and_then(|window| window.document());
-        let Some(document) = document.filter(|_| self.title != title) else {
+        let answers: Vec<_> = session
+            .outline()
+            .iter()
+            .map(|entry| entry.standing)
+            .collect();
+        let told = serde_json::json!({
+            "address": session.link().to_string(),
+            "title": session.window_title(),
+            "said": session.said_here(),
+            "answers": answers,
+        });
+        let told = told.to_string();
+        if self.told == told {
             return;
-        };
-        document.set_title(&title);
-        if let Some(step) = document.get_element_by_id(STEP) {
-            step.set_text_content(Some(&session.said_here()));
         }
-        self.title = title;
+        let page = web_sys::window().map(JsValue::from).unwrap_or_default();
+        let tell = Reflect::get(&page, &TELL.into());
+        if let Some(tell) = tell.ok().as_ref().and_then(JsCast::dyn_ref::<Function>) {
+            // What the page makes of it is its own concern.
+            drop(tell.call1(&page, &told.as_str().into()));
+        }
+        self.told = told;
     }
 }
 

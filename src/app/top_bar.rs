@@ -23,16 +23,23 @@ const THEMES: [(Theme, Message); 3] = [
 /// A bar with less room than this beside the lessons' buttons has presentation and sharing in the menu alone.
 const WIDE: f32 = 560.0;
 
+pub fn height(ctx: &egui::Context) -> f32 {
+    match style::is_for_fingers(ctx) {
+        true => TARGET,
+        false => BAR,
+    }
+}
+
 pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
-    let (height, margin) = match style::is_for_fingers(ui.ctx()) {
-        true => (TARGET, 4),
-        false => (BAR, 16),
+    let margin = match style::is_for_fingers(ui.ctx()) {
+        true => 4,
+        false => 16,
     };
     let frame = Frame::new()
         .fill(style::BAR)
         .inner_margin(Margin::symmetric(margin, 0));
     let bar = egui::Panel::top("bar")
-        .exact_size(height)
+        .exact_size(height(ui.ctx()))
         .frame(frame)
         .show_separator_line(false);
     bar.show(ui, |ui| {

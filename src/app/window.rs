@@ -85,7 +85,12 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
         notice::show(session, window, whole.max - Vec2::splat(2.0 * GAP), &ui);
         presentation::show(session, window, whole, &mut commands, &mut ui)
     } else {
-        top_bar::show(session, &mut commands, &mut ui);
+        let mut whole = whole;
+        match window.embedded {
+            // As if the bar stood above the window.
+            true => whole.min.y -= top_bar::height(&ctx),
+            false => top_bar::show(session, &mut commands, &mut ui),
+        }
         let body = match style::is_for_fingers(&ctx) {
             true => narrow::show,
             false => cards_and_time_line,

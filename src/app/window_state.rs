@@ -36,6 +36,8 @@ pub struct Window {
     pub(super) borders: Borders,
     /// Files that are opened in the window; none in tests.
     pub(super) opened: Option<Opened>,
+    /// Whether it stands in a page of somebody else's, without its bar.
+    pub(super) embedded: bool,
     /// What is made to be taken away.
     pub(super) taking: Option<Work<Made>>,
     /// Where progress is kept; nowhere in tests.
