@@ -1,19 +1,19 @@
 //! The parameters that the lesson lets be changed, each with a slider and its value.
 
+mod rail;
+
 use super::button::button;
 use super::layout::TARGET;
 use super::session::{Command, Session};
 use super::{arrow_focus, prose, strings, style};
 use crate::language::{Language, Message};
-use crate::lesson::{
-    ByPath, Change, Coefficient, DIVISIONS, Kind, Parameter, PathValue, read_number,
-};
+use crate::lesson::{ByPath, Change, Kind, Parameter, PathValue, read_number};
 use crate::panels::object_name;
 use crate::picture::Ink;
-use crate::scene::{Movable, Scene};
+use crate::scene::Movable;
 use egui::{Button, DragValue, FontId, Rect, Response, RichText, Slider, Ui, WidgetInfo};
 use glam::DVec3;
-use std::ops::RangeInclusive;
+use rail::{Rail, distance};
 
 const ROW: f32 = 28.0;
 const MARGIN: f32 = 12.0;
@@ -21,7 +21,6 @@ const MARGIN: f32 = 12.0;
 const NAME: f32 = 112.0;
 const NUMBER: f32 = 72.0;
 const RAIL: f32 = 60.0;
-const SHININESS: RangeInclusive<f64> = 1.0..=1000.0;
 
 /// One place on the card.
 #[derive(Clone, Copy)]
@@ -200,89 +199,6 @@ fn named(response: &Response, name: &str, value: f64, range: &str) {
     response
         .ctx
         .accesskit_node_builder(node, |node| node.set_description(range));
-}
-
-/// Where a slider's knob is, and between what it moves.
-struct Rail {
-    value: f64,
-    range: RangeInclusive<f64>,
-    logarithmic: bool,
-    whole: bool,
-    /// Of other numbers there is no unit.
-    is_length: bool,
-    /// Of a value of the document, where it has one.
-    unit: Option<String>,
-}
-
-impl Rail {
-    fn of(session: &Session, parameter: Parameter) -> Option<Self> {
-        let opened = &session.lesson().scene;
-        let now = session.value(parameter)?;
-        let mut of_path = (false, None);
-        let (value, range, logarithmic) = match now {
-            Change::ByPath { parameter, value } => {
-                let PathValue::Number(value) = value else {
-                    return None;
-                };
-                let Kind::Number {
-                    range,
-                    whole,
-                    logarithmic,
-                    unit,
-                } = &by_path(session, parameter)?.kind
-                else {
-                    return None;
-                };
-                let language = session.look.language;
-                let unit = unit.as_ref().map(|unit| unit.in_language(language));
-                of_path = (*whole, unit.map(str::to_owned));
-                (value, range.clone(), *logarithmic)
-            }
-            Change::Place { of, position } => {
-                let at_first = of.position(opened)?;
-                let decade = distance(opened, at_first).log10().floor();
-                let range = 10_f64.powf(decade - 1.0)..=10_f64.powf(decade + 2.0);
-                (distance(opened, position), range, true)
-            }
-            Change::Coefficient {
-                coefficient: Coefficient::Shininess,
-                value,
-                ..
-            } => (value, SHININESS, true),
-            Change::Coefficient { value, .. } => (value, 0.0..=1.0, false),
-            Change::Divisions { divisions, .. } => {
-                let [least, most] = [DIVISIONS.start(), DIVISIONS.end()].map(|&n| f64::from(n));
-                (f64::from(divisions), least..=most, true)
-            }
-        };
-        Some(Rail {
-            value,
-            range,
-            logarithmic,
-            whole: of_path.0 || matches!(now, Change::Divisions { .. }),
-            is_length: matches!(now, Change::Place { .. }),
-            unit: of_path.1,
-        })
-    }
-
-    fn in_words(&self, language: Language) -> String {
-        let [least, most] = [self.range.start(), self.range.end()].map(|&end| language.number(end));
-        let words = match self.is_length {
-            true => strings::RANGE_OF_LENGTHS,
-            false => strings::RANGE,
-        };
-        let range = words.format(language, &[("least", &least), ("most", &most)]);
-        match &self.unit {
-            Some(unit) => strings::RANGE_IN.format(language, &[("range", &range), ("unit", unit)]),
-            None => range,
-        }
-    }
-}
-
-/// From what the camera looks at.
-fn distance(scene: &Scene, position: DVec3) -> f64 {
-    let target = scene.camera.map_or(DVec3::ZERO, |camera| camera.target);
-    position.distance(target)
 }
 
 /// The parameter with the value of its slider. A light or the eye moves straight to or from what the camera looks at.
