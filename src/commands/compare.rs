@@ -1,10 +1,13 @@
-//! `lightwalk compare`: a picture of another program against ours.
+//! `lightwalk compare`: a picture, form factors or radiosities of another program against ours.
 
 use super::arguments::{LimitArguments, RayArguments, method, method_names};
+use super::compare_room::{self, Room};
 use super::failure::{Failure, note};
 use super::files;
+use super::form_factors::MemoryArgument;
 use super::notes;
 use super::output;
+use super::radiosity::SystemArguments;
 use crate::algorithms::enclosure;
 use crate::color::{StoredImage, png_rgb8, read_image, surplus};
 use crate::language::Language;
@@ -20,15 +23,15 @@ use std::path::{Path, PathBuf};
 pub struct Arguments {
     /// A scene file
     scene: PathBuf,
-    /// How it was drawn
-    #[arg(long, value_parser = method_names(), value_name = "METHOD")]
-    method: String,
-    /// Your picture: PNG, PPM or PFM; of a folder the newest of them
-    #[arg(long, value_name = "IMAGE")]
-    with: PathBuf,
-    /// How far a channel may be off, in the numbers of the file: 1/255 unless given
-    #[arg(long, value_name = "T", default_value_t = 1.0 / 255.0, allow_negative_numbers = true)]
-    tolerance: f64,
+    /// How it was drawn; form factors and radiosities are those of radiosity
+    #[arg(long, value_parser = method_names(), value_name = "METHOD", required_unless_present_any = ["matrix", "radiosity"])]
+    method: Option<String>,
+    #[command(flatten)]
+    mine: Mine,
+    /// How far a channel may be off, in the numbers of the file [default: 1/255]; an entry of a matrix [default: 1e-4]; or a radiosity,
+    /// relative to the largest [default: 1e-3]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    tolerance: Option<f64>,
     /// Prints one JSON object
     #[arg(long)]
     json: bool,
@@ -38,7 +41,26 @@ pub struct Arguments {
     #[command(flatten)]
     rays: RayArguments,
     #[command(flatten)]
+    system: SystemArguments,
+    #[command(flatten)]
+    memory: MemoryArgument,
+    #[command(flatten)]
     limits: LimitArguments,
+}
+
+/// What your program made.
+#[derive(clap::Args)]
+#[group(required = true, multiple = false)]
+struct Mine {
+    /// Your picture: PNG, PPM or PFM; of a folder the newest of them
+    #[arg(long, value_name = "IMAGE")]
+    with: Option<PathBuf>,
+    /// Your form factors, a row a patch: CSV, JSON or NPY
+    #[arg(long, value_name = "MATRIX")]
+    matrix: Option<PathBuf>,
+    /// Your radiosities, a row a patch with red, green and blue, or with one number: CSV, JSON or NPY
+    #[arg(long, value_name = "FILE")]
+    radiosity: Option<PathBuf>,
 }
 
 /// Every mistake, a line each.
@@ -52,26 +74,80 @@ fn list_of_mistakes() -> String {
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    let method = method(&arguments.method)?;
-    let tolerance = arguments.tolerance;
-    if !(0.0..=1e6).contains(&tolerance) {
-        return Err(Failure::Wrong(format!(
-            "--tolerance {tolerance}: allowed are numbers from 0 to 1e6"
-        )));
+    match &arguments.mine {
+        Mine {
+            with: Some(image), ..
+        } => picture(&arguments, image),
+        Mine {
+            matrix: Some(path), ..
+        } => {
+            for_rooms_only(&arguments, "--matrix")?;
+            compare_room::matrix(&arguments.room(compare_room::OF_ENTRIES)?, path)
+        }
+        Mine {
+            radiosity: Some(path),
+            ..
+        } => {
+            for_rooms_only(&arguments, "--radiosity")?;
+            compare_room::radiosity(&arguments.room(compare_room::OF_RADIOSITIES)?, path)
+        }
+        Mine { .. } => Err(Failure::Wrong("nothing is given to compare".into())),
     }
+}
+
+/// What is said of pictures alone does not fit here.
+fn for_rooms_only(arguments: &Arguments, option: &str) -> Result<(), Failure> {
+    let wrong = |with: String| Err(Failure::Wrong(format!("{option} does not go with {with}")));
+    match &arguments.method {
+        Some(name) if name != Method::Radiosity.name() => wrong(format!("--method {name}")),
+        _ if arguments.out.is_some() => wrong("--out, which is for pictures".into()),
+        _ if arguments.rays.is_given() => wrong("--depth and --samples".into()),
+        _ => Ok(()),
+    }
+}
+
+impl Arguments {
+    /// The tolerance given, or that of what is compared.
+    fn tolerance(&self, unless: f64, most: f64) -> Result<f64, Failure> {
+        let tolerance = self.tolerance.unwrap_or(unless);
+        match (0.0..=most).contains(&tolerance) {
+            true => Ok(tolerance),
+            false => Err(Failure::Wrong(format!(
+                "--tolerance {tolerance}: allowed are numbers from 0 to {most}"
+            ))),
+        }
+    }
+
+    /// Whose form factors or radiosities are compared, and how.
+    fn room(&self, tolerance: f64) -> Result<Room<'_>, Failure> {
+        Ok(Room {
+            scene: &self.scene,
+            system: &self.system,
+            memory: self.memory,
+            limits: self.limits,
+            tolerance: self.tolerance(tolerance, 1.0)?,
+            in_json: self.json,
+        })
+    }
+}
+
+fn picture(arguments: &Arguments, image: &Path) -> Result<(), Failure> {
+    // Without a method, clap has refused the command.
+    let method = method(arguments.method.as_deref().unwrap_or_default())?;
+    let tolerance = arguments.tolerance(1.0 / 255.0, 1e6)?;
     if let Some(folder) = &arguments.out {
         output::check_output_folder(folder)?;
     }
-    let image = &newest(&arguments.with)?;
+    let image = &newest(image)?;
     let wrong = |error: &str| files::wrong(&image.display(), &error);
-    let bytes = files::picture(image)?;
+    let bytes = files::bytes(image)?;
     let mine = read_image(&bytes).map_err(|error| wrong(&error))?;
     let surplus = surplus(&bytes);
     if surplus > 0 {
         let what = format!("{surplus} bytes follow its pixels and are not read");
         note(format_args!("{}: note: {what}", image.display()));
     }
-    let setup = setup(&arguments, method, &mine)?;
+    let setup = setup(arguments, method, &mine)?;
     notes::print(&arguments.scene.display(), &arguments.rays.notes(method));
     let threads = std::thread::available_parallelism().unwrap_or(std::num::NonZeroUsize::MIN);
     let found = compare(&mine, &setup, method, tolerance, threads);
@@ -84,7 +160,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             let json = serde_json::to_string(&found).map_err(|error| wrong(&error.to_string()))?;
             writeln!(out, "{json}")?;
         }
-        false => write!(out, "{}", in_words(&found, &arguments))?,
+        false => write!(out, "{}", in_words(&found, arguments, method))?,
     }
     match found.off {
         0 => Ok(()),
@@ -99,8 +175,10 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 fn setup(arguments: &Arguments, method: Method, mine: &StoredImage) -> Result<Setup, Failure> {
     let scene = &arguments.scene;
     let (read, settings) = files::scene(scene, &arguments.limits.into())?;
-    let settings = Settings::from(arguments.rays.or(settings.get()))
-        .with(settings.get::<enclosure::Settings>());
+    let system = arguments
+        .system
+        .or(settings.get::<enclosure::Settings>(), arguments.limits)?;
+    let settings = Settings::from(arguments.rays.or(settings.get())).with(system);
     let size = [mine.width, mine.height];
     let prepared = files::prepared(read, size, method, &scene.display())?;
     let setup = Setup::new(prepared, settings);
@@ -131,7 +209,7 @@ fn newest(path: &Path) -> Result<PathBuf, Failure> {
         .ok_or_else(|| cannot("no picture is in this folder (.png, .ppm or .pfm)"))
 }
 
-fn in_words(found: &Comparison, arguments: &Arguments) -> String {
+fn in_words(found: &Comparison, arguments: &Arguments, method: Method) -> String {
     let [width, height] = found.size;
     let mut lines = vec![
         format!("{width} × {height} pixels, encoding {}", found.encoding),
@@ -152,7 +230,7 @@ fn in_words(found: &Comparison, arguments: &Arguments) -> String {
         lines.push(format!(
             "how the worst one comes about: lightwalk steps {} --method {} --size {width}x{height} --pixel {},{}",
             arguments.scene.display(),
-            arguments.method,
+            method.name(),
             worst.x,
             worst.y
         ));

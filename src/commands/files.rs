@@ -136,8 +136,8 @@ pub fn text(path: &Path) -> Result<String, Failure> {
     String::from_utf8(bytes).map_err(|_| cannot("it is not a text in UTF-8"))
 }
 
-/// Reads the bytes of a picture.
-pub fn picture(path: &Path) -> Result<Vec<u8>, Failure> {
+/// Reads the bytes of a picture or of a table of numbers.
+pub fn bytes(path: &Path) -> Result<Vec<u8>, Failure> {
     read(path, MAX_MESH_BYTES)
         .map_err(|reason| wrong(&path.display(), &format!("cannot be read: {reason}")))
 }

@@ -3,6 +3,7 @@
 use super::arguments::{LimitArguments, parse_whole};
 use super::failure::Failure;
 use super::files;
+use super::matrix_difference::{compare_matrix, read_matrix};
 use super::notes;
 use super::output;
 use super::progress::{Progress, named};
@@ -13,11 +14,9 @@ use crate::render;
 use crate::scene::Parts;
 use crate::scene::Scene;
 use crate::scene::patches::Patches;
-use crate::study::matrix;
 use clap::builder::PossibleValuesParser;
 use serde_json::{Value as Json, json};
 use std::convert::Infallible;
-use std::io::Write;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::thread::available_parallelism;
@@ -40,7 +39,7 @@ pub struct Arguments {
     /// Where the matrix goes: FILE.json with all that is known of it, or FILE.csv or FILE.npy (NumPy) with the numbers alone
     #[arg(long, value_name = "FILE", required_unless_present = "with")]
     out: Option<PathBuf>,
-    /// A matrix of your own program to compare: JSON, or rows of numbers
+    /// A matrix of your own program to compare: JSON, rows of numbers, or FILE.npy
     #[arg(long, value_name = "MATRIX")]
     with: Option<PathBuf>,
     /// How far an entry of yours may be off
@@ -152,10 +151,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     notes::print(&arguments.scene.display(), &scene.notes);
     let mine = match &arguments.with {
         None => None,
-        Some(path) => {
-            let read = matrix::read(&files::text(path)?, enclosure.patches.len());
-            Some(read.map_err(|error| files::wrong(&path.display(), &error))?)
-        }
+        Some(path) => Some(read_matrix(path, &enclosure)?),
     };
     let start = Instant::now();
     let matrix = matrix_of(&enclosure);
@@ -172,7 +168,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     }
     match mine {
         None => Ok(()),
-        Some(mine) => compare(&scene, &enclosure, &mine, matrix, tolerance),
+        Some(mine) => compare_matrix(&scene, &enclosure, (&mine, matrix), tolerance, false),
     }
 }
 
@@ -208,62 +204,6 @@ fn write(
         // The rest of the one object
         writeln!(out, "],{}", rest.to_string().trim_start_matches('{'))
     })
-}
-
-/// Says how a matrix of another program differs from ours.
-fn compare(
-    scene: &Scene,
-    enclosure: &Enclosure,
-    mine: &[f64],
-    reference: &[f64],
-    tolerance: f64,
-) -> Result<(), Failure> {
-    let unblocked = || {
-        let settings = Settings {
-            visibility: false,
-            ..enclosure.settings
-        };
-        let unblocked = Enclosure::of(scene, settings, Parts::NONE).ok()?;
-        Some(matrix_of(&unblocked).to_vec())
-    };
-    let areas = enclosure.patches.areas();
-    let found = matrix::compare(mine, reference, &areas, tolerance, unblocked);
-    let mut out = std::io::stdout();
-    let (n, all) = (areas.len(), mine.len());
-    writeln!(
-        out,
-        "{n} × {n} entries: {} differ by more than {tolerance}, the largest difference is {:.3e}",
-        found.off, found.largest
-    )?;
-    if let Some(entry) = found.first {
-        let [row, column] = [entry.row, entry.column].map(|patch| {
-            let patch_of = &enclosure.patches[patch];
-            let [i, j] = patch_of.cell;
-            let object = &scene.objects[patch_of.object as usize].name;
-            format!("{patch} (\"{object}\" {i},{j})")
-        });
-        writeln!(
-            out,
-            "first row that differs: patch {row}; from it to patch {column} yours is {}, and the reference {}",
-            entry.mine, entry.reference
-        )?;
-    }
-    if let Some(looks) = found.looks {
-        writeln!(out, "{}", looks.in_words())?;
-    }
-    if let Some(&(row, mine, reference)) = found.sums.first() {
-        writeln!(
-            out,
-            "{} rows sum to something else: row {row} to {mine:.6}, that of the reference to {reference:.6}",
-            found.sums.len()
-        )?;
-    }
-    match found.off {
-        0 => Ok(()),
-        off => Err(Failure::Failed(format!(
-            "{off} of {all} entries differ by more than {tolerance}"
-        ))),
-    }
 }
 
 /// Every patch by its object and cell, with its area.

@@ -7,6 +7,7 @@ mod animate;
 mod arguments;
 mod check;
 mod compare;
+mod compare_room;
 mod deck;
 mod failure;
 mod files;
@@ -18,6 +19,7 @@ mod interrupt;
 #[cfg(feature = "gui")]
 mod lesson_folder;
 mod list;
+mod matrix_difference;
 mod needs;
 mod notes;
 mod of_lesson;
@@ -57,7 +59,7 @@ enum Command {
     Check(check::Arguments),
     /// Renders a scene to an image file
     Render(render::Arguments),
-    /// Compares a picture of your own program with ours, and names the mistakes that explain the difference
+    /// Compares a picture, form factors or radiosities of your own program with ours, and names what explains the difference
     Compare(compare::Arguments),
     /// Holds the trace of your own program against the steps of ours, up to the first that differs
     Follow(follow::Arguments),

@@ -102,7 +102,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         lesson_folder::read(path).map_err(|failure| failure.to_string())
     }
     fn picture(path: &Path) -> Result<StoredImage, String> {
-        let bytes = files::picture(path).map_err(|failure| failure.to_string())?;
+        let bytes = files::bytes(path).map_err(|failure| failure.to_string())?;
         read_image(&bytes).map_err(|error| files::wrong(&path.display(), &error).to_string())
     }
     let start = Start {

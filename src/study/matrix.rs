@@ -1,10 +1,12 @@
 //! A matrix of form factors of another program against ours: the first row that differs, and what the whole looks like.
 
-use crate::scene::what_the_parser_says;
+use super::numbers::rows;
+use serde::Serialize;
 use std::f64::consts::PI;
 
 /// What a matrix is instead of F, for all its entries.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Looks {
     /// F_ji at the place of F_ij.
     Transposed,
@@ -14,19 +16,25 @@ pub enum Looks {
     OverPi,
     /// π·F_ij.
     TimesPi,
+    /// ρ_i·F_ij of a channel.
+    TimesReflectance,
+    /// I − ρF of a channel: the matrix of the system.
+    System,
     /// What would be without anything between the patches.
     Unblocked,
 }
 
 impl Looks {
-    /// Entry (i, j) of such a matrix, made of F; of the unblocked one F is the unblocked one itself.
-    fn entry(self, f: &[f64], areas: &[f64], i: usize, j: usize) -> f64 {
+    /// Entry (i, j) of such a matrix, made of F; of the unblocked one F is the unblocked one itself. `rho` is ρ_i.
+    fn entry(self, f: &[f64], areas: &[f64], rho: f64, i: usize, j: usize) -> f64 {
         let f = |i: usize, j: usize| f[i * areas.len() + j];
         match self {
             Looks::Transposed => f(j, i),
             Looks::TimesArea => areas[i] * f(i, j),
             Looks::OverPi => f(i, j) / PI,
             Looks::TimesPi => f(i, j) * PI,
+            Looks::TimesReflectance => rho * f(i, j),
+            Looks::System => f64::from(u8::from(i == j)) - rho * f(i, j),
             Looks::Unblocked => f(i, j),
         }
     }
@@ -39,13 +47,17 @@ impl Looks {
             }
             Looks::OverPi => "it is F_ij/π: π is divided by once more than in the form factor",
             Looks::TimesPi => "it is π·F_ij: the division by π is missing",
+            Looks::TimesReflectance => {
+                "it is ρ_i·F_ij: a form factor knows no ρ, which belongs into the system I − ρF"
+            }
+            Looks::System => "it is I − ρF, the matrix of the system, and not F",
             Looks::Unblocked => "it is the matrix without anything between the patches",
         }
     }
 }
 
 /// An entry that differs.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Entry {
     pub row: usize,
     pub column: usize,
@@ -53,7 +65,7 @@ pub struct Entry {
     pub reference: f64,
 }
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MatrixComparison {
     /// Entries that are off by more than the tolerance.
     pub off: usize,
@@ -61,15 +73,26 @@ pub struct MatrixComparison {
     pub first: Option<Entry>,
     pub largest: f64,
     pub looks: Option<Looks>,
-    /// The rows whose sum differs from that of ours, with both sums.
-    pub sums: Vec<(usize, f64, f64)>,
+    /// It is symmetric, and ours is not.
+    pub is_symmetric: bool,
+    /// The rows whose sum differs from that of ours.
+    pub sums: Vec<RowSum>,
 }
 
-/// Compares two n×n matrices, row-major. `unblocked` gives ours without anything between the patches.
+/// The sum of a row in both matrices; 1 in a closed room.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct RowSum {
+    pub row: usize,
+    pub mine: f64,
+    pub reference: f64,
+}
+
+/// Compares two n×n matrices, row-major. `rho` has ρ of every patch, channel by channel; `unblocked` gives ours without anything between the patches.
 pub fn compare(
     mine: &[f64],
     reference: &[f64],
     areas: &[f64],
+    rho: &[[f64; 3]],
     tolerance: f64,
     unblocked: impl FnOnce() -> Option<Vec<f64>>,
 ) -> MatrixComparison {
@@ -89,8 +112,11 @@ pub fn compare(
         }
     });
     let is = |looks: &Looks, of: &[f64]| {
-        let entry = |at: usize| looks.entry(of, areas, at / n, at % n);
-        (0..n * n).all(|at| (mine[at] - entry(at)).abs() <= tolerance)
+        let of_channel = |c: usize| {
+            let entry = |at: usize| looks.entry(of, areas, rho[at / n][c], at / n, at % n);
+            (0..n * n).all(|at| (mine[at] - entry(at)).abs() <= tolerance)
+        };
+        (0..3).any(of_channel)
     };
     let looks = (off > 0).then(|| {
         let simple = [
@@ -98,6 +124,8 @@ pub fn compare(
             Looks::TimesArea,
             Looks::OverPi,
             Looks::TimesPi,
+            Looks::TimesReflectance,
+            Looks::System,
         ];
         let simple = simple.into_iter().find(|looks| is(looks, reference));
         simple.or_else(|| {
@@ -105,62 +133,42 @@ pub fn compare(
             Some(Looks::Unblocked).filter(|looks| is(looks, &unblocked))
         })
     });
+    let is_symmetric = |matrix: &[f64]| {
+        let pairs = (0..n).flat_map(|i| (0..i).map(move |j| (i * n + j, j * n + i)));
+        pairs
+            .into_iter()
+            .all(|(a, b)| (matrix[a] - matrix[b]).abs() <= tolerance)
+    };
     let sum = |matrix: &[f64], i: usize| matrix[i * n..(i + 1) * n].iter().sum::<f64>();
-    let sums = (0..n).map(|i| (i, sum(mine, i), sum(reference, i)));
+    let sums = (0..n).map(|row| RowSum {
+        row,
+        mine: sum(mine, row),
+        reference: sum(reference, row),
+    });
     MatrixComparison {
         off,
         first,
         largest: (0..n * n).map(|at| difference(&at)).fold(0.0, f64::max),
         looks: looks.flatten(),
+        is_symmetric: is_symmetric(mine) && !is_symmetric(reference),
         sums: sums
-            .filter(|(_, mine, reference)| (mine - reference).abs() > tolerance)
+            .filter(|sum| (sum.mine - sum.reference).abs() > tolerance)
             .collect(),
     }
 }
 
-/// The numbers of a matrix of n rows: a JSON list of lists, alone or under the key `matrix`, or rows of numbers with commas, semicolons
-/// or spaces between them. Errors: what is wrong, with its row.
-pub fn read(text: &str, n: usize) -> Result<Vec<f64>, String> {
-    let text = text.trim_start_matches('\u{feff}');
-    let rows: Vec<Vec<f64>> = if text.trim_start().starts_with(['[', '{']) {
-        let json: serde_json::Value = serde_json::from_str(text).map_err(|error| {
-            let (line, column) = (error.line(), error.column());
-            let says = what_the_parser_says(&error, "the file");
-            format!("line {line}, column {column}: {says}")
-        })?;
-        let rows = json.get("matrix").unwrap_or(&json).clone();
-        serde_json::from_value(rows).map_err(|error| {
-            let says = what_the_parser_says(&error, "the file");
-            format!("{says}; a matrix is a list of rows, each a list of numbers")
-        })?
-    } else {
-        let lines = text.lines().filter(|line| !line.trim().is_empty());
-        let row = |(line, text): (usize, &str)| {
-            let words = text
-                .split([',', ';', ' ', '\t'])
-                .filter(|word| !word.is_empty());
-            let numbers = words.map(|word| {
-                let number = word.trim().parse::<f64>();
-                number.map_err(|_| format!("row {line}: {word:?} is not a number"))
-            });
-            numbers.collect::<Result<Vec<f64>, String>>()
-        };
-        (0..).zip(lines).map(row).collect::<Result<_, _>>()?
-    };
+/// The numbers of a matrix of n rows. Errors: what is wrong, with its row.
+pub fn read(bytes: &[u8], n: usize) -> Result<Vec<f64>, String> {
+    let rows = rows(bytes, "matrix")?;
     if rows.len() != n {
-        return Err(format!(
-            "it has {} rows; the scene has {n} patches",
-            rows.len()
-        ));
+        let found = rows.len();
+        return Err(format!("it has {found} rows; the scene has {n} patches"));
     }
-    if let Some((row, numbers)) = (0..).zip(&rows).find(|(_, row)| row.len() != n) {
-        return Err(format!(
+    match (0..).zip(&rows).find(|(_, row)| row.len() != n) {
+        Some((row, numbers)) => Err(format!(
             "row {row} has {} numbers; the scene has {n} patches",
             numbers.len()
-        ));
-    }
-    match rows.iter().flatten().position(|number| !number.is_finite()) {
-        Some(at) => Err(format!("row {}: a number is not finite", at / n)),
+        )),
         None => Ok(rows.concat()),
     }
 }
@@ -171,9 +179,12 @@ mod tests {
 
     const F: [f64; 4] = [0.0, 0.4, 0.1, 0.2];
     const AREAS: [f64; 2] = [1.0, 4.0];
+    const RHO: [[f64; 3]; 2] = [[0.5, 0.2, 0.9], [0.25, 0.6, 0.9]];
 
     fn found(mine: [f64; 4]) -> MatrixComparison {
-        compare(&mine, &F, &AREAS, 1e-4, || Some(vec![0.0, 0.5, 0.125, 0.2]))
+        compare(&mine, &F, &AREAS, &RHO, 1e-4, || {
+            Some(vec![0.0, 0.5, 0.125, 0.2])
+        })
     }
 
     #[test]
@@ -197,7 +208,8 @@ mod tests {
             (2, Some(entry), None)
         );
         assert_eq!(found.sums.len(), 1);
-        assert!((found.sums[0].1 - 0.55).abs() < 1e-12);
+        assert!((found.sums[0].mine - 0.55).abs() < 1e-12);
+        assert!((found.sums[0].reference - 0.3).abs() < 1e-12);
     }
 
     #[test]
@@ -208,6 +220,8 @@ mod tests {
             ([0.0, 0.4, 0.4, 0.8], Looks::TimesArea),
             (F.map(|f| f / pi), Looks::OverPi),
             (F.map(|f| f * pi), Looks::TimesPi),
+            ([0.0, 0.08, 0.06, 0.12], Looks::TimesReflectance),
+            ([1.0, -0.2, -0.025, 0.95], Looks::System),
             ([0.0, 0.5, 0.125, 0.2], Looks::Unblocked),
         ] {
             assert_eq!(found(mine).looks, Some(looks));
@@ -215,37 +229,20 @@ mod tests {
     }
 
     #[test]
-    fn matrices_are_read_from_json_and_from_rows_of_numbers() {
-        let right = Ok(F.to_vec());
-        assert_eq!(read("[[0, 0.4], [0.1, 0.2]]", 2), right);
-        assert_eq!(
-            read("{\"matrix\": [[0, 0.4], [0.1, 0.2]], \"method\": 1}", 2),
-            right
-        );
-        assert_eq!(read("0, 0.4\n0.1, 0.2\n", 2), right);
-        assert_eq!(read("\u{feff}0, 0.4\n0.1, 0.2\n", 2), right);
-        assert_eq!(read("0;0.4\r\n\n0.1;0.2", 2), right);
+    fn a_matrix_is_called_symmetric_where_ours_is_not() {
+        assert!(found([0.0, 0.3, 0.3, 0.2]).is_symmetric);
+        assert!(!found([0.0, 0.3, 0.1, 0.2]).is_symmetric);
+    }
+
+    #[test]
+    fn a_matrix_of_another_size_is_refused_with_both_sizes() {
+        let read = |text: &str| read(text.as_bytes(), 2);
+        assert_eq!(read("0 0.4\n0.1 0.2"), Ok(F.to_vec()));
         for (text, expected) in [
             ("0 0.4", "it has 1 rows; the scene has 2 patches"),
             ("0 0.4\n0.1", "row 1 has 1 numbers; the scene has 2 patches"),
-            ("0 0.4\n0.1 x", "row 1: \"x\" is not a number"),
-            ("0 0.4\n0.1 inf", "row 1: a number is not finite"),
         ] {
-            assert_eq!(read(text, 2), Err(expected.to_owned()));
+            assert_eq!(read(text), Err(expected.to_owned()));
         }
-        assert_eq!(
-            read("[[0, NaN], [0, 0]]", 2).unwrap_err(),
-            "line 1, column 6: expected a value: a number, text in double quotes, true, false, a list or an object (NaN and Infinity are none)"
-        );
-        assert!(
-            read("[[0, 0.4], [0.1, 0.2]", 2)
-                .unwrap_err()
-                .contains("the file ends here")
-        );
-        assert!(
-            read("{\"rows\": 1}", 2)
-                .unwrap_err()
-                .contains("a list of rows")
-        );
     }
 }

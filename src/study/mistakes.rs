@@ -22,6 +22,7 @@ use crate::render::render;
 use crate::scene::{Scene, View};
 use std::num::NonZeroUsize;
 
+pub(super) use room::gathered as gathered_with;
 pub(super) use scan_line::ScanConverter;
 pub(super) use tracer::Tracer;
 

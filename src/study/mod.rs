@@ -5,7 +5,7 @@
 //!
 //! And what is stiff, extreme or wrong: cases of [`stress`], each with the answer that it must give.
 //!
-//! And programs of others: a picture [`against`] ours, a trace to [`follow`], a [`matrix`], and the [`mistakes`] that would make them.
+//! And programs of others: a picture [`against`] ours, a trace to [`follow`], a [`matrix`] and a [`room_light`] of radiosity, and the [`mistakes`] that would make them.
 //!
 //! All times are of one thread. Nothing here touches a file.
 
@@ -22,9 +22,11 @@ pub mod label;
 pub mod machine;
 pub mod matrix;
 pub mod mistakes;
+pub mod numbers;
 pub mod pareto;
 pub mod plot;
 pub mod report;
+pub mod room_light;
 pub mod stress;
 #[cfg(test)]
 pub mod tests;

@@ -1,6 +1,7 @@
 //! `follow`: the trace of a program in Python against our steps.
 
 use crate::{folder, lightwalk, text};
+use serde_json::json;
 use std::fs;
 use std::process::Command;
 
@@ -120,4 +121,66 @@ fn a_trace_that_cannot_be_read_is_told_with_its_line() {
     let output = lightwalk(folder.path(), FOLLOW);
     assert_eq!(output.status.code(), Some(2));
     assert!(text(&output.stderr).contains("mine.jsonl: cannot be read"));
+}
+
+const ROOM: &str = r#"{ "schema": 1,
+  "camera": { "eye": [0.5, 0.5, 3], "target": [0.5, 0.5, 0], "up": [0, 1, 0], "fov_x_degrees": 50 },
+  "materials": { "lamp": { "emission": [2, 1, 0.5], "reflectance": [0.3, 0.2, 0.1], "diffuse": [0.5, 0.4, 0.3] },
+    "wall": { "reflectance": [0.8, 0.6, 0.4], "diffuse": [0.3, 0.6, 0.4] } },
+  "objects": [
+    { "name": "lamp", "material": "lamp", "polygon": { "vertices": [[0, 0, 1], [1, 0, 1], [1, 0, 0], [0, 0, 0]] } },
+    { "name": "wall", "material": "wall", "polygon": { "vertices": [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] } } ],
+  "lights": [ { "point": { "position": [0.5, 0.8, 2] } } ] }"#;
+
+#[test]
+fn a_scan_line_and_a_patch_are_followed_like_a_pixel() {
+    let folder = folder();
+    fs::write(folder.path().join("room.json"), ROOM).unwrap();
+    for (focus, kind, field, wrong, written) in [
+        (
+            "--method gouraud --size 32x24 --scan-line 12",
+            "PixelColored",
+            "color",
+            json!([7.5, 7.5, 7.5]),
+            "[7.5, 7.5, 7.5]",
+        ),
+        (
+            "--method radiosity --solver gauss-seidel --patch 1",
+            "Exchanged",
+            "F_ij",
+            json!(7.5),
+            "7.5",
+        ),
+    ] {
+        let steps = lightwalk(folder.path(), &format!("steps room.json {focus}"));
+        assert_eq!(steps.status.code(), Some(0), "{}", text(&steps.stderr));
+        let mine = folder.path().join("mine.jsonl");
+        fs::write(&mine, &steps.stdout).unwrap();
+        let follow = format!("follow room.json {focus} --with mine.jsonl");
+        let output = lightwalk(folder.path(), &follow);
+        let count = text(&steps.stdout).lines().count();
+        assert_eq!(
+            text(&output.stdout),
+            format!("{count} of {count} steps agree\n"),
+            "{}",
+            text(&output.stderr)
+        );
+
+        let printed = text(&steps.stdout);
+        let mut lines: Vec<serde_json::Value> = printed
+            .lines()
+            .map(|line| serde_json::from_str(line).unwrap())
+            .collect();
+        let changed = lines.iter_mut().find(|line| line["kind"] == kind);
+        let changed = changed.unwrap_or_else(|| panic!("{kind} in {printed}"));
+        changed[field] = wrong;
+        let number = changed["step"].as_u64().unwrap() + 1;
+        let lines: Vec<String> = lines.iter().map(serde_json::Value::to_string).collect();
+        fs::write(&mine, lines.join("\n")).unwrap();
+        let output = lightwalk(folder.path(), &follow);
+        assert_eq!(output.status.code(), Some(1));
+        let said = text(&output.stdout);
+        let first = format!("line {number}, {kind}: your {field} is {written}, and the run has ");
+        assert!(said.contains(&first), "{said}");
+    }
 }

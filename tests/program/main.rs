@@ -5,6 +5,7 @@ mod broken;
 mod broken_files;
 mod command_line;
 mod compare;
+mod compare_room;
 mod follow;
 #[cfg(unix)]
 mod interrupted;
