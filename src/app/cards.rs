@@ -7,7 +7,7 @@ use super::panel_view::{self, PanelView, Scale};
 use super::row_end::{before_end, row_end};
 use super::session::{Command, Drawer, Session};
 use super::{
-    against_drawer, image_controls, inspector_drawer, parameter_drawer, results_drawer,
+    against_drawer, author, image_controls, inspector_drawer, parameter_drawer, results_drawer,
     room_controls, space_controls, strings, style, tree_controls, what_if_drawer,
 };
 use crate::language::Message;
@@ -194,7 +194,7 @@ fn title_row(rect: Rect, ui: &mut Ui) -> Ui {
     row
 }
 
-fn inside(card: Rect, ui: &Ui) -> Rect {
+pub(super) fn inside(card: Rect, ui: &Ui) -> Rect {
     let mut inside = card.shrink(MARGIN);
     inside.min.y = card.min.y + title_height(ui);
     inside
@@ -296,12 +296,15 @@ pub(super) fn show_drawer(
         Drawer::Against => (strings::COMPARISON, Command::Against),
         Drawer::WhatIf => (strings::WHAT_IF, Command::WhatIf),
         Drawer::Results => (strings::RESULTS, Command::Results),
+        Drawer::Author => (author::strings::WRITE, Command::Author),
     };
     let (_, mut row) = head(session, title, rect, ui);
     let close = ("×", strings::CLOSE, command);
     at_end(session, close, commands, &mut row, |_, _| {});
     let rect = inside(rect, ui);
     match drawer {
+        // What is written is with the window, which has the files.
+        Drawer::Author => None,
         Drawer::Parameters => {
             parameter_drawer::show(session, commands, rect, ui);
             None

@@ -28,7 +28,9 @@ const WIDEST_SIDE: f32 = 0.24;
 /// How much more than its least width the key panel keeps where nothing stands beside it, and how much wider the column becomes there.
 const ALONE: f32 = 1.1;
 const WIDENED: f32 = 1.3;
-const DRAWER: f32 = 320.0;
+pub const DRAWER: f32 = 320.0;
+/// Of the drawer in which one writes.
+pub const WRITING: f32 = 400.0;
 /// The least width of the left column.
 const LEAST_COLUMN: f32 = 230.0;
 
@@ -55,7 +57,8 @@ pub struct Wishes {
     pub time_line_heights: [f32; 2],
     /// Panels beside the key panel.
     pub others: usize,
-    pub drawer: bool,
+    /// Width of the drawer, where one is open.
+    pub drawer: Option<f32>,
 }
 
 /// The cards of the window, in points from its upper left corner.
@@ -139,20 +142,20 @@ pub fn layout(window: Vec2, wishes: Wishes) -> Layout {
     let left = column.right() + GAP;
     let room = window.x - GAP - left;
     let side = match wishes.drawer {
-        true => DRAWER.min(0.5 * room),
-        false => strip(column.width()).unwrap_or(-GAP),
+        Some(drawer) => drawer.min(0.5 * room),
+        None => strip(column.width()).unwrap_or(-GAP),
     };
     let key = card(left, room - side - GAP);
     let beside = card(key.right() + GAP, side);
     Layout {
         column,
         key,
-        side: if wishes.drawer || side <= 0.0 {
+        side: if wishes.drawer.is_some() || side <= 0.0 {
             Vec::new()
         } else {
             cards(beside, count)
         },
-        drawer: wishes.drawer.then_some(beside),
+        drawer: wishes.drawer.map(|_| beside),
         time_line,
     }
 }

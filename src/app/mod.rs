@@ -3,6 +3,7 @@
 mod against_drawer;
 mod announced;
 mod arrow_focus;
+mod author;
 mod background;
 mod binding;
 mod borders;
@@ -10,6 +11,8 @@ mod button;
 mod cards;
 mod compared_pictures;
 mod crosshair;
+mod document;
+mod document_bar;
 mod drag;
 mod eframe_app;
 mod finished;

@@ -28,14 +28,10 @@ pub fn show(
         ui,
     );
     if let Some(drawer) = session.look.drawer {
-        return show_drawer(
-            session,
-            &mut window.views,
-            drawer,
-            placed.above_walk(),
-            commands,
-            ui,
-        );
+        let rect = placed.above_walk();
+        let under = show_drawer(session, &mut window.views, drawer, rect, commands, ui);
+        window.write_lesson(session, rect, ui);
+        return under;
     }
     names(session, placed.names, commands, ui);
     let under = narration::show(session, window, placed.column, commands, ui);

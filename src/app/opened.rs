@@ -11,16 +11,20 @@ use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 use web_time::Duration;
 
+/// Reads a text, which may not be saved yet, as what is shown of it; other files are found from the path of its own.
+pub type Shown = fn(&Path, &[u8]) -> Result<Lesson, Vec<Problem>>;
+
 /// What reads files. Errors: what is wrong with them, one problem a line.
 #[derive(Clone, Copy)]
 pub struct Readers {
     /// Reads a lesson, or a scene or mesh as one.
     pub document: fn(&Path) -> Result<Lesson, String>,
     pub folder: fn(&Path) -> Result<FolderOfLessons, String>,
-    /// The text of a scene file.
+    /// The text of a scene or lesson file.
     pub text: fn(&Path) -> Result<String, String>,
-    /// Reads a scene, which may not be saved yet, as a walk; meshes are found from the path of its file.
-    pub scene: fn(&Path, &[u8]) -> Result<Lesson, Vec<Problem>>,
+    /// A scene as a walk.
+    pub scene: Shown,
+    pub lesson: Shown,
     /// Writes a file, whole or not at all.
     pub write: fn(&Path, &[u8]) -> Result<(), String>,
     pub picture: fn(&Path) -> Result<StoredImage, String>,
@@ -118,8 +122,8 @@ impl Opened {
     }
 
     fn look_at_file(&mut self, session: &mut Session) -> Option<Result<Message, String>> {
-        // A scene that is edited is looked after by its page.
-        let path = session.file.clone().filter(|_| !session.look.editing)?;
+        // What is edited is looked after there.
+        let path = session.file.clone().filter(|_| !session.is_edited())?;
         let known = match &self.file {
             Some((of, known)) if *of == path => *known,
             // It was opened from the list.

@@ -6,7 +6,7 @@ use super::prose::prose;
 use super::row_end::row_end;
 use super::session::{Command, Session, Sheet, StudyCommand};
 use super::take_away::TakeAway;
-use super::{strings, style};
+use super::{author, strings, style};
 use crate::language::{Language, Message};
 use crate::methods::Method;
 use crate::panels::method_name;
@@ -166,6 +166,9 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         let name = session.localize(strings::EDIT);
         let edit = Button::new(name).selected(session.look.editing);
         button(session, edit, name, Command::EditScene, commands, ui);
+        let name = session.localize(author::strings::WRITE);
+        let write = Button::new(name).selected(session.is_written());
+        button(session, write, name, Command::Author, commands, ui);
         return;
     }
     neighbours(session, commands, ui);
@@ -265,6 +268,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         for (strings, command) in [
             (strings::PRESENT, Command::Present),
             (strings::SHARE, Command::Share),
+            (author::strings::WRITE, Command::Author),
             (strings::LEFT_OUT, Command::Skipped),
             (strings::MISTAKES, Command::Mistakes),
             (strings::COMPARE, Command::Against),

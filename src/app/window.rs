@@ -1,9 +1,10 @@
 //! The whole window, in a function of `&mut Ui`: it needs no screen, and tests show it as the screen would.
 
-use super::layout::{GAP, Layout, TRANSPORT, Wishes, column_widths, is_narrow, layout};
+use super::cards::inside;
+use super::layout::{self, GAP, Layout, TRANSPORT, Wishes, column_widths, is_narrow, layout};
 use super::opened::{self, Opened};
 use super::panel_on::panel_on;
-use super::session::{Command, Session, Sheet};
+use super::session::{Command, Drawer, Session, Sheet};
 use super::window_state::Window;
 use super::{
     cards, finished, forget, home, key_sheet, mistakes_page, narration, narrow, notice, outline,
@@ -72,6 +73,10 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
         notice::show(session, window, corner, ui);
         return window.finish(session, commands, &ctx);
     }
+    window.scene_page.documents.close();
+    if !session.is_written() {
+        window.author.documents.close();
+    }
     let whole = ui.max_rect();
     let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(whole));
     let between_cards = ui.visuals().panel_fill;
@@ -117,13 +122,19 @@ fn cards_and_time_line(
         time_line: window.borders.time_line,
         time_line_heights: [*heights.start(), *heights.end()],
         others: session.other_panels().len(),
-        drawer: session.look.drawer.is_some(),
+        drawer: session.look.drawer.map(|drawer| match drawer {
+            Drawer::Author => layout::WRITING,
+            _ => layout::DRAWER,
+        }),
     };
     let placed = layout(whole.size(), wishes).shifted(whole.min.to_vec2());
 
     let mut under = narration::show(session, window, placed.column, commands, ui);
     let of_cards = cards::show(session, &mut window.views, &placed, commands, ui);
     under = of_cards.or(under);
+    if let Some(rect) = placed.drawer {
+        window.write_lesson(session, rect, ui);
+    }
 
     let mut line = placed.time_line;
     style::card(session.look.theme, line, ui);
@@ -157,6 +168,17 @@ fn cards_and_time_line(
 }
 
 impl Window {
+    /// Shows what is written in the drawer `rect`, where that is open.
+    pub(super) fn write_lesson(&mut self, session: &mut Session, rect: Rect, ui: &mut Ui) {
+        if !session.is_written() {
+            return;
+        }
+        let readers = self.opened.as_ref().map(Opened::readers);
+        if let Err(why) = self.author.show(session, readers, inside(rect, ui), ui) {
+            self.notice = Some(why);
+        }
+    }
+
     /// Shows what lies over everything, and carries out what the user did.
     fn finish(&mut self, session: &mut Session, mut commands: Vec<Command>, ctx: &egui::Context) {
         if session.look.keys {
@@ -189,8 +211,12 @@ impl Window {
         {
             keeper.forget();
         }
-        if session.look.editing && matches!(command, Command::Undo | Command::Redo) {
-            return self.scene_page.go_back(session, command == Command::Redo);
+        if matches!(command, Command::Undo | Command::Redo) && session.is_edited() {
+            let documents = match session.look.editing {
+                true => &mut self.scene_page.documents,
+                false => &mut self.author.documents,
+            };
+            return documents.go_back(session, command == Command::Redo);
         }
         let step = (session.recording(), session.step());
         let result = session.update(command);

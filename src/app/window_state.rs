@@ -1,5 +1,6 @@
 //! What the window remembers from frame to frame.
 
+use super::author::Author;
 use super::background::Work;
 use super::borders::Borders;
 use super::home::HomePage;
@@ -23,6 +24,7 @@ pub struct Window {
     pub(super) home: HomePage,
     pub(super) mistakes: MistakesPage,
     pub(super) scene_page: ScenePage,
+    pub(super) author: Author,
     pub(super) answer: String,
     /// Whether the answer was given, and is no number.
     pub(super) misread: bool,

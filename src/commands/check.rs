@@ -93,7 +93,11 @@ fn check(path: &Path, limits: &Limits) -> Result<Found, Failure> {
             Ok(Found {
                 counts: json!({ "kind": "lesson", "steps": steps, "narrated": narrated }),
                 summary: format!("lesson, {steps} steps, {narrated} narrated"),
-                notes: open.setup.notes(open.lesson.method),
+                notes: {
+                    let mut notes = open.setup.notes(open.lesson.method);
+                    notes.extend(open.lesson.missing);
+                    notes
+                },
             })
         }
     }

@@ -92,6 +92,15 @@ fn title(path: &Path) -> String {
     name.to_string_lossy().into_owned()
 }
 
+/// A lesson whose text may not be in its file yet.
+#[cfg(feature = "gui")]
+pub fn edited_lesson(path: &Path, text: &[u8]) -> Result<Lesson, Vec<document::Problem>> {
+    let folder = folder_of(path);
+    let mut read_file = |name: &str| read_inside(&folder, name);
+    let lesson = Lesson::read(text, &Limits::default(), &mut read_file);
+    lesson.map_err(|error| error.problems)
+}
+
 /// Whether a file can be read and is no lesson.
 #[cfg(feature = "gui")]
 pub fn is_scene(path: &Path) -> bool {

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::files::wrong;
-use crate::lesson::{Chapter, builtins};
+use crate::lesson::{Chapter, Text, builtins};
 use crate::panels::strings::Language;
 use crate::picture::plain;
 use std::io::Write;
@@ -29,7 +29,10 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         let lessons: Vec<_> = lessons
             .iter()
             .map(|open| {
-                let texts = |text: &crate::lesson::Text| serde_json::json!({ "en": text.en, "id": text.id });
+                let texts = |text: &Text| {
+                    let [en, id] = text.both().map(|(_, text)| text);
+                    serde_json::json!({ "en": en, "id": id })
+                };
                 serde_json::json!({
                     "id": open.lesson.id,
                     "number": open.lesson.number,

@@ -116,6 +116,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             picture,
             text: |path| files::text(path).map_err(|failure| failure.to_string()),
             scene: files::edited_scene,
+            lesson: files::edited_lesson,
             write: |path, bytes| {
                 let written = output::write_whole(path, |writer| writer.write_all(bytes));
                 written.map_err(|failure| failure.to_string())

@@ -3,6 +3,7 @@
 use super::file::AnswerFile;
 use super::narrated::Question;
 use super::{Answer, Change, Coefficient, Lesson, Parameter, builtins};
+use crate::language::Language;
 use crate::record::{RecordingLimit, Value};
 use crate::replay::query::{self, number_of};
 use crate::replay::{Operand, Run, Walk};
@@ -221,7 +222,10 @@ fn a_typed_limit_is_one_that_the_option_says() {
                     let Operand::Number(limit) = condition.value else {
                         continue;
                     };
-                    let said = option.text.en.contains(&limit.to_string());
+                    let said = option
+                        .text
+                        .in_language(Language::English)
+                        .contains(&limit.to_string());
                     if limit != 0.0 && !said && !is_whole(&condition.field) {
                         faults.insert(format!("{} {}: {condition}", lesson.id, file.at));
                     }

@@ -3,6 +3,7 @@
 use super::error::{LessonError, problem};
 use super::parameters::{ByPath, Change, NotAllowed, Parameter, PathValue, Source};
 use super::resolve::Lesson;
+use crate::language::Language;
 use crate::methods::Settings;
 use crate::scene::Scene;
 
@@ -56,7 +57,7 @@ impl Lesson {
                         PathValue::Number(number) => number.to_string(),
                         PathValue::Option(index) => format!("option {index}"),
                     };
-                    let name = &parameter.name.en;
+                    let name = parameter.name.in_language(Language::English);
                     let message = format!("with {value} for “{name}”: {error}");
                     let error = LessonError::from(problem("parameters", message));
                     error.located(self.text.as_deref().unwrap_or_default())

@@ -11,7 +11,6 @@ use crate::render::{MAX_PIXELS, MAX_SIDE};
 use crate::scene::document::{Keyed, Problem};
 use crate::scene::{Names, Scene};
 use std::collections::BTreeSet;
-use std::iter;
 
 /// The chapter that a lesson file names.
 pub(super) fn chapter(file: &LessonFile, problems: &mut Vec<Problem>) -> Option<Chapter> {
@@ -112,7 +111,6 @@ pub(super) fn names(
         problems.push(problem(format!("names.{name}"), message));
     }
     let texts = names.iter().map(|(name, Keyed(text))| {
-        refuse_empty(&format!("names.{name}"), text, problems);
         let texts = text.both().map(|(_, text)| text.to_owned());
         (name.clone(), texts)
     });
@@ -183,26 +181,5 @@ fn check_words(file: &LessonFile, problems: &mut Vec<Problem>) {
             "steps",
             "found an empty list; a lesson says something at one step or more",
         ));
-    }
-    let texts = [("title", &file.title), ("summary", &file.summary)]
-        .map(|(place, text)| (place.to_owned(), text));
-    let recap = file.recap.iter().map(|text| ("recap".to_owned(), text));
-    let steps = file.steps.iter().enumerate();
-    let of_steps = steps.flat_map(|(index, Keyed(step))| {
-        let title = step.title.iter();
-        let title = title.map(move |text| (format!("steps[{index}].title"), text));
-        iter::once((format!("steps[{index}].say"), &step.say)).chain(title)
-    });
-    for (place, text) in texts.into_iter().chain(recap).chain(of_steps) {
-        refuse_empty(&place, text, problems);
-    }
-}
-
-fn refuse_empty(place: &str, text: &Text, problems: &mut Vec<Problem>) {
-    for (language, text) in text.both() {
-        if text.trim().is_empty() {
-            let place = format!("{place}.{}", language.code());
-            problems.push(problem(place, "found an empty text"));
-        }
     }
 }

@@ -3,6 +3,7 @@
 //! Anchors are selectors: a narrated step is the first event of a kind behind the narrated step before it. A lesson is
 //! right when every anchor, every value in its texts and every answer is found in the run itself.
 
+pub mod anchor;
 mod answer;
 mod builtin;
 #[cfg(test)]
@@ -11,6 +12,7 @@ mod changes;
 mod chapter;
 mod checks;
 mod contents;
+pub mod draft;
 mod error;
 mod file;
 mod kind;
@@ -27,6 +29,7 @@ pub mod template;
 mod text;
 #[cfg(test)]
 mod translated;
+mod translations;
 #[cfg(test)]
 mod unanswered;
 mod walkable;

@@ -6,6 +6,7 @@ use super::file::{AnswerFile, QuestionFile, StepFile};
 use super::narrated::{Narrated, Question};
 use super::template::{fill, types_numbers};
 use super::text::Text;
+use crate::language::Language;
 use crate::panels::{Hidden, Panel, named_by};
 use crate::record::{Fields, Value};
 use crate::replay::{Query, Run, Walk, query};
@@ -79,7 +80,7 @@ impl Search<'_> {
             step: at,
             title: step.title.clone(),
             key: step.key.as_deref().and_then(Panel::called),
-            types_numbers: types_numbers(&step.say.en),
+            types_numbers: types_numbers(step.say.in_language(Language::English)),
             say: self.fill(&step.say, at, &format!("{place}.say")),
             slide: slide.map(|slide| self.fill(slide, at, &format!("{place}.slide"))),
             question: step.question.as_ref().and_then(|Keyed(question)| {
@@ -110,12 +111,16 @@ impl Search<'_> {
     }
 
     fn fill_with(&mut self, text: &Text, fields: &Fields, place: &str) -> [String; 2] {
-        text.both().map(|(language, text)| {
+        text.both().map(|(language, words)| {
             let prepared = self.run.prepared();
             let called = |field: &str, value| named_by(prepared, field, value, language);
-            fill(text, fields, called, language).unwrap_or_else(|message| {
-                self.problems
-                    .push(problem(format!("{place}.{}", language.code()), message));
+            fill(words, fields, called, language).unwrap_or_else(|message| {
+                // One text may stand for both languages.
+                let place = format!("{place}.{}", text.shown_in(language).code());
+                let found = problem(place, message);
+                if !self.problems.contains(&found) {
+                    self.problems.push(found);
+                }
                 String::new()
             })
         })

@@ -10,6 +10,7 @@ use super::narrated::Narrated;
 use super::parameters::{ByPath, Parameter, ParameterFile, Source, parameters};
 use super::settings::{compare, mapping, radiosity, rays};
 use super::text::Text;
+use super::translations;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::methods::{Method, Settings, Setup};
@@ -17,7 +18,7 @@ use crate::panels::Panel;
 use crate::record::RecordingLimit;
 use crate::replay::Run;
 use crate::scene::document::{self, ByName, Keyed, Problem};
-use crate::scene::{self, Limits, Scene, View};
+use crate::scene::{self, Limits, Note, Scene, View};
 use std::sync::Arc;
 
 /// A lesson whose file is right by itself; it has not been run.
@@ -49,6 +50,8 @@ pub struct Lesson {
     /// What was learned, where the file says it.
     pub recap: Option<Text>,
     pub(super) steps: Vec<StepFile>,
+    /// Texts that are not in both languages.
+    pub missing: Vec<Note>,
 }
 
 /// A lesson that was run, with every narrated step found in the run.
@@ -106,6 +109,7 @@ impl Lesson {
         let panels = checks::panels(&file, &mut problems);
         let chapter = checks::chapter(&file, &mut problems);
         checks::texts(&file, &mut problems);
+        let missing = translations::check(&file, &mut problems);
         let has_paths = file
             .parameters
             .iter()
@@ -145,6 +149,7 @@ impl Lesson {
                 panels,
                 recap: file.recap,
                 steps: file.steps.into_iter().map(|Keyed(step)| step).collect(),
+                missing,
             }),
             _ => Err(LessonError { problems }),
         }
@@ -172,8 +177,7 @@ impl Lesson {
             self.focus,
             RecordingLimit::default(),
         );
-        let narrated = narrate(&self.steps, &run, false)?;
-        check_panels(&narrated, &self.panels)?;
+        let narrated = self.told(&run)?;
         Ok(OpenLesson {
             lesson: self,
             setup,
@@ -188,6 +192,18 @@ impl Lesson {
         let view = View::new(scene.camera.as_ref()?, width, height);
         let prepared = PreparedScene::new(scene, view);
         Some(Setup::new(prepared, settings))
+    }
+
+    /// What is said in the lesson's own run. Errors: every anchor, value and answer that is not in it.
+    pub fn tell(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
+        let text = self.text.as_deref().unwrap_or_default();
+        self.told(run).map_err(|error| error.located(text))
+    }
+
+    fn told(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
+        let narrated = narrate(&self.steps, run, false)?;
+        check_panels(&narrated, &self.panels)?;
+        Ok(narrated)
     }
 
     /// What is said in a run of the lesson's own part, whose scene may be changed: questions that have no answer then are

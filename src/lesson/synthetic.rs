@@ -96,7 +96,7 @@ impl Lesson {
         let prepared = &setup.prepared;
         let size = [prepared.view.width, prepared.view.height];
         let panels = method.panels().into_iter();
-        let [title, say] = [title, say].map(|[en, id]| Text { en, id });
+        let [title, say] = [title, say].map(Text::new);
         Lesson {
             id: "picture".into(),
             number: Lesson::UNNUMBERED,
@@ -112,6 +112,7 @@ impl Lesson {
             focus: method.family().focus(size),
             parameters: Vec::new(),
             by_path: Vec::new(),
+            missing: Vec::new(),
             source: None,
             text: None,
             recap: None,

@@ -9,9 +9,23 @@ use std::sync::Arc;
 pub struct Settings(Vec<Arc<dyn AnySettings>>);
 
 /// A value of some type of settings.
-trait AnySettings: Any + Debug + Send + Sync {}
+trait AnySettings: Any + Debug + Send + Sync {
+    fn equals(&self, other: &dyn Any) -> bool;
+}
 
-impl<S: Any + Debug + Send + Sync> AnySettings for S {}
+impl<S: Any + Debug + PartialEq + Send + Sync> AnySettings for S {
+    fn equals(&self, other: &dyn Any) -> bool {
+        other.downcast_ref() == Some(self)
+    }
+}
+
+/// Where one has no value of a type, the other has none.
+impl PartialEq for Settings {
+    fn eq(&self, other: &Self) -> bool {
+        let has = |value: &Arc<dyn AnySettings>| other.0.iter().any(|one| value.equals(&**one));
+        self.0.len() == other.0.len() && self.0.iter().all(has)
+    }
+}
 
 impl Settings {
     /// The settings of type `S`: its defaults, where there is no value of it.
@@ -23,14 +37,14 @@ impl Settings {
     }
 
     /// The same with `value` in place of what there was of its type.
-    pub fn with<S: Copy + Debug + Send + Sync + 'static>(mut self, value: S) -> Self {
+    pub fn with<S: Copy + Debug + PartialEq + Send + Sync + 'static>(mut self, value: S) -> Self {
         self.0.retain(|old| !(&**old as &dyn Any).is::<S>());
         self.0.push(Arc::new(value));
         self
     }
 }
 
-impl<S: Copy + Debug + Send + Sync + 'static> From<S> for Settings {
+impl<S: Copy + Debug + PartialEq + Send + Sync + 'static> From<S> for Settings {
     fn from(value: S) -> Self {
         Settings::default().with(value)
     }
@@ -49,5 +63,8 @@ mod tests {
         assert_eq!(settings.get::<Taylor>(), Taylor(3));
         assert_eq!(settings.get::<f64>(), 0.5);
         assert_eq!(Settings::default().get::<Taylor>(), Taylor(0));
+        assert_eq!(settings, Settings::from(0.5).with(Taylor(3)));
+        assert_ne!(settings, Settings::from(0.5).with(Taylor(2)));
+        assert_ne!(settings, Settings::from(0.5));
     }
 }

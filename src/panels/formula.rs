@@ -89,6 +89,37 @@ pub fn said(run: &Run, step: usize, language: Language) -> String {
     })
 }
 
+/// The same as the text of a lesson has it, with the names of its values in braces; what no lesson could fill in stands there as it is.
+pub fn said_with_names(run: &Run, step: usize, language: Language) -> String {
+    // Braces of the sentence itself would be taken for names.
+    const OPEN: char = '\u{e000}';
+    const CLOSE: char = '\u{e001}';
+    let known = Known::at(run, step);
+    let prepared = run.prepared();
+    let Some(entry) = entry(run.walk().declared(step), &known) else {
+        return String::new();
+    };
+    let fields = run.walk().fields(step);
+    let text = entry.sentence.format_with(language, |name| {
+        let value = fields
+            .get(name)
+            .filter(|&value| counted(name, value) == value);
+        let thing = |value| names::of_field(prepared, name, value, language);
+        match value {
+            Some(value @ Value::Integer(_)) if thing(value).is_some() && name != "light" => {
+                Some(format!("{OPEN}{name}{CLOSE} ({OPEN}{name}:name{CLOSE})"))
+            }
+            Some(Value::Number(_) | Value::Rgb(_) | Value::Vector(_)) => {
+                Some(format!("{OPEN}{name}:3{CLOSE}"))
+            }
+            Some(Value::Integer(_) | Value::Word(_)) => Some(format!("{OPEN}{name}{CLOSE}")),
+            _ => in_sentence(name, &known, prepared, language),
+        }
+    });
+    let text = text.replace(['{', '}'], "");
+    text.replace(OPEN, "{").replace(CLOSE, "}")
+}
+
 /// The least height at which the first formula can be read with its numbers, in a panel of that width.
 pub fn least_height(input: &PanelInput, width: f32) -> f32 {
     height_of(input, width, 1)
@@ -242,17 +273,27 @@ fn filled(
     language: Language,
 ) -> String {
     sentence.format_with(language, |name| {
-        let value = known.get(name)?.field.value;
-        if let Value::Word(word) = value {
-            return Some(names::word(word, language));
-        }
-        let number = shown(counted(name, value), 4, language);
-        // Lights have no names, only kinds.
-        let thing = names::of_field(prepared, name, value, language).filter(|_| name != "light");
-        Some(match thing {
-            Some(thing) => format!("{number} ({thing})"),
-            None => number,
-        })
+        in_sentence(name, known, prepared, language)
+    })
+}
+
+/// A value as it stands in a sentence.
+fn in_sentence(
+    name: &str,
+    known: &Known,
+    prepared: &PreparedScene,
+    language: Language,
+) -> Option<String> {
+    let value = known.get(name)?.field.value;
+    if let Value::Word(word) = value {
+        return Some(names::word(word, language));
+    }
+    let number = shown(counted(name, value), 4, language);
+    // Lights have no names, only kinds.
+    let thing = names::of_field(prepared, name, value, language).filter(|_| name != "light");
+    Some(match thing {
+        Some(thing) => format!("{number} ({thing})"),
+        None => number,
     })
 }
 

@@ -7,7 +7,7 @@ mod shared;
 pub use list::comparison::{place as comparison_place, values as compared_values};
 pub use list::difference::place as difference_place;
 pub use list::formula::{
-    Evaluated, Slip, evaluated, least_height as formula_height, said, slipped,
+    Evaluated, Slip, evaluated, least_height as formula_height, said, said_with_names, slipped,
     whole_height as whole_formula_height, written as written_formulas,
 };
 pub use list::image::{

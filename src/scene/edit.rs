@@ -11,6 +11,10 @@ pub enum Edit {
     Insert(String, String, Value),
     /// Behind the last element of a list.
     Push(String, Value),
+    /// Before an element of a list.
+    Before(String, Value),
+    /// Puts two elements of a list, the earlier one first, each in the other's place.
+    Swap(String, String),
     Remove(String),
 }
 
@@ -36,6 +40,23 @@ impl Edit {
                 added(text, &at(place)?, &format!("{key}: {}", written(value)))
             }
             Edit::Push(place, value) => added(text, &at(place)?, &written(value)),
+            Edit::Before(place, value) => {
+                let (before, after) = text.split_at(at(place)?.start);
+                let space = &before[before.trim_end().len()..];
+                let space = if space.is_empty() { " " } else { space };
+                Some(format!("{before}{},{space}{after}", written(value)))
+            }
+            Edit::Swap(first, second) => {
+                let (first, second) = (at(first)?.value, at(second)?.value);
+                let between = text.get(first.end..second.start)?;
+                Some(format!(
+                    "{}{}{between}{}{}",
+                    &text[..first.start],
+                    &text[second.clone()],
+                    &text[first],
+                    &text[second.end..]
+                ))
+            }
             Edit::Remove(place) => {
                 let Entry { start, value } = at(place)?;
                 let (before, after) = (&text[..start], &text[value.end..]);
@@ -75,7 +96,7 @@ fn added(text: &str, container: &Entry, what: &str) -> Option<String> {
 }
 
 /// JSON on one line, with a space behind commas and colons, and whole numbers without a point.
-fn written(value: &Value) -> String {
+pub fn written(value: &Value) -> String {
     match value {
         Value::Array(list) => {
             let list: Vec<String> = list.iter().map(written).collect();
@@ -136,6 +157,21 @@ mod tests {
             outermost,
             TEXT.replace("] } ] }", "] } ], \"lights\": [] }")
         );
+    }
+
+    #[test]
+    fn elements_of_a_list_are_put_before_others_and_change_places() {
+        let [a, b] = ["{ \"a\": 1.50 }", "{ \"b\": [] }"];
+        let before = edited(Edit::Before("objects[1]".into(), json!(7)));
+        assert_eq!(before, TEXT.replace(b, &format!("7,\n    {b}")));
+        let first = edited(Edit::Before("objects[0]".into(), json!(7)));
+        assert_eq!(first, TEXT.replace(a, &format!("7,\n    {a}")));
+        let swap = |a: &str, b: &str| Edit::Swap(format!("objects[{a}]"), format!("objects[{b}]"));
+        let swapped = edited(swap("0", "1"));
+        let expected = TEXT.replace(a, "@").replace(b, a).replace('@', b);
+        assert_eq!(swapped, expected);
+        assert_eq!(swap("1", "0").of(TEXT), None);
+        assert_eq!(swap("0", "2").of(TEXT), None);
     }
 
     #[test]

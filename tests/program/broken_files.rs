@@ -54,7 +54,7 @@ pub const BROKEN_LESSONS: &[(&str, &str, &[&str])] = &[
     ("\"number\": 1,", "\"number\": -1,", &["number", "line 1"]),
     ("\"number\": 1,", "\"numbr\": 1,", &["unknown key `numbr` (did you mean number?)"]),
     ("my-lesson", "My Lesson", &["id: found \"My Lesson\"", "lower-case"]),
-    ("\"en\": \"A title\", ", "", &["title", "the key `en` is missing"]),
+    ("\"en\": \"A title\", \"id\": \"Judul\"", "", &["title: found no text; it needs the key `en`, `id` or both"]),
     ("Judul", "  ", &["title.id: found an empty text"]),
     ("\"id\": \"Sisi\"", "\"de\": \"Kanten\"", &["steps[1].say", "unknown key `de`"]),
     ("\"scene_file\": \"scene.json\", ", "", &["exactly one of the keys `scene`"]),

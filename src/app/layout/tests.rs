@@ -16,7 +16,7 @@ fn wishes(others: usize) -> Wishes {
         time_line: None,
         time_line_heights: [76.0, 120.0],
         others,
-        drawer: false,
+        drawer: None,
     }
 }
 
@@ -37,7 +37,13 @@ fn no_card_covers_another_or_leaves_the_window() {
         .into_iter()
         .chain([vec2(900.0, 600.0), vec2(720.0, 480.0)])
     {
-        for (others, drawer) in [(0, false), (3, false), (5, false), (3, true)] {
+        for (others, drawer) in [
+            (0, None),
+            (3, None),
+            (5, None),
+            (3, Some(DRAWER)),
+            (3, Some(WRITING)),
+        ] {
             let layout = layout(
                 window,
                 Wishes {

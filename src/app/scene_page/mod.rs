@@ -1,26 +1,19 @@
 //! The scene page: what a scene has as a tree, controls for what is selected, its text beside them, and its picture.
 
 mod controls;
-mod document;
 mod tree;
 
-use super::button::explain_disabled;
+use super::document::{Document, Documents, LOOK};
+use super::document_bar;
 use super::opened::Readers;
 use super::panel_view::{PanelView, Scale};
 use super::session::{Command, Session};
 use super::{prose, strings, style};
-use crate::language::Message;
 use crate::panels::Panel;
 use crate::picture::Ink;
-pub(super) use document::Document;
 use egui::text::{LayoutJob, TextFormat};
-use egui::{Button, FontId, Rect, ScrollArea, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo};
-use std::collections::HashMap;
-use std::path::{Path, PathBuf};
-use web_time::{Duration, Instant};
+use egui::{FontId, Rect, ScrollArea, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo};
 
-/// How often it is looked whether someone else has changed the file.
-const LOOK: Duration = Duration::from_millis(500);
 const GAP: f32 = 12.0;
 const TREE: f32 = 200.0;
 const CONTROLS: f32 = 380.0;
@@ -28,41 +21,13 @@ const CONTROLS: f32 = 380.0;
 const PICTURE: f32 = 0.42;
 const TEXT: f32 = 12.5;
 
-/// The scenes that are edited, each with what is not saved yet.
 #[derive(Default)]
 pub struct ScenePage {
-    documents: HashMap<PathBuf, Document>,
-    looked: Option<Instant>,
+    pub documents: Documents,
     view: PanelView,
 }
 
 impl ScenePage {
-    /// The document of a file, read when it is edited first. Errors: why it cannot be read.
-    fn document(&mut self, path: &Path, readers: Readers) -> Result<&mut Document, String> {
-        if !self.documents.contains_key(path) {
-            let document = Document::open(path.to_owned(), readers)?;
-            self.documents.insert(path.to_owned(), document);
-        }
-        let document = self.documents.get_mut(path);
-        document.ok_or_else(String::new)
-    }
-
-    #[cfg(test)]
-    pub(super) fn only(&mut self) -> &mut Document {
-        self.documents.values_mut().next().expect("a document")
-    }
-
-    /// Takes the last change of the scene back, or makes it again.
-    pub fn go_back(&mut self, session: &mut Session, again: bool) {
-        let path = session.file.clone();
-        let document = path.and_then(|path| self.documents.get_mut(&path));
-        match document {
-            Some(document) if again => document.redo(session),
-            Some(document) => document.undo(session),
-            None => {}
-        }
-    }
-
     /// Shows the page in the rest of the window. Errors: why the file cannot be read or written.
     pub fn show(
         &mut self,
@@ -74,14 +39,14 @@ impl ScenePage {
         let Some(path) = session.file.clone() else {
             return Ok(());
         };
-        let is_due = self.looked.is_none_or(|when| when.elapsed() >= LOOK);
-        let is_new = !self.documents.contains_key(&path);
-        let document = self.document(&path, readers)?;
-        if is_new {
-            document.show(session);
-        } else if is_due {
-            document.look(session);
+        if !self.documents.has(&path) {
+            let mut document = Document::open(path.clone(), readers, readers.scene)?;
+            document.selected = "camera".into();
+            self.documents.insert(document);
         }
+        let Some(document) = self.documents.show(&path, session) else {
+            return Ok(());
+        };
         let whole = ui.available_rect_before_wrap();
         let ground = ui.visuals().panel_fill;
         ui.painter().rect_filled(whole, 0.0, ground);
@@ -89,8 +54,14 @@ impl ScenePage {
         let bar = Rect::from_min_size(whole.min, egui::vec2(whole.width(), 30.0));
         let told = ui
             .scope_builder(UiBuilder::new().max_rect(bar), |ui| {
-                ui.horizontal_centered(|ui| head(session, document, &path, commands, ui))
-                    .inner
+                ui.horizontal_centered(|ui| {
+                    let told = document_bar::show(session, document, ui);
+                    if ui.button(session.localize(strings::SCENE_BACK)).clicked() {
+                        commands.push(Command::EditScene);
+                    }
+                    told
+                })
+                .inner
             })
             .inner;
         let below = Rect::from_min_max(bar.left_bottom() + egui::vec2(0.0, 6.0), whole.max);
@@ -117,14 +88,11 @@ impl ScenePage {
         let mut typed = None;
         within(right, ui, |ui| typed = text(session, document, ui));
         if let Some(edit) = edit {
-            document.edit(&edit, session);
+            document.edit(&[edit], session);
         } else if let Some(typed) = typed {
             document.write(typed, session);
         }
         self.view.show(session, Panel::Image, top, Scale::Small, ui);
-        if is_due {
-            self.looked = Some(Instant::now());
-        }
         ui.ctx().request_repaint_after(LOOK);
         told
     }
@@ -135,61 +103,6 @@ fn within(rect: Rect, ui: &mut Ui, contents: impl FnOnce(&mut Ui)) {
     let mut part = ui.new_child(UiBuilder::new().id_salt(id).max_rect(rect));
     part.set_clip_rect(rect);
     contents(&mut part);
-}
-
-/// The file, undo and redo, saving, and what to do where the file was changed by someone else.
-fn head(
-    session: &mut Session,
-    document: &mut Document,
-    path: &Path,
-    commands: &mut Vec<Command>,
-    ui: &mut Ui,
-) -> Result<(), String> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let star = if document.is_saved() { "" } else { " *" };
-    ui.label(style::strong(format!("{name}{star}"), 16.0));
-    ui.add_space(8.0);
-    let action = |message: Message, refused: Option<Message>, session: &Session, ui: &mut Ui| {
-        let name = session.localize(message);
-        let response = ui.add_enabled(refused.is_none(), Button::new(name));
-        match refused {
-            Some(why) => {
-                explain_disabled(response, session.localize(why));
-                false
-            }
-            None => response.clicked(),
-        }
-    };
-    let unless = |can: bool, why: Message| (!can).then_some(why);
-    let nothing = unless(document.can_undo(), strings::NOTHING_TO_UNDO);
-    if action(strings::UNDO, nothing, session, ui) {
-        document.undo(session);
-    }
-    let nothing = unless(document.can_redo(), strings::NOTHING_TO_REDO);
-    if action(strings::REDO, nothing, session, ui) {
-        document.redo(session);
-    }
-    let mut told = Ok(());
-    let nothing = unless(!document.is_saved(), strings::SCENE_IS_SAVED);
-    let nothing = nothing.filter(|_| !document.in_conflict);
-    if action(strings::SCENE_SAVE, nothing, session, ui) {
-        told = document.save(false).map(drop);
-    }
-    if action(strings::SCENE_BACK, None, session, ui) {
-        commands.push(Command::EditScene);
-    }
-    if document.in_conflict {
-        let warn = style::color(session.look.theme, Ink::Warn);
-        let said = session.localize(strings::SCENE_CONFLICT);
-        ui.label(egui::RichText::new(said).color(warn));
-        if action(strings::SCENE_TAKE_THEIRS, None, session, ui) {
-            document.take_theirs(session);
-        }
-        if action(strings::SCENE_SAVE_MINE, None, session, ui) {
-            told = document.save(true).map(drop);
-        }
-    }
-    told
 }
 
 /// The text with its mistakes underlined, and what they are. Returns the text where it was changed.

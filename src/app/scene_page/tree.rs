@@ -1,7 +1,7 @@
 //! What a scene has, as a tree; and what can be added to it, copied and deleted.
 
+use super::super::document::Document;
 use super::super::{session::Session, strings, style};
-use super::document::Document;
 use crate::language::Message;
 use crate::picture::Ink;
 use crate::scene::edit::Edit;

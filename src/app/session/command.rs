@@ -132,6 +132,8 @@ pub enum Command {
     Parameters,
     /// The page on which the scene that is walked is edited, or back from it.
     EditScene,
+    /// The lesson as its file has it, in a drawer, to be written.
+    Author,
     /// The user's own picture beside ours, in a drawer.
     Against,
     /// Classic mistakes beside ours, in a drawer.

@@ -1,17 +1,51 @@
 //! Lessons, scenes and meshes that come from files.
 
 use super::focus::Place;
-use super::{Refused, Session};
+use super::{Refused, Session, Standing};
 use crate::app::strings;
 use crate::language::Message;
 use crate::lesson::{Lesson, LessonError};
 use crate::methods::Method;
+use crate::scene::document::Problem;
 
 impl Session {
     /// Shows the same file as it was saved anew: at the same place of its run, by the same method, with the same panel large.
     ///
     /// Errors: those of the lesson; nothing has changed then.
-    pub(super) fn show_anew(&mut self, lesson: Lesson) -> Result<(), LessonError> {
+    pub fn show_anew(&mut self, lesson: Lesson) -> Result<(), Vec<Problem>> {
+        let shown = match self.runs_as(&lesson) {
+            true => self.tell_anew(lesson),
+            false => self.run_anew(lesson),
+        };
+        shown.map_err(|error| error.problems)
+    }
+
+    /// Whether the run that is shown is that of `lesson` too.
+    fn runs_as(&self, lesson: &Lesson) -> bool {
+        let own = self.lesson();
+        let part = |lesson: &Lesson| (lesson.method, lesson.size, lesson.focus);
+        let is_as_opened = !self.is_changed() && self.setup().forced().is_empty();
+        is_as_opened
+            && self.follows_lesson()
+            && part(own) == part(lesson)
+            && (&own.scene, &own.settings) == (&lesson.scene, &lesson.settings)
+            && own.compare == lesson.compare
+    }
+
+    /// The same run with other words. How questions were answered stays where there are as many explanations.
+    fn tell_anew(&mut self, lesson: Lesson) -> Result<(), LessonError> {
+        let narrated = lesson.tell(&self.open.run)?;
+        self.narrated = narrated.iter().map(|said| said.step).collect();
+        if narrated.len() != self.standings.len() {
+            self.standings = vec![Standing::Open; narrated.len()];
+            self.guesses.clear();
+        }
+        self.open.narrated = narrated;
+        self.open.lesson = lesson;
+        Ok(())
+    }
+
+    fn run_anew(&mut self, lesson: Lesson) -> Result<(), LessonError> {
         let lesson = match self.lesson().is_free_walk() {
             true => lesson
                 .by_method(self.lesson().method)
@@ -36,6 +70,11 @@ impl Session {
         let file = self.file.as_ref().filter(|_| self.lesson().is_free_walk());
         let is_scene = file.is_some_and(|file| file.extension().is_some_and(|end| end == "json"));
         (!is_scene).then_some(strings::EDIT_A_SCENE)
+    }
+
+    /// Whether the file that is shown is being edited.
+    pub fn is_edited(&self) -> bool {
+        self.look.editing || self.is_written()
     }
 
     /// Why the method cannot be chosen, if it cannot.

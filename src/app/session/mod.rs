@@ -1,6 +1,7 @@
 //! Everything that the window shows, without a window: a [`Command`] changes it, and nothing else does.
 
 mod against;
+mod author;
 mod change;
 mod command;
 mod document;
@@ -84,6 +85,8 @@ pub enum Drawer {
     WhatIf,
     /// What a search has found.
     Results,
+    /// The lesson as its file has it, to be written.
+    Author,
 }
 
 /// How a question stands.

@@ -40,7 +40,7 @@ impl Session {
         let entries = self.open.narrated.iter().map(|said| {
             let title = said.title.as_ref().map(|title| title.in_language(language));
             let hidden = said.step > here && self.waits_at(here);
-            let asks = said.question.is_some() && self.look.questions;
+            let asks = said.question.is_some() && self.asks();
             Entry {
                 step: said.step,
                 title: (!hidden).then(|| title.unwrap_or(said.say(language)).to_owned()),
@@ -54,7 +54,7 @@ impl Session {
     fn waits_at(&self, step: usize) -> bool {
         let narrated = &self.open.narrated;
         let at = narrated.binary_search_by_key(&step, |said| said.step);
-        self.look.questions
+        self.asks()
             && at.is_ok_and(|index| {
                 let said = &narrated[index];
                 said.question.is_some() && self.standings[said.index] == Standing::Open

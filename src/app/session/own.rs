@@ -140,6 +140,6 @@ impl Session {
     /// Reads the file that is shown anew. Errors: what is wrong with it; nothing has changed then.
     pub fn reload(&mut self, lesson: Lesson) -> Result<(), String> {
         self.show_anew(lesson)
-            .map_err(|error| with_path(self.file.as_deref(), &error))
+            .map_err(|problems| with_path(self.file.as_deref(), &LessonError { problems }))
     }
 }

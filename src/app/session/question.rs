@@ -9,14 +9,14 @@ use crate::picture::Tag;
 impl Session {
     /// The question at this step, and how it stands.
     pub fn question(&self) -> Option<(&Question, Standing)> {
-        let index = self.narrated_here().filter(|_| self.look.questions)?;
+        let index = self.narrated_here().filter(|_| self.asks())?;
         let said = &self.open.narrated[index];
         Some((said.question.as_ref()?, self.standings[said.index]))
     }
 
     /// Whether a question waits to be answered at `step`.
     pub fn question_at(&self, step: usize) -> bool {
-        self.look.questions
+        self.asks()
             && self.narrated.binary_search(&step).is_ok_and(|index| {
                 let said = &self.open.narrated[index];
                 let question = said.question.as_ref();

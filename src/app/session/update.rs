@@ -106,6 +106,10 @@ impl Session {
                 Some(why) => return Err(why.into()),
                 None => self.look.editing = !self.look.editing,
             },
+            Command::Author => match self.cannot_write() {
+                Some(why) => return Err(why.into()),
+                None => self.toggle_drawer(Drawer::Author),
+            },
             Command::Against => match self.against() {
                 Some(_) => self.toggle_drawer(Drawer::Against),
                 None => return Err(strings::COMPARE_HOW.into()),
@@ -150,6 +154,7 @@ impl Session {
                 Some(strings::NO_PARAMETERS)
             }
             Command::EditScene => self.cannot_edit(),
+            Command::Author => self.cannot_write(),
             Command::Against if self.against().is_none() => Some(strings::COMPARE_HOW),
             Command::Unshot if !self.has_unshot() => Some(strings::NO_UNSHOT),
             Command::Focus(focus @ Focus::FormFactor { .. }) => self.cannot_follow(focus),

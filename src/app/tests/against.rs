@@ -13,6 +13,7 @@ const READERS: Readers = Readers {
     picture: |path| read_image(&fs::read(path).unwrap()),
     text: |_| Err("no text".into()),
     scene: |_, _| Err(Vec::new()),
+    lesson: |_, _| Err(Vec::new()),
     write: |_, _| Err("nothing is written".into()),
 };
 

@@ -62,7 +62,7 @@ fn check(session: &Session, screen: [f32; 2], at_least: Least, faults: &mut Vec<
             time_line: None,
             time_line_heights: [*heights.start(), *heights.end()],
             others: others.len(),
-            drawer: false,
+            drawer: None,
         },
     );
     let share = placed.key.area() / (window.x * window.y);

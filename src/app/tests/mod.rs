@@ -1,6 +1,7 @@
 //! The whole window, with no screen: keys pressed, buttons clicked, and what is then shown.
 
 mod against;
+mod author;
 mod far_and_found;
 mod home;
 mod kept;

@@ -44,6 +44,7 @@ const READERS: Readers = Readers {
     picture: |_| Err("no picture".into()),
     text: |_| Err("no text".into()),
     scene: |_, _| Err(Vec::new()),
+    lesson: |_, _| Err(Vec::new()),
     write: |_, _| Err("nothing is written".into()),
 };
 

@@ -1,8 +1,8 @@
 //! The scene page: tree, controls and text are one, and nothing is lost.
 
 use super::*;
+use crate::app::document::Document;
 use crate::app::opened::{Opened, Readers};
-use crate::app::scene_page::Document;
 use crate::scene::{Limits, View, read};
 use std::fs;
 use std::path::Path;
@@ -32,6 +32,7 @@ const READERS: Readers = Readers {
     picture: |_| Err("no picture".into()),
     text: |path| fs::read_to_string(path).map_err(|error| error.to_string()),
     scene: walk,
+    lesson: walk,
     write: |path, bytes| fs::write(path, bytes).map_err(|error| error.to_string()),
 };
 
@@ -52,7 +53,7 @@ fn page(language: Language) -> (tempfile::TempDir, Screen) {
 /// Does something with the document and its session.
 fn with<T>(screen: &mut Screen, act: impl FnOnce(&mut Document, &mut Session) -> T) -> T {
     let (session, window) = screen.harness.state_mut();
-    let done = act(window.scene_page.only(), session);
+    let done = act(window.scene_page.documents.only(), session);
     screen.harness.run_steps(3);
     done
 }

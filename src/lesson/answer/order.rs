@@ -40,7 +40,7 @@ pub(in crate::lesson) fn read(
         steps.push(step);
     }
     let mut shown: Vec<usize> = (0..items.len()).collect();
-    shown.sort_by_key(|&item| scattered(&items[item].text.en));
+    shown.sort_by_key(|&item| scattered(items[item].text.in_language(Language::English)));
     if shown.is_sorted_by_key(|&item| steps[item]) {
         shown.rotate_left(1);
     }

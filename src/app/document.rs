@@ -1,20 +1,26 @@
-//! A scene file that is edited: its text is what counts, and the last scene that was right is what is shown.
+//! Scene and lesson files that are edited: the text of a file is what counts, and the last that was right is what is shown.
 
-use super::super::opened::Readers;
-use super::super::session::Session;
+use super::opened::{Readers, Shown};
+use super::session::Session;
 use crate::scene::document::{Problem, one_a_line};
 use crate::scene::edit::Edit;
 use serde_json::Value;
-use std::path::PathBuf;
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
 use web_time::{Duration, Instant};
 
 /// Changes of one place that follow each other faster are undone together.
 const TOGETHER: Duration = Duration::from_millis(800);
 
-/// The text of a scene file, from its first change to the last.
+/// How often it is looked whether someone else has changed a file.
+pub const LOOK: Duration = Duration::from_millis(500);
+
+/// The text of a file, from its first change to the last.
 pub struct Document {
     path: PathBuf,
     readers: Readers,
+    /// What the text is read as.
+    read: Shown,
     text: String,
     /// The file as it was read or saved last.
     on_disk: String,
@@ -38,21 +44,35 @@ fn parsed(text: &str) -> Option<Value> {
 
 impl Document {
     /// Errors: why the file cannot be read.
-    pub fn open(path: PathBuf, readers: Readers) -> Result<Self, String> {
+    pub fn open(path: PathBuf, readers: Readers, read: Shown) -> Result<Self, String> {
         let text = (readers.text)(&path)?;
+        let on_disk = text.clone();
         Ok(Document {
+            on_disk,
+            ..Document::new(path, readers, read, text)
+        })
+    }
+
+    /// One whose file is not there yet.
+    pub fn new(path: PathBuf, readers: Readers, read: Shown, text: String) -> Self {
+        Document {
             path,
             readers,
+            read,
             value: parsed(&text).unwrap_or_default(),
-            on_disk: text.clone(),
+            on_disk: String::new(),
             text,
             problems: Vec::new(),
             before: Vec::new(),
             undone: Vec::new(),
             last: None,
-            selected: "camera".into(),
+            selected: String::new(),
             in_conflict: false,
-        })
+        }
+    }
+
+    pub fn path(&self) -> &Path {
+        &self.path
     }
 
     pub fn text(&self) -> &str {
@@ -71,22 +91,14 @@ impl Document {
         !self.undone.is_empty()
     }
 
-    /// Reads the text, and shows its scene where it is right.
+    /// Reads the text, and shows it where it is right.
     pub fn show(&mut self, session: &mut Session) {
         if let Some(value) = parsed(&self.text) {
             self.value = value;
         }
-        let read = (self.readers.scene)(&self.path, self.text.as_bytes());
+        let read = (self.read)(&self.path, self.text.as_bytes());
         self.problems = match read {
-            Ok(lesson) => match session.reload(lesson) {
-                Ok(()) => Vec::new(),
-                Err(message) => vec![Problem {
-                    place: String::new(),
-                    line: None,
-                    column: None,
-                    message,
-                }],
-            },
+            Ok(lesson) => session.show_anew(lesson).err().unwrap_or_default(),
             Err(problems) => problems,
         };
     }
@@ -96,15 +108,35 @@ impl Document {
         one_a_line(&self.problems)
     }
 
-    pub fn edit(&mut self, edit: &Edit, session: &mut Session) {
-        if let Some(text) = edit.of(&self.text) {
-            let of = match edit {
-                Edit::Set(place, _) => place.clone(),
+    /// Makes changes one after the other, as one.
+    pub fn edit(&mut self, edits: &[Edit], session: &mut Session) {
+        let text = edits
+            .iter()
+            .try_fold(self.text.clone(), |text, edit| edit.of(&text));
+        if let Some(text) = text {
+            let of = match edits {
+                [Edit::Set(place, _)] => place.clone(),
                 // Never together with another.
                 _ => String::new(),
             };
             self.change(text, of, session);
         }
+    }
+
+    /// Makes changes that are to leave the text right. Errors: what would be wrong; nothing has changed then.
+    pub fn try_to_edit(&mut self, edits: &[Edit], session: &mut Session) -> Result<(), String> {
+        let before = self.text.clone();
+        self.last = None;
+        self.edit(edits, session);
+        if self.problems.is_empty() {
+            return Ok(());
+        }
+        let wrong = self.in_words();
+        if self.text != before {
+            self.undo(session);
+            self.undone.pop();
+        }
+        Err(wrong)
     }
 
     pub fn write(&mut self, text: String, session: &mut Session) {
@@ -179,5 +211,63 @@ impl Document {
         self.on_disk = self.text.clone();
         self.in_conflict = false;
         Ok(true)
+    }
+}
+
+/// The files that are edited, each with what is not saved yet.
+#[derive(Default)]
+pub struct Documents {
+    all: HashMap<PathBuf, Document>,
+    /// The one that was shown last.
+    shown: Option<PathBuf>,
+    looked: Option<Instant>,
+}
+
+impl Documents {
+    pub fn has(&self, path: &Path) -> bool {
+        self.all.contains_key(path)
+    }
+
+    pub fn insert(&mut self, document: Document) {
+        self.all.insert(document.path.clone(), document);
+    }
+
+    /// The document of a file, shown in the session when it was not shown before; now and then it is looked whether someone else has
+    /// changed the file.
+    pub fn show(&mut self, path: &Path, session: &mut Session) -> Option<&mut Document> {
+        let document = self.all.get_mut(path)?;
+        let now = Instant::now();
+        if self.shown.as_deref() != Some(path) {
+            self.shown = Some(path.to_owned());
+            document.show(session);
+        } else if self
+            .looked
+            .is_none_or(|when| now.duration_since(when) >= LOOK)
+        {
+            self.looked = Some(now);
+            document.look(session);
+        }
+        Some(document)
+    }
+
+    /// Nothing of them is shown any more.
+    pub fn close(&mut self) {
+        self.shown = None;
+    }
+
+    /// Takes the last change of the file that is shown back, or makes it again.
+    pub fn go_back(&mut self, session: &mut Session, again: bool) {
+        let path = session.file.clone();
+        let document = path.and_then(|path| self.all.get_mut(&path));
+        match document {
+            Some(document) if again => document.redo(session),
+            Some(document) => document.undo(session),
+            None => {}
+        }
+    }
+
+    #[cfg(test)]
+    pub fn only(&mut self) -> &mut Document {
+        self.all.values_mut().next().expect("a document")
     }
 }
