@@ -250,6 +250,14 @@ impl Documents {
         Some(document)
     }
 
+    /// Those with changes that are not saved, by their paths.
+    pub fn unsaved(&self) -> Vec<&Document> {
+        let all = self.all.values();
+        let mut unsaved: Vec<&Document> = all.filter(|document| !document.is_saved()).collect();
+        unsaved.sort_by(|a, b| a.path.cmp(&b.path));
+        unsaved
+    }
+
     /// Nothing of them is shown any more.
     pub fn close(&mut self) {
         self.shown = None;

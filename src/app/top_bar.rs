@@ -166,10 +166,7 @@ fn lessons(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         let name = session.localize(strings::EDIT);
         let edit = Button::new(name).selected(session.look.editing);
         button(session, edit, name, Command::EditScene, commands, ui);
-        let name = session.localize(author::strings::WRITE);
-        let write = Button::new(name).selected(session.is_written());
-        button(session, write, name, Command::Author, commands, ui);
-        return;
+        return write(session, commands, ui);
     }
     neighbours(session, commands, ui);
 }
@@ -183,6 +180,16 @@ fn neighbours(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         let sign = RichText::new(sign).size(11.0);
         button(session, Button::new(sign), name, command, commands, ui);
     }
+    if session.file.is_some() {
+        write(session, commands, ui);
+    }
+}
+
+/// The drawer in which a lesson is written.
+fn write(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let name = session.localize(author::strings::WRITE);
+    let write = Button::new(name).selected(session.is_written());
+    button(session, write, name, Command::Author, commands, ui);
 }
 
 /// The methods by which a scene can be walked through.

@@ -199,6 +199,7 @@ author-from-a-lesson = A copy of this lesson in a file of your own, to change as
 author-file = File
 author-in-folder = in { $folder }
 author-begin = Begin the lesson
+author-go-on = Go on with { $file }
 author-file-name = The name of a lesson's file ends in .json and leads into no other folder.
 author-file-exists = There is a file of this name already: choose another name.
 author-new-title = A lesson on { $scene }

@@ -199,6 +199,7 @@ author-from-a-lesson = Salinan pelajaran ini dalam berkas Anda sendiri, untuk di
 author-file = Berkas
 author-in-folder = di { $folder }
 author-begin = Mulai pelajaran
+author-go-on = Lanjutkan { $file }
 author-file-name = Nama berkas pelajaran berakhiran .json dan tidak menuju ke folder lain.
 author-file-exists = Berkas dengan nama ini sudah ada: pilih nama lain.
 author-new-title = Pelajaran tentang { $scene }

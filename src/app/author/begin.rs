@@ -26,13 +26,18 @@ impl Begin {
         &mut self,
         session: &Session,
         readers: Readers,
+        unsaved: &[&Document],
         ui: &mut Ui,
     ) -> Result<Option<Document>, String> {
         let language = session.look.language;
         let folder = folder(session);
         let of = stem(session);
+        let is_taken = |name: &str| {
+            let path = folder.join(name);
+            path.exists() || unsaved.iter().any(|document| document.path() == path)
+        };
         if self.name.as_ref().is_none_or(|(known, _)| *known != of) {
-            self.name = Some((of.clone(), free_name(&folder, &of, readers)));
+            self.name = Some((of.clone(), free_name(&of, is_taken)));
         }
         let name = self.name.as_mut().map(|(_, name)| name);
         let Some(name) = name else { return Ok(None) };
@@ -61,7 +66,7 @@ impl Begin {
             return Err(session.localize(strings::FILE_NAME).to_owned());
         };
         let path = folder.join(&*name);
-        if path.exists() {
+        if is_taken(name) {
             return Err(session.localize(strings::FILE_EXISTS).to_owned());
         }
         let number = session.own_lessons().map_or(0, |(_, own)| own.len()) as u32 + 1;
@@ -89,13 +94,15 @@ fn stem(session: &Session) -> String {
     }
 }
 
-fn free_name(folder: &Path, of: &str, readers: Readers) -> String {
+fn free_name(of: &str, is_taken: impl Fn(&str) -> bool) -> String {
     let names = (1..).map(|number| match number {
         1 => format!("{of}-lesson.json"),
         _ => format!("{of}-lesson-{number}.json"),
     });
-    let is_free = |name: &String| (readers.text)(&folder.join(name)).is_err();
-    names.take(1000).find(is_free).unwrap_or_default()
+    names
+        .take(1000)
+        .find(|name| !is_taken(name))
+        .unwrap_or_default()
 }
 
 /// The id of a lesson in a file of that name; none where no lesson's file is called so.

@@ -18,6 +18,7 @@ use super::session::Session;
 use crate::lesson::anchor::Meaning;
 use crate::picture::Ink;
 use crate::replay::Query;
+use crate::scene::document::one_a_line;
 use begin::Begin;
 use egui::{Label, Rect, ScrollArea, Ui, UiBuilder};
 use form::Form;
@@ -55,13 +56,18 @@ impl Author {
         let own = session.file.clone();
         let own = own.filter(|_| !session.lesson().is_free_walk());
         let Some(path) = own else {
-            if let Some(document) = self.begin.show(session, readers, &mut ui)? {
-                let path = document.path().to_owned();
-                let lesson = (readers.lesson)(&path, document.text().as_bytes());
-                let lesson =
-                    lesson.map_err(|problems| crate::scene::document::one_a_line(&problems))?;
+            let unsaved = self.documents.unsaved();
+            let on = go_on(session, &unsaved, &mut ui);
+            let begun = self.begin.show(session, readers, &unsaved, &mut ui)?;
+            if let Some(document) = on.or(begun.as_ref()) {
+                let (path, text) = (document.path().to_owned(), document.text());
+                let lesson = (readers.lesson)(&path, text.as_bytes());
+                let lesson = lesson.map_err(|problems| one_a_line(&problems))?;
                 session.open_to_write(lesson, path)?;
+            }
+            if let Some(document) = begun {
                 self.documents.insert(document);
+                self.begin = Begin::default();
             }
             return Ok(());
         };
@@ -75,6 +81,20 @@ impl Author {
             None => Ok(()),
         }
     }
+}
+
+/// The way back to lessons that are not saved; returns the one that is to be written on.
+fn go_on<'a>(session: &Session, unsaved: &[&'a Document], ui: &mut Ui) -> Option<&'a Document> {
+    let mut on = None;
+    for &document in unsaved {
+        let file = document.path().file_name().unwrap_or_default();
+        let file = file.to_string_lossy();
+        let name = strings::GO_ON.format(session.look.language, &[("file", &file)]);
+        if ui.button(name).clicked() {
+            on = Some(document);
+        }
+    }
+    on
 }
 
 /// The lesson that is written: its file, what is wrong with it or missing, its explanations, and the form of what is chosen.

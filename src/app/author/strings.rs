@@ -11,6 +11,7 @@ pub const FROM_A_LESSON: Message = Message("author-from-a-lesson");
 pub const FILE: Message = Message("author-file");
 pub const IN_FOLDER: Message = Message("author-in-folder");
 pub const BEGIN: Message = Message("author-begin");
+pub const GO_ON: Message = Message("author-go-on");
 pub const FILE_NAME: Message = Message("author-file-name");
 pub const FILE_EXISTS: Message = Message("author-file-exists");
 pub const NEW_TITLE: Message = Message("author-new-title");

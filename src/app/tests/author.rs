@@ -1,5 +1,7 @@
 //! A lesson that is written in the window alone: begun from a scene, saved, checked, read again and walked through.
 
+mod by_hand;
+
 use super::*;
 use crate::app::author::strings as words;
 use crate::app::opened::{Opened, Readers};
@@ -8,7 +10,7 @@ use crate::replay::query::kinds;
 use crate::scene::document::Problem;
 use crate::scene::{Limits, View};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// A mirror ball and a wall behind it, under a lamp.
 const SCENE: &str = r#"{ "schema": 1, "background": [0.25, 0.3, 0.5], "ambient": [1, 1, 1],
@@ -70,96 +72,6 @@ fn walk(language: Language) -> (tempfile::TempDir, Screen) {
     (folder, screen)
 }
 
-impl Screen {
-    /// The drawer looks at its file again and again: it never comes to rest by itself.
-    fn rest(&mut self) {
-        self.harness.run_steps(3);
-    }
-
-    fn say(&self, message: Message) -> &'static str {
-        self.session().localize(message)
-    }
-
-    fn act(&mut self, message: Message) {
-        let label = self.say(message);
-        self.click_there(label);
-    }
-
-    /// Brings a button into view, and clicks it.
-    fn click_there(&mut self, label: &str) {
-        self.harness.get_by_label(label).scroll_to_me();
-        self.rest();
-        self.harness.get_by_label(label).click();
-        self.rest();
-    }
-
-    /// Walks to a step by the arrows.
-    fn walk_to(&mut self, step: usize) {
-        while self.session().step() != step {
-            let away = step as isize - self.session().step() as isize;
-            let held = match away.abs() >= 10 {
-                true => Modifiers::SHIFT,
-                false => Modifiers::NONE,
-            };
-            let key = if away > 0 {
-                Key::ArrowRight
-            } else {
-                Key::ArrowLeft
-            };
-            self.harness.key_press_modifiers(held, key);
-            self.harness.run_steps(1);
-        }
-        self.rest();
-    }
-
-    /// Puts a text in place of what stands in a field.
-    fn write(&mut self, message: Message, language: Language, text: &str) {
-        let label = format!("{}, {}", self.say(message), language.code().to_uppercase());
-        self.type_over(&label, text);
-    }
-
-    fn type_over(&mut self, label: &str, text: &str) {
-        let roles = [egui::Role::TextInput, egui::Role::MultilineTextInput];
-        let role = roles.into_iter().find(|&role| {
-            let mut found = self.harness.query_all_by_role_and_label(role, label);
-            found.next().is_some()
-        });
-        let role = role.expect("a field");
-        self.harness
-            .get_by_role_and_label(role, label)
-            .scroll_to_me();
-        self.rest();
-        self.harness.get_by_role_and_label(role, label).focus();
-        self.rest();
-        self.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-        self.harness.run_steps(1);
-        self.harness
-            .get_by_role_and_label(role, label)
-            .type_text(text);
-        self.rest();
-        // The keys are those of the walk again.
-        self.harness
-            .ctx
-            .memory_mut(|memory| memory.stop_text_input());
-        self.rest();
-    }
-
-    fn pick_row(&mut self, row: &str) {
-        self.harness.get_by_label(row).click();
-        self.rest();
-    }
-
-    fn text_of_lesson(&mut self) -> String {
-        let (_, window) = self.harness.state_mut();
-        window.author.documents.only().text().to_owned()
-    }
-
-    fn problems(&mut self) -> String {
-        let (_, window) = self.harness.state_mut();
-        window.author.documents.only().in_words()
-    }
-}
-
 /// The first steps of ten kinds of events.
 fn ten_steps(session: &Session) -> Vec<usize> {
     let walk = session.walk();
@@ -214,17 +126,6 @@ fn with_ten_explanations(screen: &mut Screen) -> Vec<usize> {
     steps
 }
 
-impl Screen {
-    /// Chooses the explanation of that index in the list.
-    fn pick_row_of(&mut self, index: usize) {
-        let (_, window) = self.harness.state_mut();
-        let lesson = window.author.documents.only().value.clone();
-        let code = self.session().look.language.code();
-        let title = lesson["steps"][index]["title"][code].as_str().unwrap();
-        self.pick_row(&format!("{}  {title}", index + 1));
-    }
-}
-
 #[test]
 fn a_lesson_of_ten_explanations_is_written_saved_read_again_and_walked() {
     let (folder, mut screen) = walk(EN);
@@ -265,15 +166,6 @@ fn a_lesson_of_ten_explanations_is_written_saved_read_again_and_walked() {
     let path = folder.path().join("mirror-lesson.json");
     let saved = fs::read_to_string(&path).unwrap();
     assert_eq!(saved, screen.text_of_lesson());
-    if let Some(kept) = std::env::var_os("LIGHTWALK_SCREENSHOTS") {
-        fs::write(PathBuf::from(kept).join("mirror-lesson.json"), &saved).unwrap();
-        fs::write(
-            Path::new(&std::env::var_os("LIGHTWALK_SCREENSHOTS").unwrap()).join("mirror.json"),
-            SCENE,
-        )
-        .unwrap();
-    }
-
     // As `lightwalk check` does.
     let read = lesson(&path, saved.as_bytes()).unwrap();
     read.check_parameters().unwrap();
@@ -386,6 +278,25 @@ fn nothing_is_saved_over_a_file_that_changed_or_was_there_before() {
     screen.act(strings::SCENE_SAVE_MINE);
     assert_eq!(fs::read_to_string(&other).unwrap(), screen.text_of_lesson());
     assert_eq!(fs::read_to_string(&path).unwrap(), "theirs");
+}
+
+#[test]
+fn a_lesson_that_is_not_saved_yet_is_found_again() {
+    let (folder, mut screen) = walk(EN);
+    screen.act(words::WRITE);
+    screen.act(words::BEGIN);
+    let text = screen.text_of_lesson();
+    let scene = document(&folder.path().join("mirror.json")).unwrap();
+    let file = folder.path().join("mirror.json");
+    screen
+        .session_mut()
+        .open_document(scene, Some(file))
+        .unwrap();
+    screen.rest();
+    let on = words::GO_ON.format(EN, &[("file", "mirror-lesson.json")]);
+    screen.click_there(&on);
+    assert_eq!(screen.text_of_lesson(), text);
+    assert!(!screen.session().lesson().is_free_walk());
 }
 
 #[test]
