@@ -109,7 +109,7 @@ try {
   await until(at("lesson=shadows"), "back leads to the lesson");
   await evaluate("location.hash = '#lesson=gathering&step=3'");
   await until(at("lesson=gathering&step=3"), "another address is followed");
-  await until("document.title.includes('step 3')", "the title names the step");
+  await until("document.title.includes('langkah 3')", "the title names the step");
   await until("document.getElementById('step').textContent !== ''", "what is said is there for screen readers");
 
   // A scene from the user's own computer.

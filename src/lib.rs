@@ -7,7 +7,7 @@
 //!
 //! # Map
 //!
-//! A floor may use only what stands above it; `tests/floors.rs` fails on an import down the list.
+//! A floor may use only what stands above it; `tests/floors` fails on an import down the list.
 //!
 //! | floor | what lives there |
 //! | --- | --- |
@@ -22,7 +22,7 @@
 //! | [`methods`] | a method as one value: its name, its panels, what it needs, how it is drawn, recorded and counted; and a scene set up for all of them, with their settings |
 //! | [`render`] | a whole frame or a whole matrix of form factors, unrecorded, on all cores; frames all at once or coarse first; what panels show beside the steps of a run ([`render::Finished`]) |
 //! | [`replay`] | timelines with checkpoints, walking, searching; the state of each algorithm at a step |
-//! | [`panels`] | one file a panel: how it lays out a run at its step; values come in computed, which `tests/floors.rs` checks |
+//! | [`panels`] | one file a panel: how it lays out a run at its step; values come in computed, which `tests/floors` checks |
 //! | [`lesson`] | lesson files, tied to the steps of their run |
 //! | [`study`] | error against run time, how work grows, and how the algorithms cope with stiff, extreme and wrong input; pictures, traces and matrices of other programs, and the mistakes that explain them |
 //! | [`export`] | what one takes away of a lesson: its explanations as a handout, as slides, as pictures of an animation |

@@ -383,22 +383,3 @@ pub fn key_of(command: &Command) -> Option<&'static str> {
         .find(|binding| (binding.command)() == *command);
     binding.map(|binding| binding.shown)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use egui::Modifiers;
-
-    #[test]
-    fn no_key_means_two_things() {
-        for (index, binding) in BINDINGS.iter().enumerate() {
-            for held in [Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND] {
-                let others = BINDINGS[index + 1..].iter();
-                let doubled = others
-                    .filter(|_| binding.is_pressed(binding.key, held))
-                    .filter(|other| other.is_pressed(binding.key, held));
-                assert_eq!(doubled.count(), 0, "{}", binding.shown);
-            }
-        }
-    }
-}

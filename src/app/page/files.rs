@@ -4,6 +4,7 @@ use super::in_words;
 use crate::app::opened::Readers;
 use crate::color::read_image;
 use crate::lesson::Lesson;
+use crate::scene::Limits;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -25,6 +26,10 @@ pub fn readers() -> Readers {
         picture: |path| read_image(&read(path)?),
         text: |path| String::from_utf8(read(path)?).map_err(|error| error.to_string()),
         scene: |path, text| Lesson::of_scene_text(&path.to_string_lossy(), text, &mut named),
+        lesson: |_, text| {
+            let lesson = Lesson::read(text, &Limits::default(), &mut named);
+            lesson.map_err(|error| error.problems)
+        },
         write: |path, bytes| {
             keep(path, bytes.to_vec());
             download(&path.to_string_lossy(), bytes)

@@ -43,6 +43,7 @@ pub use look::Look;
 pub use outline::Entry;
 pub use own::{FolderOfLessons, LessonFromFile};
 pub use playing::Direction;
+pub use question::Standing;
 pub use results::Results;
 pub use study::{Outcome, Studying, name_of_point};
 
@@ -62,7 +63,6 @@ use fan::Fan;
 use look::TEXT_SIZES;
 use playing::{Loop, Play};
 use preview::{Methods, Preview};
-use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, HashMap};
 use std::path::PathBuf;
 
@@ -87,16 +87,6 @@ pub enum Drawer {
     Results,
     /// The lesson as its file has it, to be written.
     Author,
-}
-
-/// How a question stands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Standing {
-    Open,
-    Right,
-    Wrong,
-    Skipped,
 }
 
 /// A lesson that is walked through.

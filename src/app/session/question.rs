@@ -1,10 +1,21 @@
 //! Predict before seeing: what follows a question stays hidden until it is answered or skipped.
 
-use super::{Refused, Session, Standing};
+use super::{Refused, Session};
 use crate::app::strings;
 use crate::lesson::{Answer, Guess, NoAnswer, Question};
 use crate::panels::{Answered, Hidden};
 use crate::picture::Tag;
+use serde::{Deserialize, Serialize};
+
+/// How a question stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Standing {
+    Open,
+    Right,
+    Wrong,
+    Skipped,
+}
 
 impl Session {
     /// The question at this step, and how it stands.

@@ -1,4 +1,5 @@
 use super::*;
+use crate::app::keys::BINDINGS;
 
 #[test]
 fn keys_walk_through_the_run() {
@@ -125,4 +126,17 @@ fn the_key_panel_fills_the_window_until_escape() {
     assert!(filled.area() > 0.85 * 1280.0 * 800.0, "{filled}");
     screen.press(Modifiers::NONE, Key::Escape);
     assert_eq!(screen.panel(Panel::Image), before);
+}
+
+#[test]
+fn no_key_means_two_things() {
+    for (index, binding) in BINDINGS.iter().enumerate() {
+        for held in [Modifiers::NONE, Modifiers::SHIFT, Modifiers::COMMAND] {
+            let others = BINDINGS[index + 1..].iter();
+            let doubled = others
+                .filter(|_| binding.is_pressed(binding.key, held))
+                .filter(|other| other.is_pressed(binding.key, held));
+            assert_eq!(doubled.count(), 0, "{}", binding.shown);
+        }
+    }
 }

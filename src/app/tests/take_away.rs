@@ -14,6 +14,7 @@ const READERS: Readers = Readers {
     picture: |_| Err("no picture".into()),
     text: |_| Err("no text".into()),
     scene: |_, _| Err(Vec::new()),
+    lesson: |_, _| Err(Vec::new()),
     write: |path, bytes| {
         let mut written = WRITTEN.lock().unwrap();
         written.push((path.to_owned(), bytes.to_vec()));
