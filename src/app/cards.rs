@@ -7,8 +7,8 @@ use super::panel_view::{self, PanelView, Scale};
 use super::row_end::{before_end, row_end};
 use super::session::{Command, Drawer, Session};
 use super::{
-    against_drawer, author, image_controls, inspector_drawer, parameter_drawer, results_drawer,
-    room_controls, space_controls, strings, style, tree_controls, what_if_drawer,
+    against_drawer, author, author_strings, image_controls, inspector_drawer, parameter_drawer,
+    results_drawer, room_controls, space_controls, strings, style, tree_controls, what_if_drawer,
 };
 use crate::language::Message;
 use crate::panels::Panel;
@@ -296,7 +296,7 @@ pub(super) fn show_drawer(
         Drawer::Against => (strings::COMPARISON, Command::Against),
         Drawer::WhatIf => (strings::WHAT_IF, Command::WhatIf),
         Drawer::Results => (strings::RESULTS, Command::Results),
-        Drawer::Author => (author::strings::WRITE, Command::Author),
+        Drawer::Author => (author_strings::WRITE, Command::Author),
     };
     let (_, mut row) = head(session, title, rect, ui);
     let close = ("×", strings::CLOSE, command);

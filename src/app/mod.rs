@@ -4,6 +4,7 @@ mod against_drawer;
 mod announced;
 mod arrow_focus;
 mod author;
+mod author_strings;
 mod background;
 mod binding;
 mod borders;

@@ -51,7 +51,7 @@ pub fn show(
 /// The names of the panels in one row, which a finger moves; the one that is shown is chosen.
 fn names(session: &Session, place: Rect, commands: &mut Vec<Command>, ui: &mut Ui) {
     let key = session.key_panel();
-    let id = ui.scope_id().with("chosen name");
+    let id = ui.scope_id().with("chosen");
     let shown_before: Option<Panel> = ui.data_mut(|data| data.get_temp(id)).flatten();
     ui.data_mut(|data| data.insert_temp(id, key));
     let mut ui = ui.new_child(UiBuilder::new().max_rect(place));

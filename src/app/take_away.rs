@@ -2,10 +2,9 @@
 
 use super::background::Work;
 use super::opened::Readers;
-use super::session::Session;
-use super::strings;
+use super::session::{Session, TakeAway};
 use crate::export::{Contents, Shown, deck, handout};
-use crate::language::{Language, Message};
+use crate::language::Language;
 use crate::lesson::Lesson;
 use crate::panels::{Panel, draw};
 use crate::picture::{rasterize, to_png};
@@ -16,28 +15,6 @@ use std::path::PathBuf;
 /// Points of a picture, and pixels of each.
 const PICTURE: Vec2 = Vec2::new(960.0, 600.0);
 const SCALE: f32 = 2.0;
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TakeAway {
-    /// The lesson on paper.
-    Handout,
-    /// The lesson as slides.
-    Deck,
-    /// The key panel.
-    Picture,
-}
-
-impl TakeAway {
-    pub const ALL: [TakeAway; 3] = [TakeAway::Handout, TakeAway::Deck, TakeAway::Picture];
-
-    pub fn name(self) -> Message {
-        match self {
-            TakeAway::Handout => strings::HANDOUT,
-            TakeAway::Deck => strings::DECK,
-            TakeAway::Picture => strings::PICTURE,
-        }
-    }
-}
 
 /// A file, before it is written: its name, and what is in it. An error says why there is none.
 pub type Made = Result<(String, Vec<u8>), String>;

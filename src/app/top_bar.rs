@@ -4,9 +4,8 @@ use super::button::button;
 use super::layout::{BAR, TARGET};
 use super::prose::prose;
 use super::row_end::row_end;
-use super::session::{Command, Session, Sheet, StudyCommand};
-use super::take_away::TakeAway;
-use super::{author, strings, style};
+use super::session::{Command, Session, Sheet, StudyCommand, TakeAway};
+use super::{author_strings, strings, style};
 use crate::language::{Language, Message};
 use crate::methods::Method;
 use crate::panels::method_name;
@@ -187,7 +186,7 @@ fn neighbours(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 
 /// The drawer in which a lesson is written.
 fn write(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
-    let name = session.localize(author::strings::WRITE);
+    let name = session.localize(author_strings::WRITE);
     let write = Button::new(name).selected(session.is_written());
     button(session, write, name, Command::Author, commands, ui);
 }
@@ -275,7 +274,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         for (strings, command) in [
             (strings::PRESENT, Command::Present),
             (strings::SHARE, Command::Share),
-            (author::strings::WRITE, Command::Author),
+            (author_strings::WRITE, Command::Author),
             (strings::LEFT_OUT, Command::Skipped),
             (strings::MISTAKES, Command::Mistakes),
             (strings::COMPARE, Command::Against),

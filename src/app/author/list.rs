@@ -202,7 +202,7 @@ fn exchange(
 ) -> Result<(), String> {
     let swap = Edit::Swap(place(first), place(first + 1));
     let tried = document.try_to_edit(&[swap], session);
-    tried.map_err(|why| format!("{} {why}", session.localize(strings::ORDER)))?;
+    tried.map_err(|why| strings::ORDER.format(session.look.language, &[("why", &why)]))?;
     document.selected = place(then);
     Ok(())
 }

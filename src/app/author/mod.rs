@@ -6,9 +6,9 @@ mod explanation;
 mod form;
 mod list;
 mod question;
-pub mod strings;
 mod whole;
 
+use super::author_strings as strings;
 use super::document::{Document, Documents, LOOK};
 use super::document_bar;
 use super::layout::MARGIN;

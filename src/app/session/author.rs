@@ -2,7 +2,7 @@
 
 use super::{Drawer, Session};
 use crate::algorithms::focus::Focus;
-use crate::app::author::strings;
+use crate::app::author_strings as strings;
 use crate::language::{Language, Message};
 use crate::lesson::{Lesson, Narrated};
 use crate::panels::{kind_name, said_with_names};

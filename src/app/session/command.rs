@@ -1,7 +1,7 @@
 //! What a user can ask of a session, and why it may be refused.
 
+use super::take_away::TakeAway;
 use crate::algorithms::focus::Focus;
-use crate::app::take_away::TakeAway;
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Guess};
 use crate::methods::Method;

@@ -3,7 +3,7 @@
 mod by_hand;
 
 use super::*;
-use crate::app::author::strings as words;
+use crate::app::author_strings as words;
 use crate::app::opened::{Opened, Readers};
 use crate::language::Message;
 use crate::replay::query::kinds;

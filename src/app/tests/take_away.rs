@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::app::opened::{Opened, Readers};
-use crate::app::take_away::TakeAway;
+use crate::app::session::TakeAway;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
