@@ -7,7 +7,7 @@ use super::panel_view::{self, PanelView, Scale};
 use super::row_end::{before_end, row_end};
 use super::session::{Command, Drawer, Session};
 use super::{
-    against_drawer, author, author_strings, image_controls, inspector_drawer, parameter_drawer,
+    against_drawer, author_strings, image_controls, inspector_drawer, parameter_drawer,
     results_drawer, room_controls, space_controls, strings, style, tree_controls, what_if_drawer,
 };
 use crate::language::Message;
