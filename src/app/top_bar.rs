@@ -260,12 +260,13 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         }
         ui.separator();
         if !session.look.home {
-            ui.label(style::strong(session.localize(strings::TAKE_AWAY), 13.0));
-            for what in TakeAway::ALL {
-                let name = session.localize(what.name());
-                let take = Command::TakeAway(what);
-                button(session, Button::new(name), name, take, commands, ui);
-            }
+            ui.menu_button(session.localize(strings::TAKE_AWAY), |ui| {
+                for what in TakeAway::ALL {
+                    let name = session.localize(what.name());
+                    let take = Command::TakeAway(what);
+                    button(session, Button::new(name), name, take, commands, ui);
+                }
+            });
             ui.separator();
         }
         let studies = session.localize(strings::STUDIES);
@@ -291,8 +292,14 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             );
         }
     };
-    let (response, _) = menu.ui(ui, |ui| {
-        ScrollArea::vertical().max_height(room).show(ui, entries)
+    let (response, _) = menu.ui(ui, |ui| match for_fingers {
+        true => {
+            ScrollArea::vertical()
+                .max_height(room)
+                .show(ui, entries)
+                .inner
+        }
+        false => entries(ui),
     });
     response.widget_info(|| {
         egui::WidgetInfo::labeled(egui::Role::Button, true, session.localize(strings::MENU))

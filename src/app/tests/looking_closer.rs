@@ -105,7 +105,7 @@ fn the_inspector_is_searched_and_a_value_leads_to_the_step_that_recorded_it() {
 fn the_wheel_scrolls_the_values_as_far_as_the_last() {
     let mut screen = screen(
         "ray-tree",
-        [1280, 400],
+        [1280, 480],
         1.0,
         [Command::Questions, Command::Inspector],
     );
