@@ -217,7 +217,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         false => MenuButton::new("☰"),
     };
     let room = ui.ctx().content_rect().height() - 2.0 * TARGET;
-    let entries = |ui: &mut Ui| {
+    let mut entries = |ui: &mut Ui| {
         undress(ui);
         ui.set_min_width(200.0);
         if for_fingers {
