@@ -337,7 +337,8 @@ mod tests {
 
     #[test]
     fn a_byte_order_mark_is_passed_over_and_a_list_is_no_object() {
-        let lamp: Lamp = parse(b"\xef\xbb\xbf{\"schema\": 1, \"watts\": [60]}").unwrap();
+        let lamp: Lamp =
+            parse(b"\xef\xbb\xbf{\"schema\": 1, \"watts\": [60], \"volts\": 230}").unwrap();
         assert_eq!(lamp.watts, [60]);
         assert!(problem("[1, [60]]").contains("expected an object"));
     }
