@@ -219,17 +219,29 @@ impl Enclosure {
     }
 
     /// All solvers on the first channel that has light, each timed by `clock`, in seconds.
-    /// Errors: why not even the exact solution was found.
-    pub fn race(&self, matrix: &[f64], clock: impl FnMut() -> f64) -> Result<Race, Unsolved> {
+    /// Errors: those of `go_on`, which calls the race off; inside, why not even the exact solution was found.
+    pub fn race<E>(
+        &self,
+        matrix: &[f64],
+        clock: impl FnMut() -> f64,
+        go_on: impl Fn() -> Result<(), E>,
+    ) -> Result<Result<Race, Unsolved>, E> {
         let lists = self.lists();
         let lit = |(_, emission): &(_, Vec<f64>)| emission.iter().any(|&e| e > 0.0);
         let c = lists.iter().position(lit).unwrap_or(0);
         let (rho, emission) = &lists[c];
         let areas = self.areas();
-        let patches = radiosity::Patches::new(&areas, rho, emission)?;
-        let matrix = Matrix::new(matrix, self.patches.len())?;
-        let system = System::new(&matrix, patches)?;
-        Race::run(&system, CHANNELS[c], self.settings.stop.tolerance, clock)
+        let patches = radiosity::Patches::new(&areas, rho, emission);
+        let matrix = Matrix::new(matrix, self.patches.len());
+        let (patches, matrix) = match (patches, matrix) {
+            (Ok(patches), Ok(matrix)) => (patches, matrix),
+            (Err(why), _) | (_, Err(why)) => return Ok(Err(why)),
+        };
+        let tolerance = self.settings.stop.tolerance;
+        match System::new(&matrix, patches) {
+            Ok(system) => Race::run(&system, CHANNELS[c], tolerance, clock, go_on),
+            Err(why) => Ok(Err(why)),
+        }
     }
 
     /// By channel, ρ and E of every patch.

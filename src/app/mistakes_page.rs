@@ -6,9 +6,9 @@ use super::session::{Command, Session};
 use super::{strings, style};
 use crate::language::called;
 use crate::picture::Ink;
-use crate::render::render;
+use crate::render::{Cancelled, render_unless};
 use crate::study::against::{screen_pixels, with_mistake};
-use crate::study::mistakes::Mistake;
+use crate::study::mistakes::{Mistake, Workers};
 use egui::epaint::Galley;
 use egui::{
     Color32, ColorImage, Context, CursorIcon, FontId, Frame, Margin, Rect, Role, ScrollArea, Sense,
@@ -87,7 +87,7 @@ impl MistakesPage {
 fn job(mistake: Mistake, ctx: Context) -> Job<Made> {
     Box::new(move |worker| {
         if worker.go_on().is_ok()
-            && let Some(pictures) = pictures(mistake)
+            && let Some(pictures) = pictures(mistake, &|| worker.go_on())
         {
             worker.send(Made { mistake, pictures });
             ctx.request_repaint();
@@ -95,11 +95,16 @@ fn job(mistake: Mistake, ctx: Context) -> Job<Made> {
     })
 }
 
-fn pictures(mistake: Mistake) -> Option<[ColorImage; 2]> {
+/// None where they are called off.
+fn pictures(
+    mistake: Mistake,
+    go_on: &(dyn Fn() -> Result<(), Cancelled> + Sync),
+) -> Option<[ColorImage; 2]> {
     let (setup, method) = mistake.example(SIZE)?;
-    let one = NonZeroUsize::MIN;
-    let right = render(&setup, method, one, &|_, _| {});
-    let (wrong, found) = with_mistake(mistake, (&setup, method), &right, 0.0, one)?;
+    let threads = NonZeroUsize::MIN;
+    let right = render_unless(&setup, method, threads, |_, _| go_on()).ok()?;
+    let workers = Workers { threads, go_on };
+    let (wrong, found) = with_mistake(mistake, (&setup, method), &right, 0.0, workers)?;
     let image = |pixels: &[[f64; 3]]| {
         let bytes = screen_pixels(pixels, false);
         ColorImage::from_rgb(SIZE.map(|side| side as usize), bytes.as_flattened())

@@ -7,6 +7,7 @@ use super::files;
 use super::form_factors::MemoryArgument;
 use super::notes;
 use super::output;
+use super::progress::Progress;
 use super::radiosity::SystemArguments;
 use crate::algorithms::enclosure;
 use crate::color::{StoredImage, png_rgb8, read_image, surplus};
@@ -15,6 +16,7 @@ use crate::methods::{Method, Settings, Setup};
 use crate::picture::plain;
 use crate::study::against::{Comparison, compare, difference, screen_pixels};
 use crate::study::mistakes::Mistake;
+use std::convert::Infallible;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -150,7 +152,13 @@ fn picture(arguments: &Arguments, image: &Path) -> Result<(), Failure> {
     let setup = setup(arguments, method, &mine)?;
     notes::print(&arguments.scene.display(), &arguments.rays.notes(method));
     let threads = std::thread::available_parallelism().unwrap_or(std::num::NonZeroUsize::MIN);
-    let found = compare(&mine, &setup, method, tolerance, threads);
+    let progress = Progress::new("comparing");
+    let show = |done, all| {
+        progress.show(done, all);
+        Ok::<(), Infallible>(())
+    };
+    let Ok(found) = compare(&mine, &setup, method, tolerance, threads, &show, |_| {});
+    drop(progress);
     if let Some(folder) = &arguments.out {
         write(folder, &mine, &found)?;
     }

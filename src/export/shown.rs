@@ -11,6 +11,7 @@ use crate::picture::Picture;
 use crate::render::compare::compare;
 use crate::render::{Finished, race, render, smooth_patches};
 use glam::Vec2;
+use std::convert::Infallible;
 use std::num::NonZeroUsize;
 
 /// What pictures of a lesson's steps are drawn of.
@@ -25,7 +26,7 @@ pub struct Shown {
 }
 
 impl Shown {
-    /// Renders what `panels` show beside the steps. `progress` hears how much of the picture is done.
+    /// Renders what `panels` show beside the steps. `progress` hears how much of that is done.
     pub fn new(
         open: OpenLesson,
         panels: &[Panel],
@@ -33,16 +34,26 @@ impl Shown {
         threads: NonZeroUsize,
         progress: &(impl Fn(usize, usize) + Sync),
     ) -> Self {
-        let picture = render(&open.setup, open.lesson.method, threads, progress);
+        let races = panels.contains(&Panel::Race);
+        let compares = panels.iter().any(|panel| panel.compares());
+        let compared = &open.lesson.compare[..if compares {
+            open.lesson.compare.len()
+        } else {
+            0
+        }];
+        // The picture is a part, and so is each that is compared, and the race.
+        let parts = 1 + compared.len() + usize::from(races);
+        let picture = render(&open.setup, open.lesson.method, threads, &|done, all| {
+            progress(done, parts * all);
+        });
         let mut finished = Finished::new(picture, &open.setup.prepared.scene.lights);
-        if panels.contains(&Panel::Race) {
-            finished.race = race(&open.setup);
+        for (done, &method) in compared.iter().enumerate() {
+            finished.compared.push(compare(&open.setup, method));
+            progress(2 + done, parts);
         }
-        if panels.iter().any(|panel| panel.compares()) {
-            let methods = open.lesson.compare.iter();
-            finished.compared = methods
-                .map(|&method| compare(&open.setup, method))
-                .collect();
+        if races {
+            let Ok(race) = race(&open.setup, || Ok::<(), Infallible>(()));
+            finished.race = race;
         }
         let narrated = open.narrated.iter().map(|said| said.step).collect();
         Shown {

@@ -311,6 +311,7 @@ mod tests {
     use crate::algorithms::radiosity::Solver;
     use crate::picture::Shape;
     use crate::render::Method;
+    use std::convert::Infallible;
 
     /// The sample room whose race was run on a clock that ticks.
     fn fixture(solver: Solver, focus: Focus) -> Fixture {
@@ -321,7 +322,8 @@ mod tests {
             ticks += 1e-6;
             ticks
         };
-        let race = room.race(room.matrix().unwrap(), clock);
+        let matrix = room.matrix().unwrap();
+        let Ok(race) = room.race(matrix, clock, || Ok::<(), Infallible>(()));
         fixture.finished.race = Some(race);
         fixture
     }

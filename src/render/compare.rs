@@ -1,10 +1,11 @@
 //! Several methods on one scene: their pictures, what each did for its own, how long it took, and how far they are apart.
 
-use super::{Method, render};
+use super::{Method, render_unless};
 use crate::algorithms::frame::Frame;
 use crate::color::Rgb;
 use crate::methods::Setup;
 use crate::numeric::perceived;
+use std::convert::Infallible;
 use std::iter::zip;
 use std::num::NonZeroUsize;
 use web_time::Instant;
@@ -102,20 +103,41 @@ pub struct Operations {
 
 /// Draws the scene's whole picture by `method`; on the clock of this machine.
 pub fn compare(setup: &Setup, method: Method) -> Compared {
+    let Ok(compared) = compare_unless(setup, method, &|| Ok::<(), Infallible>(()));
+    compared
+}
+
+/// As [`compare`]. Errors: those of `go_on`, which end the work.
+pub fn compare_unless<E: Send>(
+    setup: &Setup,
+    method: Method,
+    go_on: &(impl Fn() -> Result<(), E> + Sync),
+) -> Result<Compared, E> {
     let start = Instant::now();
-    compare_on(setup, method, || start.elapsed().as_secs_f64())
+    timed(setup, method, || start.elapsed().as_secs_f64(), go_on)
 }
 
 /// As [`compare`], timed by `clock`, in seconds.
-pub fn compare_on(setup: &Setup, method: Method, mut clock: impl FnMut() -> f64) -> Compared {
-    let draw = || render(setup, method, NonZeroUsize::MIN, &|_, _| {});
+pub fn compare_on(setup: &Setup, method: Method, clock: impl FnMut() -> f64) -> Compared {
+    let Ok(compared) = timed(setup, method, clock, &|| Ok::<(), Infallible>(()));
+    compared
+}
+
+fn timed<E: Send>(
+    setup: &Setup,
+    method: Method,
+    mut clock: impl FnMut() -> f64,
+    go_on: &(impl Fn() -> Result<(), E> + Sync),
+) -> Result<Compared, E> {
+    let draw = || render_unless(setup, method, NonZeroUsize::MIN, |_, _| go_on());
     // The first one warms up.
-    let frame = draw();
-    let mut times = [0.0; REPEATS].map(|_: f64| {
+    let frame = draw()?;
+    let mut times = [0.0; REPEATS];
+    for seconds in &mut times {
         let start = clock();
-        draw();
-        clock() - start
-    });
+        draw()?;
+        *seconds = clock() - start;
+    }
     times.sort_by(f64::total_cmp);
     let rows = frame.color.chunks(frame.width.max(1) as usize);
     let luminance = |row: &[Rgb]| {
@@ -123,13 +145,13 @@ pub fn compare_on(setup: &Setup, method: Method, mut clock: impl FnMut() -> f64)
             .map(|color| color.luminance())
             .collect::<Vec<_>>()
     };
-    Compared {
+    Ok(Compared {
         method,
         perceived: rows.flat_map(|row| perceived(&luminance(row))).collect(),
         frame,
         seconds: times[REPEATS / 2],
         operations: operations(setup, method),
-    }
+    })
 }
 
 /// Counted in a recorded run of which no event is kept. Those of radiosity are about patches, not pixels.

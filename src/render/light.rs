@@ -43,10 +43,17 @@ pub fn reference_errors(enclosure: &Enclosure, threads: NonZeroUsize) -> Option<
 }
 
 /// How all solvers do on the scene's enclosure, one after the other on one thread; none where it has no matrix yet.
-pub fn race(setup: &Setup) -> Option<Result<Race, Unsolved>> {
+/// Errors: those of `go_on`, which is asked before each.
+pub fn race<E>(
+    setup: &Setup,
+    go_on: impl Fn() -> Result<(), E>,
+) -> Result<Option<Result<Race, Unsolved>>, E> {
     let start = Instant::now();
-    let enclosure = setup.enclosure().ok()?;
-    Some(enclosure.race(enclosure.matrix()?, || start.elapsed().as_secs_f64()))
+    let enclosure = setup.enclosure().ok();
+    let matrix = enclosure.and_then(|enclosure| Some((enclosure, enclosure.matrix()?)));
+    let clock = || start.elapsed().as_secs_f64();
+    let race = matrix.map(|(enclosure, matrix)| enclosure.race(matrix, clock, go_on));
+    race.transpose()
 }
 
 /// The light of an enclosure, or why there is none to be shown.

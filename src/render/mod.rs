@@ -57,9 +57,19 @@ pub fn render(
         progress(done, all);
         Ok::<(), Infallible>(())
     };
-    let painter = Painter::new(&setup.prepared, threads, progress);
-    let Ok(frame) = draw(setup, method, setup.needs(), None, painter);
+    let Ok(frame) = render_unless(setup, method, threads, progress);
     frame
+}
+
+/// Draws the picture of [`render`]. Errors: those of `progress`, which end the work.
+pub fn render_unless<E: Send>(
+    setup: &Setup,
+    method: Method,
+    threads: NonZeroUsize,
+    progress: impl Fn(usize, usize) -> Result<(), E> + Sync,
+) -> Result<Frame, E> {
+    let painter = Painter::new(&setup.prepared, threads, progress);
+    draw(setup, method, setup.needs(), None, painter)
 }
 
 /// Draws the picture of [`render`] with what `needs` says is needed, and counts its rays. The scan-line methods have none.

@@ -8,7 +8,7 @@ use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::radiosity::RecordFilter;
 use crate::methods::Setup;
 use crate::record::Unrecorded;
-use crate::render::{Method, render};
+use crate::render::{Cancelled, Method, render};
 use crate::scene::{Part, Parts};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -125,21 +125,24 @@ pub fn ablations(
     })
 }
 
-/// What the run takes with all left out that the scene does not need, and with what this stage does all the same. Errors: why one of
-/// the two is not timed.
-pub fn both(setup: &Setup, method: Method, patience: Patience) -> Result<[Timing; 2], String> {
+/// What the run takes with all left out that the scene does not need, and with what this stage does all the same. Errors: those of
+/// `go_on`, which is asked before each run; inside, why one of the two is not timed.
+pub fn both(
+    setup: &Setup,
+    method: Method,
+    patience: Patience,
+    go_on: &dyn Fn() -> Result<(), Cancelled>,
+) -> Result<Result<[Timing; 2], String>, Cancelled> {
     setup.prepared.primitives();
     let sweep_settings = [Parts::NONE, setup.forced()]
         .map(|parts| sweep_setting(Arc::new(setup.with_forced(parts)), method));
     let curves = sweep_settings.each_ref().map(std::slice::from_ref);
-    let timed =
-        time(&curves, patience, &|_, _| Ok(())).map_err(|cancelled| cancelled.to_string())?;
-    let mut timed = timed.into_iter();
+    let mut timed = time(&curves, patience, &|_, _| go_on())?.into_iter();
     let mut next = || -> Result<Timing, String> {
         let (_, timing) = timed.next().ok_or("nothing was run")??;
         Ok(timing)
     };
-    Ok([next()?, next()?])
+    Ok(next().and_then(|first| Ok([first, next()?])))
 }
 
 fn sweep_setting(setup: Arc<Setup>, method: Method) -> Setting {

@@ -2,15 +2,14 @@
 
 mod explained;
 
-use super::mistakes::{Encoding, Mistake};
+use super::mistakes::{Encoding, Mistake, Workers};
 use crate::algorithms::frame::Frame;
 use crate::color::{Rgb, StoredImage};
 use crate::figure::diverging;
 use crate::methods::{Method, Setup};
-use crate::render::render;
+use crate::render::{Cancelled, render_unless};
 use explained::{Mistaken, explanations};
 use serde::Serialize;
-use std::convert::Infallible;
 use std::num::NonZeroUsize;
 
 /// Pixels that are named as the worst.
@@ -59,33 +58,18 @@ pub struct Explanation {
 }
 
 /// Compares a picture, of the size of the set-up's view, with what `method` draws of it.
-pub fn compare(
+///
+/// `progress` is called with the pictures done and the pictures in all, the right one and one a mistake; an error of it ends the work. `first` takes what is known before the mistakes are tried.
+pub fn compare<E: Send>(
     mine: &StoredImage,
     setup: &Setup,
     method: Method,
     tolerance: f64,
     threads: NonZeroUsize,
-) -> Comparison {
-    let Ok(found) = compare_with_progress(mine, setup, method, tolerance, threads, &go_on, |_| {});
-    found
-}
-
-fn go_on(_: usize, _: usize) -> Result<(), Infallible> {
-    Ok(())
-}
-
-/// The same with `progress(done, all)` in between, which may call it off by an error. `first` takes what is known before the mistakes
-/// are tried.
-pub fn compare_with_progress<E>(
-    mine: &StoredImage,
-    setup: &Setup,
-    method: Method,
-    tolerance: f64,
-    threads: NonZeroUsize,
-    progress: &impl Fn(usize, usize) -> Result<(), E>,
+    progress: &(impl Fn(usize, usize) -> Result<(), E> + Sync),
     first: impl FnOnce(&Comparison),
 ) -> Result<Comparison, E> {
-    let frame = render(setup, method, threads, &|_, _| {});
+    let frame = render_unless(setup, method, threads, |_, _| progress(0, 1))?;
     // Integers are for the screen, floats are light.
     let right = match mine.is_float {
         true => Encoding::Linear,
@@ -96,7 +80,8 @@ pub fn compare_with_progress<E>(
     first(&found);
     if found.off > 0 {
         let stored = (right, mine.is_float);
-        let mistaken = mistaken(setup, method, &frame, stored, threads, progress)?;
+        let progress = |done, all| progress(1 + done, 1 + all);
+        let mistaken = mistaken(setup, method, &frame, stored, threads, &progress)?;
         found.mistakes = explanations(mine, tolerance, &found.reference, &mistaken);
         let best = found.mistakes.first();
         let best = best.filter(|best| 2 * best.explains > found.off);
@@ -147,16 +132,16 @@ impl Comparison {
 }
 
 /// The picture that a program with the mistake would store in 8 bits, and how it differs from `frame`, which is the right one. None where
-/// no pixel is off by more than the tolerance.
+/// no pixel is off by more than the tolerance, or the picture is called off.
 pub fn with_mistake(
     mistake: Mistake,
     (setup, method): (&Setup, Method),
     frame: &Frame,
     tolerance: f64,
-    threads: NonZeroUsize,
+    workers: Workers,
 ) -> Option<(StoredImage, Comparison)> {
     let right = Encoding::Srgb;
-    let (wrong, encoding) = mistake.picture(setup, method, frame, right, threads)?;
+    let (wrong, encoding) = mistake.picture(setup, method, frame, right, workers)?;
     let mine = StoredImage {
         width: frame.width,
         height: frame.rows.len() as u32,
@@ -174,18 +159,25 @@ fn mistaken<E>(
     frame: &Frame,
     (right, is_float): (Encoding, bool),
     threads: NonZeroUsize,
-    progress: &impl Fn(usize, usize) -> Result<(), E>,
+    progress: &(impl Fn(usize, usize) -> Result<(), E> + Sync),
 ) -> Result<Vec<Mistaken>, E> {
     let possible = Mistake::ALL.into_iter();
     let possible: Vec<Mistake> = possible
         .filter(|mistake| mistake.concerns(method))
         .collect();
     let mut mistaken = Vec::new();
-    for (done, mistake) in possible.iter().enumerate() {
-        progress(done, possible.len())?;
-        let wrong = mistake.picture(setup, method, frame, right, threads);
+    for (done, &mistake) in possible.iter().enumerate() {
+        let heard = || progress(done, possible.len());
+        heard()?;
+        let go_on = || heard().map_err(|_| Cancelled);
+        let workers = Workers {
+            threads,
+            go_on: &go_on,
+        };
+        let wrong = mistake.picture(setup, method, frame, right, workers);
+        heard()?;
         mistaken
-            .extend(wrong.map(|(wrong, encoding)| (*mistake, encoded(&wrong, encoding, is_float))));
+            .extend(wrong.map(|(wrong, encoding)| (mistake, encoded(&wrong, encoding, is_float))));
     }
     Ok(mistaken)
 }

@@ -18,13 +18,29 @@ use crate::algorithms::primary;
 use crate::color::Rgb;
 use crate::language::{Language, called};
 use crate::methods::{Family, Method, Settings, Setup};
-use crate::render::render;
+use crate::render::{Cancelled, render_unless};
 use crate::scene::{Scene, View};
 use std::num::NonZeroUsize;
 
 pub(super) use room::gathered as gathered_with;
 pub(super) use scan_line::ScanConverter;
 pub(super) use tracer::Tracer;
+
+/// What draws a picture: so many threads, for as long as they are to go on.
+#[derive(Clone, Copy)]
+pub struct Workers<'a> {
+    pub threads: NonZeroUsize,
+    pub go_on: &'a (dyn Fn() -> Result<(), Cancelled> + Sync),
+}
+
+impl Workers<'_> {
+    /// A picture that nobody calls off, on one thread.
+    #[cfg(test)]
+    pub const ONE: Workers<'static> = Workers {
+        threads: NonZeroUsize::MIN,
+        go_on: &|| Ok(()),
+    };
+}
 
 named! {
     /// A mistake, by its name in `compare`.
@@ -148,14 +164,15 @@ impl Mistake {
         called("mistake-about", self.name(), language).unwrap_or_default()
     }
 
-    /// The picture with the mistake, and how it is encoded where it should be `right`. None where the mistake changes nothing.
+    /// The picture with the mistake, and how it is encoded where it should be `right`. None where the mistake changes nothing, or
+    /// the picture is called off.
     pub fn picture(
         self,
         setup: &Setup,
         method: Method,
         reference: &Frame,
         right: Encoding,
-        threads: NonZeroUsize,
+        workers: Workers,
     ) -> Option<(Frame, Encoding)> {
         let view = setup.prepared.view;
         let frame = match self {
@@ -173,7 +190,7 @@ impl Mistake {
                 Frame {
                     width: view.width,
                     rows: 0..view.height,
-                    ..drawn(&turned, setup, method, threads)?
+                    ..drawn(&turned, setup, method, workers)?
                 }
             }
             Mistake::ChannelsSwapped => {
@@ -191,7 +208,7 @@ impl Mistake {
                 };
                 let scene = setup.prepared.scene.clone();
                 let wider = with(setup, scene, wider, setup.settings.clone());
-                let wider = drawn(&wider, setup, method, threads)?;
+                let wider = drawn(&wider, setup, method, workers)?;
                 filled([view.width, view.height], |x, y| wider.pixel(x, y))
             }
             Mistake::NoSrgb | Mistake::SrgbTwice => {
@@ -222,7 +239,7 @@ impl Mistake {
             | Mistake::InclusiveScanRule => match method {
                 Method::RayCasting | Method::RayTracing => {
                     let only_casts = method == Method::RayCasting;
-                    Tracer::new(setup, only_casts, Some(self)).picture(threads)
+                    Tracer::new(setup, only_casts, Some(self)).picture(workers)?
                 }
                 _ => ScanConverter::new(setup, method, Some(self)).picture(),
             },
@@ -239,7 +256,7 @@ impl Mistake {
             | Mistake::HighlightSwapped
             | Mistake::NoShadows
             | Mistake::VertexNormalsByArea => {
-                drawn(&self.wrong_input(setup)?, setup, method, threads)?
+                drawn(&self.wrong_input(setup)?, setup, method, workers)?
             }
         };
         (frame.color != reference.color).then_some((frame, right))
@@ -298,7 +315,7 @@ fn with(setup: &Setup, scene: Scene, view: View, settings: Settings) -> Setup {
 }
 
 /// What the method draws of other input than that of `setup`. The light of a room stays as it is, whoever looks at it.
-fn drawn(wrong: &Setup, setup: &Setup, method: Method, threads: NonZeroUsize) -> Option<Frame> {
+fn drawn(wrong: &Setup, setup: &Setup, method: Method, workers: Workers) -> Option<Frame> {
     if method.family() == Family::Exchange {
         let enclosure = setup.enclosure().ok()?;
         let light = enclosure.light(enclosure.matrix()?).ok()?;
@@ -309,7 +326,8 @@ fn drawn(wrong: &Setup, setup: &Setup, method: Method, threads: NonZeroUsize) ->
             &light.radiosity,
         ));
     }
-    Some(render(wrong, method, threads, &|_, _| {}))
+    let Workers { threads, go_on } = workers;
+    render_unless(wrong, method, threads, |_, _| go_on()).ok()
 }
 
 /// The picture of patches that give off `light`.

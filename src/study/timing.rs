@@ -105,6 +105,7 @@ pub fn time(
             if repeats[turn] == 0 {
                 continue;
             }
+            progress(round, rounds)?;
             let start = Instant::now();
             for _ in 0..repeats[turn] {
                 // What succeeded before does so again: runs are deterministic.

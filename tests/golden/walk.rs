@@ -7,6 +7,7 @@ use lightwalk::panels::{Panel, PanelInput, draw};
 use lightwalk::picture::Picture;
 use lightwalk::render::compare::compare_on;
 use lightwalk::render::{Finished, render, smooth_patches};
+use std::convert::Infallible;
 use std::num::NonZeroUsize;
 
 pub struct Walk {
@@ -33,7 +34,9 @@ impl Walk {
         let mut finished = Finished::new(picture, &open.setup.prepared.scene.lights);
         if open.lesson.panels.contains(&Panel::Race) {
             let enclosure = open.setup.enclosure().unwrap();
-            finished.race = Some(enclosure.race(enclosure.matrix().unwrap(), &mut clock));
+            let matrix = enclosure.matrix().unwrap();
+            let Ok(race) = enclosure.race(matrix, &mut clock, || Ok::<(), Infallible>(()));
+            finished.race = Some(race);
         }
         let methods = open.lesson.compare.iter();
         finished.compared = methods

@@ -56,24 +56,29 @@ pub struct Lap {
 impl Race {
     /// Lets every solver run, one after the other, on the clock given, in seconds.
     ///
-    /// Errors: those of the reference.
-    pub fn run(
+    /// Errors: those of `go_on`, which is asked before each and calls the rest off; inside, those of the reference.
+    pub fn run<E>(
         system: &System,
         channel: &'static str,
         tolerance: f64,
         mut clock: impl FnMut() -> f64,
-    ) -> Result<Race, Unsolved> {
+        go_on: impl Fn() -> Result<(), E>,
+    ) -> Result<Result<Race, Unsolved>, E> {
         let exactly = Stop {
             tolerance: REFERENCE,
             ..Stop::default()
         };
         let filter = RecordFilter::default();
-        let reference = solve(system, Solver::Auto, exactly, &filter, &mut Unrecorded)?.radiosity;
+        let reference = match solve(system, Solver::Auto, exactly, &filter, &mut Unrecorded) {
+            Ok(solution) => solution.radiosity,
+            Err(why) => return Ok(Err(why)),
+        };
         let patches = reference.len();
         let solvers = Solver::ALL.into_iter().filter(|&solver| {
             solver != Solver::Auto && solver.multiplications(patches) <= PATIENCE
         });
         let racers = solvers.map(|solver| {
+            go_on()?;
             let stop = Stop {
                 tolerance,
                 max_iterations: (PATIENCE / solver.multiplications(patches)) as u32,
@@ -86,14 +91,14 @@ impl Race {
             let _ = solve(system, solver, warm_up, &filter, &mut Unrecorded);
             let mut stopwatch = Stopwatch::new(system.patches.emission, &reference, &mut clock);
             let solution = solve(system, solver, stop, &filter, &mut stopwatch);
-            stopwatch.finish(solver, solution)
+            Ok(stopwatch.finish(solver, solution))
         });
-        Ok(Race {
+        Ok(Ok(Race {
             channel,
             patches,
             tolerance,
-            racers: racers.collect(),
-        })
+            racers: racers.collect::<Result<_, E>>()?,
+        }))
     }
 }
 
@@ -251,6 +256,7 @@ mod tests {
     use super::*;
     use crate::algorithms::radiosity::cube::{cube, lamp};
     use crate::algorithms::radiosity::{Matrix, Patches};
+    use std::convert::Infallible;
 
     /// The race on the cube of n×n patches a face, on a clock that ticks a second each time it is looked at.
     fn race(n: usize, rho: f64) -> Race {
@@ -264,7 +270,8 @@ mod tests {
             ticks += 1.0;
             ticks
         };
-        Race::run(&system, "red", 1e-6, clock).unwrap()
+        let Ok(race) = Race::run(&system, "red", 1e-6, clock, || Ok::<(), Infallible>(()));
+        race.unwrap()
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::app::strings;
 use crate::color::StoredImage;
 use crate::lesson::{Lesson, LessonError};
 use crate::methods::{Method, Setup};
-use crate::study::against::{Comparison, compare_with_progress};
+use crate::study::against::{self, Comparison};
 use std::num::NonZeroUsize;
 use std::sync::Arc;
 use std::thread::available_parallelism;
@@ -56,7 +56,7 @@ fn compare(mine: &StoredImage, setup: &Setup, method: Method, worker: &Worker<Co
     let progress = |done, all| worker.progress(done, all);
     let first = |found: &Comparison| worker.send(found.clone());
     let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
-    let found = compare_with_progress(mine, setup, method, TOLERANCE, threads, &progress, first);
+    let found = against::compare(mine, setup, method, TOLERANCE, threads, &progress, first);
     if let Ok(found) = found {
         worker.send(found);
     }

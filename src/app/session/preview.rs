@@ -6,8 +6,8 @@ use crate::algorithms::radiosity::Unsolved;
 use crate::algorithms::radiosity::race::Race;
 use crate::app::background::{Work, Worker};
 use crate::methods::Setup;
-use crate::render::compare::{Compared, compare};
-use crate::render::{Finished, Layers, Method, layers, preview, race};
+use crate::render::compare::{Compared, compare_unless};
+use crate::render::{Cancelled, Finished, Layers, Method, layers, preview, race};
 use crate::study::ablation;
 use crate::study::timing::{Patience, Timing};
 use std::num::NonZeroUsize;
@@ -78,22 +78,8 @@ impl Preview {
                 return;
             };
             worker.send(Pass::Picture(whole));
-            for &method in &methods.compared {
-                if worker.go_on().is_err() {
-                    return;
-                }
-                worker.send(Pass::Compared(compare(&setup, method)));
-            }
-            if methods.picture == Method::Radiosity
-                && worker.go_on().is_ok()
-                && let Some(race) = race(&setup)
-            {
-                worker.send(Pass::Raced(race));
-            }
-            if !setup.forced().is_empty() && worker.go_on().is_ok() {
-                let times = ablation::both(&setup, methods.picture, MEASURING);
-                worker.send(Pass::Timed(times));
-            }
+            // An error is that nobody wants the rest.
+            let _ = beside(&setup, &methods, worker);
         })
     }
 
@@ -171,6 +157,24 @@ impl Preview {
             Pass::Timed(times) => self.times = Some(times),
         }
     }
+}
+
+/// What is shown beside the picture.
+fn beside(setup: &Setup, methods: &Methods, worker: &Worker<Pass>) -> Result<(), Cancelled> {
+    for &method in &methods.compared {
+        let compared = compare_unless(setup, method, &|| worker.go_on())?;
+        worker.send(Pass::Compared(compared));
+    }
+    if methods.picture == Method::Radiosity
+        && let Some(race) = race(setup, || worker.go_on())?
+    {
+        worker.send(Pass::Raced(race));
+    }
+    if !setup.forced().is_empty() {
+        let times = ablation::both(setup, methods.picture, MEASURING, &|| worker.go_on())?;
+        worker.send(Pass::Timed(times));
+    }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -7,9 +7,9 @@ use crate::algorithms::frame::Frame;
 use crate::app::background::{Job, Work};
 use crate::color::StoredImage;
 use crate::methods::{Method, Setup};
-use crate::render::render;
+use crate::render::render_unless;
 use crate::study::against::{Comparison, with_mistake};
-use crate::study::mistakes::Mistake;
+use crate::study::mistakes::{Mistake, Workers};
 use std::num::NonZeroUsize;
 use std::sync::{Arc, OnceLock};
 use std::thread::available_parallelism;
@@ -53,9 +53,23 @@ impl WhatIf {
                     return;
                 }
                 let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
-                let right = right.get_or_init(|| render(&setup, method, threads, &|_, _| {}));
-                let made = with_mistake(mistake, (&setup, method), right, TOLERANCE, threads);
-                worker.send((mistake, made));
+                let go_on = || worker.go_on();
+                if right.get().is_none()
+                    && let Ok(drawn) = render_unless(&setup, method, threads, |_, _| go_on())
+                {
+                    // Nobody else draws it.
+                    let _ = right.set(drawn);
+                }
+                let workers = Workers {
+                    threads,
+                    go_on: &go_on,
+                };
+                let made = right.get().and_then(|right| {
+                    with_mistake(mistake, (&setup, method), right, TOLERANCE, workers)
+                });
+                if go_on().is_ok() {
+                    worker.send((mistake, made));
+                }
             });
             job
         });

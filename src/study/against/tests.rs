@@ -3,8 +3,10 @@ use super::*;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::primary::Settings;
 use crate::color::Rgb;
+use crate::render::render;
 use crate::scene::{Limits, View, read};
 use std::collections::BTreeSet;
+use std::convert::Infallible;
 use std::num::NonZeroU32;
 
 /// A glass ball and a mirror before a wall behind the lamp, which is seen by shadow rays that go on too far.
@@ -79,6 +81,15 @@ fn stored(frame: &Frame, encoding: Encoding, is_float: bool) -> StoredImage {
 }
 
 const ONE: NonZeroUsize = NonZeroUsize::MIN;
+
+fn go_on(_: usize, _: usize) -> Result<(), Infallible> {
+    Ok(())
+}
+
+fn compared(mine: &StoredImage, setup: &Setup, method: Method) -> Comparison {
+    let Ok(found) = compare(mine, setup, method, TOLERANCE, ONE, &go_on, |_| {});
+    found
+}
 const TOLERANCE: f64 = 1.0 / 255.0;
 
 /// Scenes, each drawn by a method.
@@ -170,9 +181,9 @@ fn the_small_programs_without_a_mistake_draw_the_reference() {
         let only_casts = method == Method::RayCasting;
         let own = match method {
             Method::Radiosity => continue,
-            Method::RayCasting | Method::RayTracing => {
-                Tracer::new(&setup, only_casts, None).picture(ONE)
-            }
+            Method::RayCasting | Method::RayTracing => Tracer::new(&setup, only_casts, None)
+                .picture(Workers::ONE)
+                .unwrap(),
             _ => ScanConverter::new(&setup, method, None).picture(),
         };
         let distance_of = |(a, b): (&Rgb, &Rgb)| distance(a.channels(), b.channels());
@@ -198,7 +209,7 @@ fn a_right_picture_names_no_mistake_in_any_encoding_of_its_format() {
                 Encoding::Srgb
             };
             let mine = stored(&frame, encoding, is_float);
-            let found = compare(&mine, &setup, method, TOLERANCE, ONE);
+            let found = compared(&mine, &setup, method);
             assert_eq!((found.off, found.largest), (0, 0.0));
             assert_eq!(found.encoding, encoding.name());
             assert!(found.mistakes.is_empty() && found.worst.is_empty());
@@ -212,7 +223,7 @@ fn one_wrong_pixel_is_the_worst_and_no_mistake_explains_it() {
     let frame = render(&setup, Method::RayTracing, ONE, &|_, _| {});
     let mut mine = stored(&frame, Encoding::Srgb, false);
     mine.pixels[5 + 32 * 7] = [1.0, 0.0, 1.0];
-    let found = compare(&mine, &setup, Method::RayTracing, TOLERANCE, ONE);
+    let found = compared(&mine, &setup, Method::RayTracing);
     assert_eq!((found.off, found.pixels), (1, 32 * 24));
     assert_eq!((found.worst[0].x, found.worst[0].y), (5, 7));
     assert!(found.mistakes.is_empty(), "{:?}", found.mistakes);
@@ -271,7 +282,9 @@ fn absolute_cosines_and_added_shadows_are_not_taken_for_a_mistake_that_spoils_th
         Encoding::Srgb,
         false,
     );
-    let from_behind = Tracer::new(&setup, true, Some(Mistake::LightToPoint)).picture(ONE);
+    let from_behind = Tracer::new(&setup, true, Some(Mistake::LightToPoint))
+        .picture(Workers::ONE)
+        .unwrap();
     let from_behind = stored(&from_behind, Encoding::Srgb, false);
     let pairs = lit.pixels.iter().zip(&from_behind.pixels);
     let brighter = |(a, b): (&[f64; 3], &[f64; 3])| std::array::from_fn(|c| a[c].max(b[c]));
@@ -285,7 +298,7 @@ fn absolute_cosines_and_added_shadows_are_not_taken_for_a_mistake_that_spoils_th
         false,
     );
     for mine in [absolute, shadows] {
-        let found = compare(&mine, &setup, Method::RayCasting, TOLERANCE, ONE);
+        let found = compared(&mine, &setup, Method::RayCasting);
         assert!(found.off > 10, "{}", found.off);
         let names: Vec<_> = found.mistakes.iter().map(|found| found.name).collect();
         assert_eq!(names, [""; 0]);
@@ -319,7 +332,7 @@ fn the_encoding_is_that_of_the_format_unless_a_mistake_of_it_explains_most() {
         (true, Encoding::Srgb, "srgb", "srgb_twice"),
     ] {
         let mine = stored(&frame, encoding, is_float);
-        let found = compare(&mine, &setup, Method::RayTracing, TOLERANCE, ONE);
+        let found = compared(&mine, &setup, Method::RayTracing);
         let first = found.mistakes.first().map(|found| found.name);
         assert_eq!((found.encoding, first), (said, Some(mistake)));
     }

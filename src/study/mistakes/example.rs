@@ -127,6 +127,7 @@ mod tests {
     use super::*;
     use crate::render::render;
     use crate::study::against::with_mistake;
+    use crate::study::mistakes::Workers;
     use std::num::NonZeroUsize;
 
     #[test]
@@ -149,7 +150,7 @@ mod tests {
             assert!(setup.prepared.scene.notes.is_empty());
             setup.check_for(method).unwrap();
             let right = render(&setup, method, one, &|_, _| {});
-            let made = with_mistake(mistake, (&setup, method), &right, 1.0 / 255.0, one);
+            let made = with_mistake(mistake, (&setup, method), &right, 1.0 / 255.0, Workers::ONE);
             let off = made.map_or(0, |(_, found)| found.off);
             assert!(off >= 15, "{}: {off} pixels", mistake.name());
         }

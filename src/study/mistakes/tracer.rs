@@ -3,8 +3,8 @@
 //! It knows nothing of surfaces that touch, and it leaves out nothing that a scene does not need. With no mistake it draws what the
 //! reference draws.
 
-use super::Mistake;
 use super::model::Model;
+use super::{Mistake, Workers};
 use crate::algorithms::frame::Frame;
 use crate::algorithms::illumination::SurfacePoint;
 use crate::algorithms::incidence::{Incidence, divisor};
@@ -21,8 +21,6 @@ use crate::render::Painter;
 use crate::scene::Material;
 use crate::scene::primitives::{Hit, Part, Ray, Surface, leaving, short_of};
 use glam::DVec3;
-use std::convert::Infallible;
-use std::num::NonZeroUsize;
 
 pub struct Tracer<'a> {
     setup: &'a Setup,
@@ -60,17 +58,18 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    pub fn picture(&self, threads: NonZeroUsize) -> Frame {
-        let painter = Painter::new(self.prepared, threads, |_, _| Ok::<(), Infallible>(()));
+    /// None where it is called off.
+    pub fn picture(&self, workers: Workers) -> Option<Frame> {
+        let painter = Painter::new(self.prepared, workers.threads, |_, _| (workers.go_on)());
         let around = self.prepared.primitives().around(self.prepared.view.eye);
         let transparent = |&object: &u32| self.material(object).transmission != Rgb::BLACK;
         let media: Media = around.into_iter().filter(transparent).collect();
         let (view, samples) = (&self.prepared.view, self.settings.samples);
-        let Ok(frame) = painter.pixels(|x, y| {
+        let frame = painter.pixels(|x, y| {
             let traced = |ray: &Ray, _: &mut Unrecorded| self.trace(ray, 1, &media).0;
             primary::pixel::<primary::Event, _>(view, samples, (x, y), &mut Unrecorded, traced)
         });
-        frame
+        frame.ok()
     }
 
     /// The light that comes back along a ray, and how far away it starts.

@@ -6,7 +6,7 @@ use crate::lesson::builtin;
 use crate::picture::Tag;
 use crate::render::render;
 use crate::scene::{Limits, View, read};
-use crate::study::mistakes::Mistake;
+use crate::study::mistakes::{Mistake, Workers};
 
 const GLASS: &str = r#"{ "schema": 1, "background": [0.2, 0.3, 0.5],
     "camera": { "eye": [0, 0.6, 4], "target": [0, 0.4, 0], "up": [0, 1, 0], "fov_x_degrees": 50 },
@@ -39,7 +39,7 @@ fn stored(session: &Session, size: [u32; 2], mistake: Option<Mistake>) -> Stored
     let frame = match mistake {
         None => right,
         Some(mistake) => {
-            let made = mistake.picture(&setup, lesson.method, &right, Encoding::Srgb, one);
+            let made = mistake.picture(&setup, lesson.method, &right, Encoding::Srgb, Workers::ONE);
             made.unwrap().0
         }
     };

@@ -4,8 +4,9 @@ use super::*;
 use crate::algorithms::focus::Focus;
 use crate::lesson::builtin;
 use crate::picture::Tag;
+use crate::render::render;
 use crate::scene::{Limits, View, read};
-use crate::study::mistakes::Encoding;
+use crate::study::mistakes::{Encoding, Workers};
 
 #[test]
 fn every_mistake_that_the_method_allows_is_listed_with_how_much_it_changes() {
@@ -37,7 +38,7 @@ fn a_mistake_that_is_switched_on_shows_what_a_program_with_it_would_store() {
     let (setup, method, one) = (session.setup(), session.lesson().method, NonZeroUsize::MIN);
     let right = render(setup, method, one, &|_, _| {});
     let (wrong, _) = mistake
-        .picture(setup, method, &right, Encoding::Srgb, one)
+        .picture(setup, method, &right, Encoding::Srgb, Workers::ONE)
         .unwrap();
     let byte = |byte: u8| f64::from(byte) / 255.0;
     let stored = |frame: &Frame| -> Vec<[f64; 3]> {
