@@ -1,6 +1,7 @@
 //! What `radiosity` says of the errors of its form factors, and of its result with them.
 
 use super::failure::note;
+use super::progress::named;
 use crate::algorithms::accuracy::{Accuracy, Excess};
 use crate::algorithms::enclosure::{Enclosure, Light};
 use crate::render::reference_errors;
@@ -12,7 +13,9 @@ use std::thread::available_parallelism;
 /// The accuracy of a matrix that was made; none without one.
 pub fn of(enclosure: &Enclosure) -> Option<Accuracy<'_>> {
     let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
-    let reference = reference_errors(enclosure, threads);
+    let reference = named("estimating the errors", || {
+        reference_errors(enclosure, threads)
+    });
     Some(Accuracy::of(enclosure.exchange()?, reference))
 }
 

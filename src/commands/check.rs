@@ -4,6 +4,7 @@ use super::arguments::LimitArguments;
 use super::failure::Failure;
 use super::files::{self, Document};
 use super::notes;
+use super::progress::named;
 use crate::methods;
 use crate::scene::{Limits, Note};
 use serde_json::{Value as Json, json};
@@ -85,9 +86,8 @@ fn check(path: &Path, limits: &Limits) -> Result<Found, Failure> {
             })
         }
         Document::Lesson(lesson) => {
-            let open = lesson
-                .check_parameters()
-                .and_then(|()| lesson.open())
+            let run = || lesson.check_parameters().and_then(|()| lesson.open());
+            let open = named(&format!("running {}", path.display()), run)
                 .map_err(|error| files::wrong(&path.display(), &error))?;
             let (steps, narrated) = (open.run.walk().len(), open.narrated.len());
             Ok(Found {

@@ -1,5 +1,6 @@
 //! Why a command did not do what was asked, and what is said on standard error.
 
+use super::output::unwritable;
 use std::io::Write;
 
 /// Why a command did not do what was asked.
@@ -30,7 +31,7 @@ impl From<std::io::Error> for Failure {
     fn from(error: std::io::Error) -> Self {
         match error.kind() {
             std::io::ErrorKind::BrokenPipe => Failure::ReaderGone,
-            _ => Failure::Failed(format!("cannot write the results: {error}")),
+            _ => Failure::Failed(format!("cannot write the results: {}", unwritable(&error))),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::failure::Failure;
 use super::files;
+use super::progress::named;
 use super::radiosity::ToleranceArgument;
 use super::steps::{Recorded, Recording, TRUNCATED};
 use crate::language::Language;
@@ -54,7 +55,9 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     }
     let followed = follow(run.walk(), &trace, tolerance);
     let followed = followed.map_err(|unknown| wrong(unknown.to_string()))?;
-    let mistakes = explained_by(&setup, (&run, focus), &trace, (tolerance, &followed));
+    let mistakes = named("looking for what explains the difference", || {
+        explained_by(&setup, (&run, focus), &trace, (tolerance, &followed))
+    });
     let mut out = std::io::stdout();
     let told = match arguments.json {
         true => in_json(&followed, &trace, &mistakes, &run).to_string() + "\n",

@@ -1,7 +1,8 @@
 //! Ctrl-C: a file that is half written goes, and the program ends with status 130.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use tempfile::NamedTempFile;
 
 /// The file that is being written under a temporary name.
 static UNFINISHED: Mutex<Option<PathBuf>> = Mutex::new(None);
@@ -21,16 +22,27 @@ pub fn watch() {
     });
 }
 
-/// Runs `write` while the file of this path counts as unfinished, and then `finish`, which puts it in its place. An
-/// interruption finds it either unfinished or done.
+/// Makes a file and runs `write` on it, while it counts as unfinished, and then `finish`, which puts it in its place. An interruption
+/// finds it not begun, unfinished or done.
 pub fn guard<T, R, E>(
-    path: &Path,
-    write: impl FnOnce() -> Result<T, E>,
+    make: impl FnOnce() -> Result<NamedTempFile, E>,
+    write: impl FnOnce(NamedTempFile) -> Result<T, E>,
     finish: impl FnOnce(T) -> Result<R, E>,
 ) -> Result<R, E> {
-    *unfinished() = Some(path.to_owned());
-    let written = write();
+    let made = {
+        let mut unfinished = unfinished();
+        let made = make()?;
+        *unfinished = Some(made.path().to_owned());
+        made
+    };
+    let written = write(made);
     let mut unfinished = unfinished();
     *unfinished = None;
     finish(written?)
+}
+
+/// Does what no interruption comes into.
+pub fn whole<T>(work: impl FnOnce() -> T) -> T {
+    let _unfinished = unfinished();
+    work()
 }

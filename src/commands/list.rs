@@ -2,6 +2,7 @@
 
 use super::failure::Failure;
 use super::files::wrong;
+use super::progress::Progress;
 use crate::lesson::{Chapter, Text, builtins};
 use crate::panels::strings::Language;
 use crate::picture::plain;
@@ -16,7 +17,9 @@ pub struct Arguments {
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let mut lessons = Vec::new();
-    for lesson in builtins() {
+    let progress = Progress::new("running the lessons");
+    for (done, lesson) in builtins().iter().enumerate() {
+        progress.show(done, builtins().len());
         lessons.push(
             lesson
                 .read()
@@ -24,6 +27,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
                 .map_err(|error| wrong(&lesson.id, &error))?,
         );
     }
+    drop(progress);
     let mut out = std::io::stdout().lock();
     if arguments.json {
         let lessons: Vec<_> = lessons

@@ -5,7 +5,7 @@ use super::failure::Failure;
 use super::files::{self, Document};
 use super::notes;
 use super::output;
-use super::progress::Progress;
+use super::progress::{Progress, named};
 use crate::export::Shown;
 use crate::language::Language;
 use crate::lesson::OpenLesson;
@@ -44,8 +44,7 @@ impl LessonArguments {
                 self.lesson
             )));
         };
-        let open = lesson
-            .open()
+        let open = named("running the lesson", || lesson.open())
             .map_err(|error| files::wrong(&self.lesson, &error))?;
         notes::print(&self.lesson, &open.setup.notes(open.lesson.method));
         Ok(open)

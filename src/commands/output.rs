@@ -66,12 +66,13 @@ pub fn write_whole(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
-    let failed = |error: std::io::Error| {
-        Failure::Failed(format!(
+    let failed = |error: std::io::Error| match error.kind() {
+        std::io::ErrorKind::BrokenPipe => Failure::ReaderGone,
+        _ => Failure::Failed(format!(
             "cannot write {}: {}",
             path.display(),
             unwritable(&error)
-        ))
+        )),
     };
     if is_special(path) {
         let device = fs::OpenOptions::new().write(true).open(path);
@@ -84,14 +85,10 @@ pub fn write_whole(
     // As readable as any new file; temporary files are private otherwise.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let file = builder
-        .prefix(".lightwalk-")
-        .tempfile_in(folder_of(path))
-        .map_err(failed)?;
-    let unfinished = file.path().to_owned();
+    builder.prefix(".lightwalk-");
     interrupt::guard(
-        &unfinished,
-        || {
+        || builder.tempfile_in(folder_of(path)).map_err(failed),
+        |file| {
             let mut writer = BufWriter::new(file);
             write(&mut writer).map_err(failed)?;
             writer
@@ -106,8 +103,8 @@ pub fn write_whole(
     )
 }
 
-/// Why nothing can be written in a folder. No path is in it: that of a temporary file would puzzle.
-fn unwritable(error: &std::io::Error) -> String {
+/// Why nothing can be written. No path is in it: that of a temporary file would puzzle.
+pub fn unwritable(error: &std::io::Error) -> String {
     match error.kind() {
         std::io::ErrorKind::PermissionDenied => "no permission to write there".into(),
         std::io::ErrorKind::NotFound => "no files can be made there".into(),
@@ -117,10 +114,10 @@ fn unwritable(error: &std::io::Error) -> String {
 
 /// Makes a file in the folder, and takes it away again.
 fn probe(folder: &Path) -> Result<(), String> {
-    let probe = tempfile::Builder::new()
-        .prefix(".lightwalk-")
-        .tempfile_in(folder);
-    probe.map(drop).map_err(|error| unwritable(&error))
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".lightwalk-");
+    let probe = interrupt::whole(|| builder.tempfile_in(folder).map(drop));
+    probe.map_err(|error| unwritable(&error))
 }
 
 /// Whether what stands there is a device or a pipe.

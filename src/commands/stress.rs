@@ -1,8 +1,8 @@
 //! `lightwalk stress`: the stiff and extreme cases, each with what was expected, what came out and a verdict.
 
 use super::failure::Failure;
-use super::progress;
-use crate::study::stress::{Case, Report, json, nearest_names, select, statement, table};
+use super::progress::Progress;
+use crate::study::stress::{Report, json, nearest_names, select, statement, table};
 use std::io::Write;
 
 #[derive(clap::Args)]
@@ -16,9 +16,13 @@ pub struct Arguments {
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let cases = select(&arguments.names).map_err(unknown)?;
-    let reports: Vec<Report> = progress::named("running the stress cases", || {
-        cases.iter().map(Case::report).collect()
+    let progress = Progress::new("running the stress cases");
+    let reports = cases.iter().enumerate().map(|(done, case)| {
+        progress.show(done, cases.len());
+        case.report()
     });
+    let reports: Vec<Report> = reports.collect();
+    drop(progress);
     let mut out = std::io::stdout().lock();
     write_reports(&mut out, &reports, arguments.json)?;
     out.flush()?;
@@ -63,7 +67,7 @@ fn unknown(name: &str) -> Failure {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::stress::{Known, catalogue};
+    use crate::study::stress::{Case, Known, catalogue};
 
     #[test]
     fn a_bound_that_is_not_kept_fails_with_status_1() {

@@ -9,7 +9,11 @@ use std::time::{Duration, Instant};
 
 fn start(folder: &Path, arguments: &str) -> Child {
     let mut command = command(folder, arguments);
-    command.stderr(Stdio::null()).spawn().unwrap()
+    command
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap()
 }
 
 /// Interrupts a run that is still at work. It ends within five seconds.
@@ -62,4 +66,42 @@ fn a_study_leaves_no_part_of_itself() {
     sleep(Duration::from_secs(2));
     interrupt(child);
     assert!(files(folder.path()).is_empty());
+}
+
+/// Whatever takes long, interrupted in the middle, leaves neither its results nor a part of them.
+#[test]
+fn all_long_work_ends_at_once() {
+    let room = include_str!("../../lessons/scenes/cornell-box.json");
+    for line in [
+        "form-factors room.json --out x.json",
+        "form-factors room.json --out x.npy",
+        "radiosity room.json --solver jacobi --tolerance 1e-15 --out x.json",
+        "render room.json --method radiosity --size 2000x2000 --samples 4 --threads 1 --out x.png",
+        "render scene.json --method ray-tracing --size 4000x4000 --samples 8 --threads 1 --out x.png",
+        "animate gouraud-teapot --steps 0..3000 --size 960x600 --out x.gif",
+        "handout extremes --steps 0..400 --out x.html",
+        "deck extremes --steps 0..400 --out x.html",
+        "compare scene.json --method ray-tracing --with mine.ppm",
+        "needs scene.json --method ray-tracing",
+        "stress",
+        "list",
+        "steps stiff-room --out x.csv",
+    ] {
+        let folder = folder();
+        let fine = room.replace("\"patches\": [4, 4]", "\"patches\": [24, 24]");
+        fs::write(folder.path().join("room.json"), fine).unwrap();
+        let (width, height) = (1200, 900);
+        let mut picture = format!("P6 {width} {height} 255\n").into_bytes();
+        picture.resize(picture.len() + 3 * width * height, 99);
+        fs::write(folder.path().join("mine.ppm"), picture).unwrap();
+        let before = files(folder.path());
+        let mut child = start(folder.path(), line);
+        sleep(Duration::from_millis(400));
+        assert!(
+            child.try_wait().unwrap().is_none(),
+            "{line}: it was not long"
+        );
+        interrupt(child);
+        assert_eq!(files(folder.path()), before, "{line}");
+    }
 }

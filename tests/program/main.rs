@@ -10,8 +10,11 @@ mod follow;
 #[cfg(unix)]
 mod interrupted;
 mod json_schema;
+mod killed;
 mod markup;
 mod meshes;
+#[cfg(target_os = "linux")]
+mod no_room;
 mod notes;
 mod radiosity;
 mod rays;
