@@ -61,7 +61,8 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let between = input.pair.map(|pair| pair::in_words(input, pair));
     let area = coloring.frame(&mut picture, place, between.as_deref());
     let fit = view.fit(area);
-    let smooth = input.smooth.filter(|_| coloring.may_be_smooth);
+    let has_room = !area.is_empty();
+    let smooth = input.smooth.filter(|_| coloring.may_be_smooth && has_room);
     if let Some(draw) = smooth {
         let (place, image) = smooth::image(draw, room, &view, &fit, &coloring.patches);
         picture.image(place, image);

@@ -4,7 +4,6 @@
 mod broken;
 mod broken_lessons;
 mod broken_scenes;
-mod hostile;
 mod lessons;
 mod typed_numbers;
 mod typography;
