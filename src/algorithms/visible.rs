@@ -71,7 +71,9 @@ impl Search for BruteForce {
                 .map_or(f64::INFINITY, |nearest| nearest.hit.t);
             hits.extend(hit);
             let in_front = hit.and_then(|_| primitives.front(ray, &hits));
-            let nearer = hit.is_some() && in_front.as_ref().map(|front| front.hit) == hit;
+            let nearer =
+                in_front.as_ref().map(|front| front.hit.object) == hit.map(|hit| hit.object);
+            let nearer = nearer && hit.is_some();
             recorder.step(|| Event::tested(object, hit, nearest_t, nearer).into());
             nearest = in_front.or(nearest);
         }

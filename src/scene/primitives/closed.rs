@@ -44,7 +44,7 @@ fn edges(mesh: &Mesh) -> impl Iterator<Item = (usize, [u32; 2])> {
     (0..mesh.face_count()).flat_map(move |face| edges_of(mesh, face).map(move |edge| (face, edge)))
 }
 
-fn edges_of(mesh: &Mesh, face: usize) -> impl Iterator<Item = [u32; 2]> {
+pub(super) fn edges_of(mesh: &Mesh, face: usize) -> impl Iterator<Item = [u32; 2]> {
     let corners = mesh.face(face);
     (0..corners.len()).map(move |i| [corners[i], corners[(i + 1) % corners.len()]])
 }

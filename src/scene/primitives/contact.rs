@@ -2,7 +2,7 @@
 //!
 //! Two hits of a ray count as equal where the distance between the two surfaces, across them, is within the bounds on their errors,
 //! and the surfaces do not cross there. Of equal hits the lower object is in front, as if there were a gap between the two that goes to
-//! 0. Where a ray leaves one transparent body and enters another that shares the face, it leaves first: there is no place inside both.
+//! 0. Bodies that are parts of one mesh touch as those of two objects do. Where a ray leaves one transparent body and enters another that shares the face, it leaves first: there is no place inside both.
 
 use super::error::gamma;
 use super::{Hit, Primitives, Ray, Surface};
@@ -132,13 +132,15 @@ impl<'a> Search<'a> {
 impl Primitives {
     /// What is in front among the hits of a ray, one an object, given in the order of the objects.
     pub fn front(&self, ray: &Ray, hits: &[Hit]) -> Option<Nearest> {
+        let with_shells = |hit: &Hit| [vec![*hit], self.other_shells(ray, hit)].concat();
+        let hits: Vec<Hit> = hits.iter().flat_map(with_shells).collect();
         let first = *hits
             .iter()
             .reduce(|a, b| if b.is_before(a) { b } else { a })?;
         let here = self.touch(ray, &first);
         let mut thickness = 2.0 * here.error;
         let mut contact = Vec::new();
-        for &hit in hits {
+        for hit in hits {
             if hit == first {
                 contact.push(hit);
             } else if let Some(there) = self.touching(ray, &here, &hit) {

@@ -18,6 +18,8 @@ pub(super) struct Faces {
     triangles: Vec<[u32; 3]>,
     /// Texture coordinates at the corners of each triangle; empty where they are not needed.
     uvs: Vec<[DVec2; 3]>,
+    /// By triangle, the part of the mesh that it is of; empty where there is one alone.
+    shells: Vec<u32>,
     /// The planar faces of more than four corners, in ascending order.
     planes: Vec<FacePlane>,
     pub low: DVec3,
@@ -47,13 +49,14 @@ impl Faces {
         (vertices + triangles + uvs + packets) as u64 + self.hierarchy.bytes()
     }
 
-    /// `turned` says by face which are wound the other way here; where it is empty, none is.
-    pub fn new(mesh: &Mesh, is_textured: bool, turned: &[bool]) -> Self {
+    /// `turned` says by face which are wound the other way here; where it is empty, none is. `shells` are the parts of a mesh that may touch.
+    pub fn new(mesh: &Mesh, is_textured: bool, turned: &[bool], shells: &[u32]) -> Self {
         let vertices: Vec<DVec3> = (0..mesh.vertex_count() as u32)
             .map(|vertex| mesh.position(vertex))
             .collect();
         let mut triangles = Vec::with_capacity(mesh.face_count());
         let mut uvs = Vec::new();
+        let mut shell_of = Vec::new();
         let mut planes = Vec::new();
         for face in 0..mesh.face_count() {
             let corners = mesh.face(face);
@@ -67,6 +70,7 @@ impl Faces {
                     [first, second, third]
                 };
                 triangles.push(triangle.map(|corner| corners[corner as usize]));
+                shell_of.extend(shells.get(face));
                 if is_textured && !face_uvs.is_empty() {
                     uvs.push(triangle.map(|corner| face_uvs[corner as usize]));
                 }
@@ -125,6 +129,7 @@ impl Faces {
             vertices,
             triangles,
             uvs,
+            shells: shell_of,
             planes,
             low,
             high,
@@ -174,6 +179,40 @@ impl Faces {
             }
         }
         best.map(|(t, triangle)| (near.moved + t, triangle))
+    }
+
+    pub fn has_shells(&self) -> bool {
+        !self.shells.is_empty()
+    }
+
+    /// The nearest meetings within `reach` of every part of the mesh but that of a triangle.
+    pub fn meet_other_shells(
+        &self,
+        triangle: u32,
+        ray: &Ray,
+        aim: &Aim,
+        reach: f64,
+    ) -> Vec<(f64, u32)> {
+        let mut found: Vec<(f64, u32)> = Vec::new();
+        let (Some(&own), Some(near)) = (self.shells.get(triangle as usize), self.frame.near(ray))
+        else {
+            return found;
+        };
+        let stack = &mut Stack::new();
+        self.walk(&near, aim, reach, stack, |triangle, meeting, _| {
+            let shell = self.shells[triangle as usize];
+            let met = (near.moved + meeting.t, triangle);
+            let known = found
+                .iter_mut()
+                .find(|(_, other)| self.shells[*other as usize] == shell);
+            match known {
+                Some(known) if met < *known => *known = met,
+                None if shell != own && met.0 <= reach => found.push(met),
+                _ => {}
+            }
+            None
+        });
+        found
     }
 
     /// Whether some triangle is met within `reach` at a t that is `near_enough`; which gets the triangle too.

@@ -20,6 +20,7 @@ mod part;
 mod plane;
 pub(super) mod polygon;
 mod ray;
+mod shells;
 mod solid;
 mod sphere;
 mod stack;
@@ -180,7 +181,7 @@ impl Primitives {
             search.reach()
         });
         let hit = search.nearest?;
-        if !search.has_close {
+        if !search.has_close && !self.has_shells(hit.object) {
             return Some(Nearest { hit, contact: None });
         }
         let reach = search.reach();
@@ -216,6 +217,29 @@ impl Primitives {
                 }
                 unit.reach(reach)
             });
+    }
+
+    /// Whether an object is a transparent mesh of several parts, which may touch each other.
+    fn has_shells(&self, object: u32) -> bool {
+        matches!(&self.primitives[object as usize], Solid::Faces { faces, .. } if faces.has_shells())
+    }
+
+    /// Where a ray meets, close to a hit, the other parts of the same mesh.
+    fn other_shells(&self, ray: &Ray, hit: &Hit) -> Vec<Hit> {
+        let (Solid::Faces { faces, .. }, Some(near)) =
+            (&self.primitives[hit.object as usize], self.frame.near(ray))
+        else {
+            return Vec::new();
+        };
+        let reach = near.reach(hit.t + contact::close(ray, hit.t));
+        let aim = Aim::of(ray.direction);
+        let others = faces.meet_other_shells(hit.triangle, &near.ray, &aim, reach);
+        let hit_of = |(t, triangle)| Hit {
+            t: faces.t_along(ray, &near, t, triangle),
+            triangle,
+            ..*hit
+        };
+        others.into_iter().map(hit_of).collect()
     }
 
     /// What [`Self::nearest`] finds, to the bit, with no hierarchy: by testing every triangle of every object.

@@ -5,6 +5,7 @@ use super::closed::Winding;
 use super::cylinder::Cylinder;
 use super::faces::Faces;
 use super::plane::Plane;
+use super::shells::shells;
 use crate::color::Rgb;
 use glam::DVec3;
 
@@ -47,7 +48,7 @@ impl Solid {
                 (Solid::Cylinder(cylinder), capped)
             }
             Shape::Polygon { vertices } => {
-                let faces = Box::new(Faces::new(mesh, false, &[]));
+                let faces = Box::new(Faces::new(mesh, false, &[], &[]));
                 let vertices = vertices.clone();
                 (Solid::Faces { faces, vertices }, false)
             }
@@ -59,7 +60,11 @@ impl Solid {
                     Winding::Closed { .. } => (Vec::new(), true),
                     Winding::Open { .. } => (Vec::new(), false),
                 };
-                let faces = Box::new(Faces::new(mesh, is_textured, &turned));
+                let shells = match is_transparent && is_closed {
+                    true => shells(mesh),
+                    false => Vec::new(),
+                };
+                let faces = Box::new(Faces::new(mesh, is_textured, &turned, &shells));
                 let vertices = Vec::new();
                 (Solid::Faces { faces, vertices }, is_closed)
             }

@@ -6,7 +6,7 @@ use crate::shading::drawn;
 use glam::DVec3;
 use lightwalk::algorithms::focus::Focus;
 use lightwalk::algorithms::ray_tracing::{Event, RayTracer, ray_tracing};
-use lightwalk::algorithms::visible::{BruteForce, Bvh};
+use lightwalk::algorithms::visible::{BruteForce, Bvh, Search};
 use lightwalk::algorithms::{ray_tree, surface};
 use lightwalk::color::Rgb;
 use lightwalk::methods::{Method, Setup};
@@ -38,8 +38,14 @@ fn path(objects: &[String], meshes: &[(&str, String)]) -> Vec<(usize, Option<[f6
     let view = lightwalk::scene::View::new(&scene.camera.unwrap(), 1, 1);
     let prepared = lightwalk::algorithms::prepared_scene::PreparedScene::new(scene, view);
     let setup = Setup::new(prepared, settings(12, 1));
+    let by_bvh = path_by(Bvh, &setup);
+    assert_eq!(path_by(BruteForce, &setup), by_bvh);
+    by_bvh
+}
+
+fn path_by(search: impl Search, setup: &Setup) -> Vec<(usize, Option<[f64; 2]>)> {
     let mut recording = Recording::new(RecordingLimit::default());
-    let tracer = RayTracer::new(&setup.prepared, setup.settings.get(), setup.needs(), Bvh);
+    let tracer = RayTracer::new(&setup.prepared, setup.settings.get(), setup.needs(), search);
     let mut frame = setup.prepared.empty_frame();
     ray_tracing(&tracer, Focus::Frame, &mut frame, &mut recording);
     let mut path = Vec::new();
@@ -93,6 +99,49 @@ fn of_bodies_that_share_a_face_the_ray_leaves_one_and_enters_the_other() {
             (2, None),
         ];
         assert_eq!(path(&objects, &meshes), expected);
+    }
+}
+
+/// Boxes as one mesh: the vertices of each after those of the one before.
+fn in_one_mesh(boxes: &[String]) -> String {
+    let mut text = String::new();
+    for (number, cuboid) in boxes.iter().enumerate() {
+        for line in cuboid.lines() {
+            let words = line.split(' ').map(|word| match word.parse::<usize>() {
+                Ok(vertex) if line.starts_with('f') => (vertex + 8 * number).to_string(),
+                _ => word.to_owned(),
+            });
+            text += &(words.collect::<Vec<_>>().join(" ") + "\n");
+        }
+    }
+    text
+}
+
+#[test]
+fn bodies_of_one_mesh_that_share_a_face_are_left_and_entered_as_two_objects_are() {
+    let near = cuboid([-1.0, -1.0, 0.3], [1.0, 1.0, 1.3]);
+    let far = cuboid([-1.0, -1.0, -0.9], [1.0, 1.0, 0.3]);
+    // Their faces divided along the other diagonal, or larger, so that no corner is shared.
+    let divided = far
+        .replace("f 5 6 8 7", "f 6 8 5\nf 8 7 5")
+        .replace("f 2 4 8 6", "f 2 4 8\nf 2 8 6");
+    let larger = cuboid([-1.5, -2.0, -0.9], [1.0, 1.7, 0.3]);
+    let wall = object("wall", "wall", WALL);
+    for far in [far, divided, larger] {
+        for boxes in [[near.clone(), far.clone()], [far, near.clone()]] {
+            let meshes = [("both.obj", in_one_mesh(&boxes))];
+            let expected = [
+                (0, Some(GLASS)),
+                (0, out(GLASS)),
+                (0, Some(GLASS)),
+                (0, out(GLASS)),
+                (1, None),
+            ];
+            assert_eq!(
+                path(&[mesh("both", "glass"), wall.clone()], &meshes),
+                expected
+            );
+        }
     }
 }
 
