@@ -73,6 +73,12 @@ pub fn open(start: Start) -> Result<(), String> {
 }
 
 fn show(session: Session, window: Window) -> Result<(), String> {
+    #[cfg(target_os = "linux")]
+    if let Some(number) = missing_socket() {
+        return Err(format!(
+            "the Wayland display {number:?} (that of WAYLAND_SOCKET) did not answer"
+        ));
+    }
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title(session.window_title())
@@ -106,6 +112,18 @@ fn show(session: Session, window: Window) -> Result<(), String> {
         Err(panic) if shown.load(Ordering::Relaxed) => panic::resume_unwind(panic),
         Err(panic) => Err(no_window(&message(&*panic))),
     }
+}
+
+/// The number of a socket to the display that was to be inherited, where there is none: the Wayland library would abort.
+#[cfg(target_os = "linux")]
+fn missing_socket() -> Option<String> {
+    use std::os::unix::fs::FileTypeExt;
+    let value = std::env::var_os("WAYLAND_SOCKET").filter(|value| !value.is_empty())?;
+    let number = value.to_string_lossy().into_owned();
+    let is_socket = number.parse::<u32>().is_ok()
+        && std::fs::metadata(format!("/proc/self/fd/{number}"))
+            .is_ok_and(|file| file.file_type().is_socket());
+    (!is_socket).then_some(number)
 }
 
 fn message(panic: &(dyn Any + Send)) -> String {

@@ -2,6 +2,8 @@
 
 #[cfg(feature = "gui")]
 use crate::broken_files::LESSON;
+#[cfg(all(target_os = "linux", feature = "gui"))]
+use crate::command;
 use crate::{files, folder, lightwalk, refused, succeeded, text};
 use serde_json::Value;
 use std::fs;
@@ -277,6 +279,21 @@ fn without_a_display_the_window_says_so_in_one_line() {
     assert_eq!(output.status.code(), Some(1), "{message}");
     assert_eq!(message.trim_end().lines().count(), 1, "{message}");
     assert!(message.contains("lightwalk frames"), "{message}");
+}
+
+#[cfg(all(target_os = "linux", feature = "gui"))]
+#[test]
+fn a_wayland_socket_that_was_not_inherited_is_a_display_that_did_not_answer() {
+    let folder = folder();
+    for number in ["987", "-1", "socket"] {
+        let mut open = command(folder.path(), "open");
+        let output = open.env("WAYLAND_SOCKET", number).output().unwrap();
+        let message = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{number}: {message}");
+        assert_eq!(message.trim_end().lines().count(), 1, "{message}");
+        let display = format!("the Wayland display {number:?} (that of WAYLAND_SOCKET)");
+        assert!(message.contains(&display), "{message}");
+    }
 }
 
 /// Renamed onto its name, the file would take the place of the pipe, or of a device.
