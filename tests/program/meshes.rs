@@ -173,6 +173,46 @@ fn every_method_draws_the_same_pixels_of_any_face() {
     }
 }
 
+/// The diagonals of this bow-tie pass through pixel centres, which rounding puts on either side of them. It is seen from its front.
+#[test]
+fn of_a_bow_tie_whose_edges_meet_pixel_centres_methods_differ_on_those_edges_alone() {
+    let folder = folder_with(b"v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 2 0\nf 1 2 3 4\n");
+    let scene = r#"{ "schema": 1, "background": [0.2, 0.3, 0.5],
+  "camera": { "eye": [1, 1, -10], "target": [1, 1, 0], "up": [0, 1, 0], "fov_x_degrees": 14.81382425699046 },
+  "materials": { "m": { "ambient": [0.1, 0.1, 0.1], "emission": [1, 1, 1] } },
+  "objects": [{ "name": "q", "material": "m", SHAPE }] }"#;
+    let mesh = r#""mesh": { "file": "mesh.obj" }"#;
+    let polygon = r#""polygon": { "vertices": [[0, 0, 0], [2, 2, 0], [2, 0, 0], [0, 2, 0]] }"#;
+    // 2 of the 2.6 units that the width of the picture shows, in pixels from its middle.
+    let half = 0.5 * 80.0 * 2.0 / 2.6;
+    let mut inside = 0;
+    for (name, shape) in [("mesh.json", mesh), ("polygon.json", polygon)] {
+        fs::write(folder.path().join(name), scene.replace("SHAPE", shape)).unwrap();
+        for method in [
+            "flat",
+            "gouraud",
+            "phong",
+            "fast-phong",
+            "exact",
+            "ray-casting",
+            "ray-tracing",
+            "radiosity",
+        ] {
+            let found = drawn(&folder, name, method);
+            for (pixel, &is_drawn) in found.iter().enumerate() {
+                let [x, y] = [(pixel % 80) as f64 - 39.5, (pixel / 80) as f64 - 29.5];
+                let (x, y) = (x.abs(), y.abs());
+                // Left and right of where the diagonals cross.
+                if (x - y).abs() > 0.5 {
+                    assert_eq!(is_drawn, y < x && x < half, "{method} of {name}: {x} {y}");
+                    inside += u32::from(is_drawn);
+                }
+            }
+        }
+    }
+    assert!(inside > 16 * 1000, "{inside}");
+}
+
 /// A cube whose file gives every face its own normal.
 const CUBE: &str =
     "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1
