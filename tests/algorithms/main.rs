@@ -5,6 +5,7 @@ mod common;
 mod formulas;
 mod laws;
 mod needs;
+mod occluded;
 mod rays;
 mod rooms;
 mod runs;

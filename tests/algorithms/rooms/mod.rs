@@ -1,7 +1,7 @@
 //! Rooms whose light is known exactly: what `radiosity` says of its error holds, and in closed rooms light is neither lost nor gained.
 
 mod furniture;
-mod rectangles;
+pub mod rectangles;
 
 use lightwalk::algorithms::accuracy::Accuracy;
 use lightwalk::algorithms::enclosure::{Enclosure, Settings};
