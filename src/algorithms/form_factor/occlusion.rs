@@ -98,7 +98,8 @@ pub fn passing<R: Recorder<Event>>(
         for (k, cell) in cells.iter().enumerate() {
             let errors = cell.errors(share);
             error += errors[0] + errors[1];
-            let larger = usize::from(errors[1] > errors[0]);
+            let is_tie = errors[0] == errors[1];
+            let larger = usize::from(errors[1] > errors[0] || is_tie && cell.is_high());
             if errors[larger] > worst {
                 (worst, number, side) = (errors[larger], k, larger);
             }
@@ -146,6 +147,13 @@ struct Cell {
 }
 
 impl Cell {
+    /// Whether its second side is about the longer one.
+    fn is_high(&self) -> bool {
+        let [a, b, _, d] = self.corners;
+        let [width, height] = self.spans.map(|[from, to]| to - from);
+        height * a.distance(d) > width * a.distance(b)
+    }
+
     /// By how much more is seen than if `share` of the whole were.
     fn deviation(&self, share: f64) -> f64 {
         self.visible - share * self.whole
@@ -230,7 +238,9 @@ impl<R: Recorder<Event>> Look<'_, R> {
             }
         }
         if (all_visible || all_hidden) && !self.blockers.is_empty() {
-            for (side, s, t) in BORDER {
+            // By side, what differs at its start and at its end.
+            let mut ends = [[0.0; 2]; 2];
+            for [s, t] in BORDER {
                 let Seen { whole, visible } = self.from(point(s, t));
                 let share = if whole > 0.0 { visible / whole } else { 0.0 };
                 let unexpected = if all_visible && whole > 0.0 {
@@ -238,20 +248,23 @@ impl<R: Recorder<Event>> Look<'_, R> {
                 } else {
                     share
                 };
-                cell.by_border[side] += unexpected * cell.whole / BORDER.len() as f64;
+                ends[0][usize::from(s > 0.5)] += unexpected;
+                ends[1][usize::from(t > 0.5)] += unexpected;
             }
+            let mean = (ends[0][0] + ends[0][1]) / BORDER.len() as f64;
+            let changes = ends.map(|[start, end]: [f64; 2]| (end - start).abs());
+            let all = changes[0] + changes[1];
+            cell.by_border = changes.map(|change| {
+                let share = if all > 0.0 { change / all } else { 0.5 };
+                share * mean * cell.whole
+            });
         }
         cell
     }
 }
 
-/// Points near the border of a cell, and the side along which one leaves it there.
-const BORDER: [(usize, f64, f64); 4] = [
-    (0, 0.01, 0.02),
-    (1, 0.98, 0.01),
-    (0, 0.99, 0.98),
-    (1, 0.02, 0.99),
-];
+/// Points near the corners of a cell.
+const BORDER: [[f64; 2]; 4] = [[0.01, 0.02], [0.98, 0.01], [0.99, 0.98], [0.02, 0.99]];
 
 /// A convex polygon as quadrilaterals: one of four corners is itself, any other a fan of triangles, whose last two corners are one.
 fn quadrilaterals(corners: &[DVec3]) -> Vec<[DVec3; 4]> {
