@@ -1,6 +1,5 @@
 //! Why a command did not do what was asked, and what is said on standard error.
 
-use super::output::unwritable;
 use std::io::Write;
 
 /// Why a command did not do what was asked.
@@ -33,6 +32,15 @@ impl From<std::io::Error> for Failure {
             std::io::ErrorKind::BrokenPipe => Failure::ReaderGone,
             _ => Failure::Failed(format!("cannot write the results: {}", unwritable(&error))),
         }
+    }
+}
+
+/// Why nothing can be written. No path is in it: that of a temporary file would puzzle.
+pub fn unwritable(error: &std::io::Error) -> String {
+    match error.kind() {
+        std::io::ErrorKind::PermissionDenied => "no permission to write there".into(),
+        std::io::ErrorKind::NotFound => "no files can be made there".into(),
+        kind => kind.to_string(),
     }
 }
 

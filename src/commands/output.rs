@@ -1,6 +1,6 @@
 //! Files that are written: they appear whole or not at all, and what is wrong with their names is told before the work.
 
-use super::failure::Failure;
+use super::failure::{Failure, unwritable};
 use super::files::folder_of;
 use super::interrupt;
 use std::fs;
@@ -101,15 +101,6 @@ pub fn write_whole(
                 .map_err(|error| failed(error.error))
         },
     )
-}
-
-/// Why nothing can be written. No path is in it: that of a temporary file would puzzle.
-pub fn unwritable(error: &std::io::Error) -> String {
-    match error.kind() {
-        std::io::ErrorKind::PermissionDenied => "no permission to write there".into(),
-        std::io::ErrorKind::NotFound => "no files can be made there".into(),
-        kind => kind.to_string(),
-    }
 }
 
 /// Makes a file in the folder, and takes it away again.
