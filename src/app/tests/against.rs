@@ -63,22 +63,12 @@ fn the_drawer_names_the_mistake_and_a_click_on_a_pixel_walks_it() {
             strings::COMPARE_REFERENCE,
             strings::COMPARE_DIFFERENCE,
         ] {
-            let named = screen.harness.get_all_by_label(title.text(language));
-            let images = named.filter(|node| node.accesskit_node().role() == egui::Role::Image);
-            assert_eq!(images.count(), 1, "{title:?}");
+            screen.picture(title.text(language));
         }
         screen.keep(&format!("against-{}", language.code()));
         let title = strings::COMPARE_REFERENCE.text(language);
-        let place = {
-            let mut images = screen.harness.get_all_by_label(title);
-            let image = images.rfind(|node| node.accesskit_node().role() == egui::Role::Image);
-            image.unwrap().rect()
-        };
-        screen.harness.hover_at(place.center());
-        screen.harness.run_steps(2);
-        screen.harness.drag_at(place.center());
-        screen.harness.drop_at(place.center());
-        screen.harness.run_steps(3);
+        let place = screen.picture(title);
+        screen.click_at(place.center());
         let [width, height] = screen.session().lesson().size;
         let Focus::Pixel { x, y } = screen.session().focus() else {
             panic!("a pixel");

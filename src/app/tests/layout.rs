@@ -114,55 +114,84 @@ fn check(session: &Session, screen: [f32; 2], at_least: Least, faults: &mut Vec<
     }
 }
 
-fn check_lessons(numbers: std::ops::Range<usize>) {
+/// Goes to every explanation of these lessons, set up by `commands`. `check` is told its number, and writes down what cannot be read.
+fn check_explanations(
+    numbers: std::ops::Range<usize>,
+    commands: &[Command],
+    mut check: impl FnMut(&mut Session, usize, &mut Vec<String>),
+) {
     let mut all = Vec::new();
     for builtin in &builtins()[numbers] {
         let lesson = builtin.read().expect("a right lesson");
         let mut session = Session::new(lesson).expect("a lesson that resolves");
         session.wait_for_picture();
-        session.update(Command::Questions).expect("no questions");
-        for step in session.panel_input().narrated.to_vec() {
+        for command in commands {
+            session
+                .update(command.clone())
+                .expect("a command that can act");
+        }
+        let narrated = session.panel_input().narrated.to_vec();
+        for (number, step) in narrated.into_iter().enumerate() {
             session.update(Command::Seek(step)).expect("a step");
-            for theme in [Theme::Light, Theme::Projector] {
-                session.look.theme = theme;
-                for language in Language::ALL {
-                    session.look.language = language;
-                    for screen in SCREENS {
-                        let mut faults = Vec::new();
-                        check(&session, screen, USUAL, &mut faults);
-                        let place =
-                            format!("{} step {step} {theme:?} {}", builtin.id, language.code());
-                        all.extend(faults.into_iter().map(|fault| format!("{place}: {fault}")));
-                    }
-                }
-            }
+            let mut faults = Vec::new();
+            check(&mut session, number, &mut faults);
+            let place = format!("{} step {step}", builtin.id);
+            all.extend(faults.into_iter().map(|fault| format!("{place}: {fault}")));
         }
     }
     assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
 }
 
-fn check_large_text(numbers: std::ops::Range<usize>) {
-    let mut all = Vec::new();
-    for builtin in &builtins()[numbers] {
-        let lesson = builtin.read().expect("a right lesson");
-        let mut session = Session::new(lesson).expect("a lesson that resolves");
-        session.wait_for_picture();
-        session.update(Command::Questions).expect("no questions");
-        while session.update(Command::LargerText).is_ok() {}
-        assert_eq!(session.look.zoom(), 2.0);
-        let narrated = session.panel_input().narrated.to_vec();
-        for (number, step) in narrated.into_iter().enumerate() {
-            session.update(Command::Seek(step)).expect("a step");
-            session.look.language = Language::ALL[number % 2];
-            for (screen, at_least) in SCREENS.into_iter().zip([LARGE, LARGE, USUAL]) {
-                let mut faults = Vec::new();
-                check(&session, screen, at_least, &mut faults);
-                let place = format!("{} step {step} on {screen:?}", builtin.id);
-                all.extend(faults.into_iter().map(|fault| format!("{place}: {fault}")));
+fn check_lessons(numbers: std::ops::Range<usize>) {
+    check_explanations(numbers, &[Command::Questions], |session, _, faults| {
+        for theme in [Theme::Light, Theme::Projector] {
+            session.look.theme = theme;
+            for language in Language::ALL {
+                session.look.language = language;
+                for screen in SCREENS {
+                    let mut here = Vec::new();
+                    check(session, screen, USUAL, &mut here);
+                    let place = format!("{theme:?} {} {screen:?}", language.code());
+                    faults.extend(here.into_iter().map(|fault| format!("{place}: {fault}")));
+                }
             }
         }
-    }
-    assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
+    });
+}
+
+fn check_large_text(numbers: std::ops::Range<usize>) {
+    let mut commands = vec![Command::LargerText; 5];
+    commands.push(Command::Questions);
+    check_explanations(numbers, &commands, |session, number, faults| {
+        assert_eq!(session.look.zoom(), 2.0);
+        session.look.language = Language::ALL[number % 2];
+        for (screen, at_least) in SCREENS.into_iter().zip([LARGE, LARGE, USUAL]) {
+            check(session, screen, at_least, faults);
+        }
+    });
+}
+
+/// On a phone a panel is drawn for a phone's room.
+fn check_phones(numbers: std::ops::Range<usize>) {
+    check_explanations(numbers, &[Command::Questions], |session, number, faults| {
+        session.look.language = Language::ALL[number % 2];
+        for phone in [[360.0, 640.0], [390.0, 844.0], [640.0, 360.0]] {
+            let placed = Narrow::new(phone.into());
+            let room =
+                |card: egui::Rect| Vec2::new(card.width(), card.height()).floor() - 2.0 * MARGIN;
+            for panel in session.panels() {
+                drawn(session, panel, room(placed.key), faults);
+            }
+            let width = room(placed.column).x;
+            let formula = whole_formula_height(&session.panel_input(), width).ceil();
+            let formula = formula + 2.0 * MARGIN;
+            let mut whole = placed.column;
+            whole.max.y = whole.min.y + layout::stacked_height(0.0, formula);
+            let column = layout::stacked(whole, formula);
+            drawn(session, Panel::Formula, room(column.formula), faults);
+            drawn(session, Panel::Code, room(column.code), faults);
+        }
+    });
 }
 
 #[test]
@@ -193,44 +222,6 @@ fn the_panels_of_lessons_on_rays_can_be_read_at_every_explanation() {
 #[test]
 fn the_panels_of_lessons_on_radiosity_and_studies_can_be_read_at_every_explanation() {
     check_lessons(17..28);
-}
-
-/// On a phone the key panel is drawn for a phone's room.
-fn check_phones(numbers: std::ops::Range<usize>) {
-    let mut all = Vec::new();
-    for builtin in &builtins()[numbers] {
-        let lesson = builtin.read().expect("a right lesson");
-        let mut session = Session::new(lesson).expect("a lesson that resolves");
-        session.wait_for_picture();
-        session.update(Command::Questions).expect("no questions");
-        let narrated = session.panel_input().narrated.to_vec();
-        for (number, step) in narrated.into_iter().enumerate() {
-            session.update(Command::Seek(step)).expect("a step");
-            session.look.language = Language::ALL[number % 2];
-            for phone in [[360.0, 640.0], [390.0, 844.0], [640.0, 360.0]] {
-                let placed = Narrow::new(phone.into());
-                let room = |card: egui::Rect| {
-                    Vec2::new(card.width(), card.height()).floor() - 2.0 * MARGIN
-                };
-                let mut faults = Vec::new();
-                for panel in session.panels() {
-                    drawn(&session, panel, room(placed.key), &mut faults);
-                }
-                let width = room(placed.column).x;
-                let height = whole_formula_height(&session.panel_input(), width);
-                drawn(
-                    &session,
-                    Panel::Formula,
-                    Vec2::new(width, height.ceil()),
-                    &mut faults,
-                );
-                drawn(&session, Panel::Code, Vec2::new(width, 96.0), &mut faults);
-                let place = format!("{} step {step} on {phone:?}", builtin.id);
-                all.extend(faults.into_iter().map(|fault| format!("{place}: {fault}")));
-            }
-        }
-    }
-    assert!(all.is_empty(), "{} faults:\n{}", all.len(), all.join("\n"));
 }
 
 #[test]

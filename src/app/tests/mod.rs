@@ -128,6 +128,24 @@ impl Screen {
         panel.next_back().expect("the panel").rect()
     }
 
+    /// The place of the one picture of that name.
+    fn picture(&self, name: &str) -> egui::Rect {
+        let named = self.harness.get_all_by_label(name);
+        let mut images = named.filter(|node| node.accesskit_node().role() == egui::Role::Image);
+        let image = images.next().expect("a picture");
+        assert!(images.next().is_none(), "one picture named {name}");
+        image.rect()
+    }
+
+    /// Clicks there with the pointer.
+    fn click_at(&mut self, at: egui::Pos2) {
+        self.harness.hover_at(at);
+        self.harness.run_steps(2);
+        self.harness.drag_at(at);
+        self.harness.drop_at(at);
+        self.harness.run_steps(3);
+    }
+
     /// Where a panel shows `tag`.
     fn place_of(&self, panel: Panel, tag: Tag) -> egui::Rect {
         let rect = self.panel(panel);

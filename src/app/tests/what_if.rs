@@ -37,9 +37,7 @@ fn the_list_says_how_much_each_changes_and_a_click_shows_it() {
             strings::WHAT_IF_RIGHT,
             strings::WHAT_IF_DIFFERENCE,
         ] {
-            let named = screen.harness.get_all_by_label(title.text(language));
-            let images = named.filter(|node| node.accesskit_node().role() == egui::Role::Image);
-            assert_eq!(images.count(), 1, "{title:?}");
+            screen.picture(title.text(language));
         }
         screen.keep(&format!("what-if-one-{}", language.code()));
         screen.click(strings::WHAT_IF_NEXT.text(language));
@@ -57,16 +55,8 @@ fn a_click_on_a_differing_pixel_walks_it() {
     screen.session_mut().wait_for_mistakes();
     screen.harness.run_steps(3);
     let title = strings::WHAT_IF_WRONG.text(Language::English);
-    let place = {
-        let mut images = screen.harness.get_all_by_label(title);
-        let image = images.rfind(|node| node.accesskit_node().role() == egui::Role::Image);
-        image.unwrap().rect()
-    };
-    screen.harness.hover_at(place.center());
-    screen.harness.run_steps(2);
-    screen.harness.drag_at(place.center());
-    screen.harness.drop_at(place.center());
-    screen.harness.run_steps(3);
+    let place = screen.picture(title);
+    screen.click_at(place.center());
     assert!(matches!(screen.session().focus(), Focus::Pixel { .. }));
 }
 
