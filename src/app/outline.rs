@@ -7,8 +7,8 @@ use super::{strings, style};
 use crate::language::Message;
 use crate::picture::{Ink, plain};
 use egui::{
-    Align, Align2, Button, FontFamily, FontId, Id, LayerId, Modal, Order, Response, ScrollArea, Ui,
-    vec2,
+    Align, Align2, Button, FontFamily, FontId, Id, LayerId, Layout, Modal, Order, Response,
+    ScrollArea, Ui, vec2,
 };
 
 /// Of the drawer.
@@ -111,10 +111,13 @@ pub(super) fn line(
         let wide = Button::new(words)
             .truncate()
             .right_text("")
-            .selected(current)
-            .min_size(vec2(ui.available_width(), 0.0));
+            .selected(current);
         let go = Command::Seek(entry.step);
-        button(session, wide, &name, go, commands, ui)
+        let as_wide_as_the_row = Layout::top_down_justified(Align::Min);
+        ui.with_layout(as_wide_as_the_row, |ui| {
+            button(session, wide, &name, go, commands, ui)
+        })
+        .inner
     })
     .inner
 }

@@ -7,7 +7,7 @@ use super::session::{Command, Session};
 use super::{strings, style};
 use crate::picture::Ink;
 use crate::study::mistakes::Mistake;
-use egui::{Button, FontId, Rect, RichText, ScrollArea, Ui, UiBuilder};
+use egui::{Align, Button, FontId, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder};
 
 const TEXT: f32 = 13.0;
 
@@ -53,10 +53,12 @@ fn list(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         let name = mistake.title(session.look.language);
         let row = Button::new(prose(session, &name, TEXT, Ink::Linked))
             .right_text(share)
-            .min_size(egui::vec2(ui.available_width(), 0.0))
             .wrap();
         let command = Command::Mistake(Some(mistake));
-        button(session, row, &name, command, commands, ui);
+        let as_wide_as_the_drawer = Layout::top_down_justified(Align::Min);
+        ui.with_layout(as_wide_as_the_drawer, |ui| {
+            button(session, row, &name, command, commands, ui);
+        });
     }
     if !idle.is_empty() {
         ui.add_space(6.0);
