@@ -65,7 +65,7 @@ async function until(expression, what, seconds = 60) {
     await new Promise((later) => setTimeout(later, 50));
   }
   const told = await evaluate("document.getElementById('trouble')?.textContent ?? ''");
-  throw new Error(`not so: ${what}. The address is ${await evaluate("location.href")}. ${told} ${problems.join("; ")}`);
+  throw new Error(`failed: ${what}. The address is ${await evaluate("location.href")}. ${told} ${problems.join("; ")}`);
 }
 async function press(key, code) {
   for (const type of ["keyDown", "keyUp"]) {

@@ -3,7 +3,6 @@
 use crate::language::Message;
 
 pub const WRITE: Message = Message("author-write");
-pub const NO_FILES: Message = Message("author-no-files");
 pub const NO_SCENE_FILE: Message = Message("author-no-scene-file");
 pub const WITH_FILES: Message = Message("author-with-files");
 pub const FROM_A_WALK: Message = Message("author-from-a-walk");

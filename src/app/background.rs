@@ -21,6 +21,9 @@ pub struct Worker<T> {
 /// A piece of work. In a page it holds up a frame, so it should be small; where it is cancelled, it ends within milliseconds.
 pub type Job<T> = Box<dyn FnOnce(&Worker<T>) + Send>;
 
+/// A job as it is done; whether it was not cancelled before.
+type Step = Box<dyn FnOnce() -> bool + Send>;
+
 /// What both sides share.
 #[derive(Default)]
 struct State {
@@ -40,8 +43,14 @@ impl<T: Send + 'static> Work<T> {
         let worker = Arc::new(worker);
         let jobs = jobs.into_iter().map(|job| {
             let worker = worker.clone();
-            let job: Box<dyn FnOnce() + Send> = Box::new(move || job(&worker));
-            job
+            let step: Step = Box::new(move || {
+                let goes_on = worker.go_on().is_ok();
+                if goes_on {
+                    job(&worker);
+                }
+                goes_on
+            });
+            step
         });
         in_background(name, jobs.collect());
         work
@@ -123,7 +132,7 @@ impl<T> Worker<T> {
 }
 
 #[cfg(not(target_arch = "wasm32"))]
-fn in_background(name: &str, jobs: Vec<Box<dyn FnOnce() + Send>>) {
+fn in_background(name: &str, jobs: Vec<Step>) {
     use std::sync::{Mutex, PoisonError};
     use std::thread;
 
@@ -132,7 +141,9 @@ fn in_background(name: &str, jobs: Vec<Box<dyn FnOnce() + Send>>) {
         let jobs = jobs.clone();
         move || {
             let jobs = std::mem::take(&mut *jobs.lock().unwrap_or_else(PoisonError::into_inner));
-            jobs.into_iter().for_each(|job| job());
+            for job in jobs {
+                job();
+            }
         }
     };
     let thread = thread::Builder::new().name(name.to_owned());
@@ -150,22 +161,23 @@ pub use page::do_next;
 
 #[cfg(target_arch = "wasm32")]
 mod page {
+    use super::Step;
     use std::cell::RefCell;
     use std::collections::VecDeque;
 
     thread_local! {
-        static JOBS: RefCell<VecDeque<Box<dyn FnOnce() + Send>>> = RefCell::default();
+        static JOBS: RefCell<VecDeque<Step>> = RefCell::default();
     }
 
     /// Does one job after the other, one a frame.
-    pub fn in_background(_: &str, jobs: Vec<Box<dyn FnOnce() + Send>>) {
+    pub fn in_background(_: &str, jobs: Vec<Step>) {
         JOBS.with_borrow_mut(|all| all.extend(jobs));
     }
 
-    /// Does the next job, and says whether there was one.
+    /// Does the next job that is not cancelled, and says whether there was one.
     pub fn do_next() -> bool {
-        let job = JOBS.with_borrow_mut(VecDeque::pop_front);
-        job.map(|job| job()).is_some()
+        let mut next = std::iter::from_fn(|| JOBS.with_borrow_mut(VecDeque::pop_front));
+        next.any(|job| job())
     }
 }
 
@@ -205,13 +217,16 @@ mod tests {
 
     #[test]
     fn work_that_is_dropped_is_cancelled() {
+        let (began, has_begun) = channel();
         let (sender, ended) = channel();
         let endless = Work::<()>::begin("test", move |worker| {
+            began.send(()).unwrap();
             while worker.progress(0, 1).is_ok() {
                 thread::yield_now();
             }
             sender.send(()).unwrap();
         });
+        has_begun.recv().unwrap();
         assert!(ended.try_recv().is_err());
         drop(endless);
         // The work says that it has ended; without that, this would wait for ever.

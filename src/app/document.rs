@@ -22,6 +22,8 @@ pub struct Document {
     /// What the text is read as.
     read: Shown,
     text: String,
+    /// The last text that was right.
+    right: String,
     /// The file as it was read or saved last.
     on_disk: String,
     /// What the text means as JSON; the last that could be read.
@@ -61,6 +63,7 @@ impl Document {
             read,
             value: parsed(&text).unwrap_or_default(),
             on_disk: String::new(),
+            right: text.clone(),
             text,
             problems: Vec::new(),
             before: Vec::new(),
@@ -77,6 +80,10 @@ impl Document {
 
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    pub fn right(&self) -> &str {
+        &self.right
     }
 
     pub fn is_saved(&self) -> bool {
@@ -101,6 +108,9 @@ impl Document {
             Ok(lesson) => session.show_anew(lesson).err().unwrap_or_default(),
             Err(problems) => problems,
         };
+        if self.problems.is_empty() {
+            self.right.clone_from(&self.text);
+        }
     }
 
     /// What is wrong, one problem a line.
@@ -125,7 +135,7 @@ impl Document {
 
     /// Makes changes that are to leave the text right. Errors: what would be wrong; nothing has changed then.
     pub fn try_to_edit(&mut self, edits: &[Edit], session: &mut Session) -> Result<(), String> {
-        let before = self.text.clone();
+        let (before, undone) = (self.text.clone(), self.undone.clone());
         self.last = None;
         self.edit(edits, session);
         if self.problems.is_empty() {
@@ -134,7 +144,7 @@ impl Document {
         let wrong = self.in_words();
         if self.text != before {
             self.undo(session);
-            self.undone.pop();
+            self.undone = undone;
         }
         Err(wrong)
     }

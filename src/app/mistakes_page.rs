@@ -86,9 +86,7 @@ impl MistakesPage {
 /// Draws the example of a mistake.
 fn job(mistake: Mistake, ctx: Context) -> Job<Made> {
     Box::new(move |worker| {
-        if worker.go_on().is_ok()
-            && let Some(pictures) = pictures(mistake, &|| worker.go_on())
-        {
+        if let Some(pictures) = pictures(mistake, &|| worker.go_on()) {
             worker.send(Made { mistake, pictures });
             ctx.request_repaint();
         }

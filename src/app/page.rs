@@ -6,7 +6,7 @@ use super::background;
 use super::eframe_app::{App, to_go_on_with};
 use super::keeper::{Keeper, Store};
 use super::opened::Opened;
-use super::session::{Kept, Session};
+use super::session::{Kept, Session, Standing};
 use super::window_state::Window;
 use crate::lesson::Link;
 use eframe::{WebOptions, WebRunner};
@@ -50,10 +50,7 @@ async fn run() -> Result<(), String> {
     let mut window = Window {
         address: Some(base(&page)),
         opened: Some(Opened::new(files::readers(), None)),
-        embedded: page
-            .location()
-            .search()
-            .is_ok_and(|asked| asked.contains(EMBEDDED)),
+        embedded: is_embedded(&page),
         ..Window::default()
     };
     let mut kept = Kept::default();
@@ -81,12 +78,19 @@ async fn run() -> Result<(), String> {
                 Ok(Box::new(PageApp {
                     app: App::new(session, window, creation),
                     address,
-                    told: String::new(),
+                    told: None,
                 }))
             }),
         )
         .await
         .map_err(|why| format!("the browser cannot draw the window: {}", in_words(&why)))
+}
+
+/// Whether the address says that the page stands in a frame of another one.
+fn is_embedded(page: &web_sys::Window) -> bool {
+    let asked = page.location().search().unwrap_or_default();
+    let mut parts = asked.trim_start_matches('?').split('&');
+    parts.any(|part| part == EMBEDDED)
 }
 
 fn in_words(error: &JsValue) -> String {
@@ -103,8 +107,8 @@ fn base(page: &web_sys::Window) -> String {
 struct PageApp {
     app: App,
     address: Address,
-    /// As it was last told.
-    told: String,
+    /// What was told last: the recording, the step and the address, and how the questions stood.
+    told: Option<((u64, usize, String), Vec<Standing>)>,
 }
 
 impl PageApp {
@@ -112,28 +116,34 @@ impl PageApp {
     /// to the page that has this one in a frame, with how the questions stand.
     fn tell(&mut self) {
         let session = &self.app.session;
+        let shown = (
+            session.recording(),
+            session.step(),
+            session.link().to_string(),
+        );
+        let standings = session.standings().to_vec();
+        if self.told.as_ref() == Some(&(shown.clone(), standings.clone())) {
+            return;
+        }
         let answers: Vec<_> = session
             .outline()
             .iter()
             .map(|entry| entry.standing)
             .collect();
-        let told = serde_json::json!({
-            "address": session.link().to_string(),
+        let text = serde_json::json!({
+            "address": shown.2,
             "title": session.window_title(),
             "said": session.said_here(),
             "answers": answers,
         });
-        let told = told.to_string();
-        if self.told == told {
-            return;
-        }
+        let text = text.to_string();
         let page = web_sys::window().map(JsValue::from).unwrap_or_default();
         let tell = Reflect::get(&page, &TELL.into());
         if let Some(tell) = tell.ok().as_ref().and_then(JsCast::dyn_ref::<Function>) {
             // What the page makes of it is its own concern.
-            drop(tell.call1(&page, &told.as_str().into()));
+            drop(tell.call1(&page, &text.as_str().into()));
         }
-        self.told = told;
+        self.told = Some((shown, standings));
     }
 }
 
@@ -162,7 +172,8 @@ struct Address {
     page: web_sys::Window,
     /// As it was last written or read; none before.
     known: Option<String>,
-    lesson: Option<String>,
+    /// The lesson and whether it is the page of mistakes, as they were last written or read.
+    place: (Option<String>, bool),
 }
 
 impl Address {
@@ -170,7 +181,7 @@ impl Address {
         Address {
             page: page.clone(),
             known: None,
-            lesson: None,
+            place: (None, false),
         }
     }
 
@@ -198,7 +209,7 @@ impl Address {
         if let Err(why) = shown {
             app.window.notice = Some(why);
         }
-        self.lesson = app.session.link().lesson;
+        self.place = place(&app.session.link());
         self.known = Some(now);
     }
 
@@ -213,13 +224,18 @@ impl Address {
             return;
         };
         // A browser that is asked too often refuses for a while: then the next frame tells it.
-        let told = match link.lesson == self.lesson {
+        let told = match place(&link) == self.place {
             true => history.replace_state_with_url(&JsValue::NULL, "", Some(&address)),
             false => history.push_state_with_url(&JsValue::NULL, "", Some(&address)),
         };
         if told.is_ok() {
-            self.lesson = link.lesson;
+            self.place = place(&link);
             self.known = Some(text);
         }
     }
+}
+
+/// What is another page to go back to.
+fn place(link: &Link) -> (Option<String>, bool) {
+    (link.lesson.clone(), link.mistakes)
 }

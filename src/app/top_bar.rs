@@ -4,7 +4,7 @@ use super::button::button;
 use super::layout::{BAR, TARGET};
 use super::prose::prose;
 use super::row_end::row_end;
-use super::session::{Command, Session, Sheet, StudyCommand, TakeAway};
+use super::session::{Command, Drawer, Session, Sheet, StudyCommand, TakeAway};
 use super::{author_strings, strings, style};
 use crate::language::{Language, Message};
 use crate::methods::Method;
@@ -187,7 +187,7 @@ fn neighbours(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
 /// The drawer in which a lesson is written.
 fn write(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let name = session.localize(author_strings::WRITE);
-    let write = Button::new(name).selected(session.is_written());
+    let write = Button::new(name).selected(session.look.drawer == Some(Drawer::Author));
     button(session, write, name, Command::Author, commands, ui);
 }
 
@@ -223,7 +223,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         if for_fingers {
             ui.horizontal(|ui| {
                 languages(session, commands, ui);
-                if !session.look.home && !session.lesson().is_free_walk() {
+                if !session.is_on_page() && !session.lesson().is_free_walk() {
                     neighbours(session, commands, ui);
                 }
             });
@@ -259,7 +259,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             commands.push(Command::Questions);
         }
         ui.separator();
-        if !session.look.home {
+        if !session.is_on_page() {
             ui.menu_button(session.localize(strings::TAKE_AWAY), |ui| {
                 for what in TakeAway::ALL {
                     let name = session.localize(what.name());

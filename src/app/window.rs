@@ -1,5 +1,6 @@
 //! The whole window, in a function of `&mut Ui`: it needs no screen, and tests show it as the screen would.
 
+use super::background::Work;
 use super::cards::inside;
 use super::layout::{self, GAP, Layout, TRANSPORT, Wishes, column_widths, is_narrow, layout};
 use super::opened::{self, Opened};
@@ -41,6 +42,10 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     window.save_what_is_made(session, &ctx);
     window.keep_up(session, &ctx);
 
+    // Where another lesson takes its place meanwhile, the text is shown in it again.
+    if session.is_on_page() || session.look.editing || !session.is_written() {
+        window.author.documents.close();
+    }
     let mut commands = Vec::new();
     if session.look.home {
         top_bar::show(session, &mut commands, ui);
@@ -50,15 +55,18 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
         return window.finish(session, commands, &ctx);
     }
     window.home.close();
+    let corner = ui.max_rect().max - Vec2::splat(2.0 * GAP);
     if session.look.mistakes {
         top_bar::show(session, &mut commands, ui);
         mistakes_page::show(session, &mut window.mistakes, &mut commands, ui);
+        notice::show(session, window, corner, ui);
         return window.finish(session, commands, &ctx);
     }
     window.mistakes.close();
     if session.studying().is_open {
         top_bar::show(session, &mut commands, ui);
         study_view::show(session, &mut window.study_plot, &mut commands, ui);
+        notice::show(session, window, corner, ui);
         return window.finish(session, commands, &ctx);
     }
     if session.look.editing
@@ -66,7 +74,6 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     {
         let readers = opened.readers();
         top_bar::show(session, &mut commands, ui);
-        let corner = ui.max_rect().max - Vec2::splat(2.0 * GAP);
         if let Err(why) = window.scene_page.show(session, readers, &mut commands, ui) {
             window.notice = Some(why);
         }
@@ -74,9 +81,6 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
         return window.finish(session, commands, &ctx);
     }
     window.scene_page.documents.close();
-    if !session.is_written() {
-        window.author.documents.close();
-    }
     let whole = ui.max_rect();
     let mut ui = ui.new_child(egui::UiBuilder::new().max_rect(whole));
     let between_cards = ui.visuals().panel_fill;
@@ -170,10 +174,13 @@ fn cards_and_time_line(
 impl Window {
     /// Shows what is written in the drawer `rect`, where that is open.
     pub(super) fn write_lesson(&mut self, session: &mut Session, rect: Rect, ui: &mut Ui) {
-        if !session.is_written() {
+        let Some(opened) = self.opened.as_ref() else {
+            return;
+        };
+        if session.look.drawer != Some(Drawer::Author) {
             return;
         }
-        let readers = self.opened.as_ref().map(Opened::readers);
+        let readers = opened.readers();
         if let Err(why) = self.author.show(session, readers, inside(rect, ui), ui) {
             self.notice = Some(why);
         }
@@ -244,10 +251,11 @@ impl Window {
 
     /// Saves what was made to be taken away, and says where.
     fn save_what_is_made(&mut self, session: &Session, ctx: &egui::Context) {
-        let (Some(taking), Some(opened)) = (&mut self.taking, &self.opened) else {
+        let Some(opened) = &self.opened else {
             return;
         };
-        for made in taking.take() {
+        let made: Vec<_> = self.taking.iter_mut().flat_map(Work::take).collect();
+        for made in made {
             let saved = take_away::save(made, opened.readers());
             let language = session.look.language;
             self.notice = Some(match saved {
@@ -255,9 +263,9 @@ impl Window {
                 Err(why) => why,
             });
         }
-        match taking.is_done() {
-            true => self.taking = None,
-            false => ctx.request_repaint_after(LOOK_AGAIN),
+        self.taking.retain(|work| !work.is_done());
+        if !self.taking.is_empty() {
+            ctx.request_repaint_after(LOOK_AGAIN);
         }
     }
 
@@ -315,7 +323,7 @@ impl Window {
         }
         if let Some(what) = session.wanted.take() {
             self.notice = Some(session.localize(strings::TAKING).to_owned());
-            self.taking = Some(take_away::begin(session, what));
+            self.taking.push(take_away::begin(session, what));
             ctx.request_repaint();
         }
         if let Some(command) = session.shared.take() {

@@ -41,7 +41,7 @@ pub struct Window {
     /// Whether it stands in a page of somebody else's, without its bar.
     pub(super) embedded: bool,
     /// What is made to be taken away.
-    pub(super) taking: Option<Work<Made>>,
+    pub(super) taking: Vec<Work<Made>>,
     /// Where progress is kept; nowhere in tests.
     pub(super) keeper: Option<Keeper>,
     /// The least heights of the first formula and of all, with their numbers, and what they depend on.

@@ -98,9 +98,10 @@ pub fn answers(own: &Fields, language: Language) -> Vec<(&'static str, Value)> {
         let tolerance = tolerance(value);
         let answer = json!({ "number": { "field": field, "tolerance": tolerance } });
         answers.push(("number", answer));
+        // To three digits.
+        let bound: f64 = format!("{value:.2e}").parse().unwrap_or(value);
         let option = |sign: &str| {
-            let bound = format!("{value:.3}");
-            let said = format!("{field} {sign} {bound}");
+            let said = format!("{field} {sign} {}", language.number(bound));
             json!({ "text": text(language, &said), "when": format!("{field}{sign}{bound}") })
         };
         answers.push(("choice", json!({ "choice": [option(">="), option("<")] })));

@@ -5,12 +5,12 @@ use super::super::document::Document;
 use super::super::opened::Readers;
 use super::super::session::Session;
 use super::super::{prose, style};
-use super::form::named;
+use super::form::{button, named};
 use super::strings;
 use crate::lesson::anchor;
 use crate::lesson::draft::{self, Draft};
 use crate::picture::Ink;
-use egui::{Button, TextEdit, Ui};
+use egui::{TextEdit, Ui};
 use std::path::{Path, PathBuf};
 
 /// What the file is to be called.
@@ -58,8 +58,9 @@ impl Begin {
         let shown = folder.display().to_string();
         let inside = strings::IN_FOLDER.format(language, &[("folder", &shown)]);
         ui.label(prose::prose(session, &inside, 12.5, Ink::Muted));
-        let begin = Button::new(session.localize(strings::BEGIN));
-        if !ui.add(begin).clicked() {
+        // Its selector is found in this run, and its scene is that of the file.
+        let otherwise = session.runs_otherwise().map(|why| session.localize(why));
+        if !button(session, strings::BEGIN, otherwise, ui) {
             return Ok(None);
         }
         let Some(id) = id_of(name) else {

@@ -9,8 +9,8 @@ const ROWS: usize = 4;
 
 pub fn show(form: &mut Form, index: usize, ui: &mut Ui) {
     let place = format!("steps[{index}]");
-    let explained = form.session.explained();
-    let before = index.checked_sub(1).and_then(|last| explained.get(last));
+    let last = index.checked_sub(1);
+    let before = last.and_then(|last| form.session.explained_at(last));
     let from = before.map_or(0, |said| said.step + 1);
     form.text(strings::SAY, &place, "say", ROWS, ui);
     values(form, index, ui);
@@ -30,11 +30,8 @@ pub fn show(form: &mut Form, index: usize, ui: &mut Ui) {
 /// The names of the values that the text can have in braces.
 fn values(form: &Form, index: usize, ui: &mut Ui) {
     let session = form.session;
-    let Some(said) = session
-        .explained()
-        .get(index)
-        .filter(|_| session.follows_lesson())
-    else {
+    let said = session.explained_at(index);
+    let Some(said) = said.filter(|_| session.follows_lesson()) else {
         return;
     };
     let fields = session.walk().fields(said.step);

@@ -58,7 +58,7 @@ pub fn show(
             }
             for index in 0..steps(document) {
                 let title = title(session, &document.value, index);
-                let step = session.explained().get(index).map(|said| said.step);
+                let step = session.explained_at(index).map(|said| said.step);
                 let is_here = session.follows_lesson() && step == Some(session.step());
                 let is_chosen = selected(document) == Some(index);
                 let name = format!("{}  {title}", index + 1);
@@ -143,6 +143,11 @@ fn cannot_pin(session: &Session, document: &Document, meaning: Meaning) -> Optio
     if let Some(why) = session.cannot_explain_here() {
         return Some(session.localize(why).to_owned());
     }
+    not_distinct(session, meaning)
+}
+
+/// Why a selector does not stand for the step that is shown, if it does not.
+fn not_distinct(session: &Session, meaning: Meaning) -> Option<String> {
     let other = meaning.step.filter(|&step| step != session.step())?;
     let step = other.to_string();
     Some(strings::NOT_DISTINCT.format(session.look.language, &[("step", &step)]))
@@ -168,7 +173,9 @@ fn actions(
     index: usize,
     ui: &mut Ui,
 ) -> Result<(), String> {
-    let mend = (!document.problems.is_empty()).then(|| session.localize(strings::MEND));
+    let mend = (!document.problems.is_empty()).then_some(strings::MEND);
+    let mend = mend.or_else(|| session.runs_otherwise());
+    let mend = mend.map(|why| session.localize(why));
     let here = session.cannot_explain_here();
     let here = here.map(|why| session.localize(why));
     let only = (steps(document) == 1).then(|| session.localize(strings::LAST_ONE));
@@ -213,7 +220,11 @@ fn move_here(session: &mut Session, document: &mut Document, index: usize) -> Re
     let query = anchor::selector(session.walk(), here);
     let others = session.explained().iter().enumerate();
     let before = others.filter(|(other, said)| *other != index && said.step < here);
-    let target = before.count();
+    let (target, from) = before.fold((0, 0), |(count, _), (_, said)| (count + 1, said.step + 1));
+    let meaning = Meaning::of(session.walk(), &query, from);
+    if let Some(why) = not_distinct(session, meaning) {
+        return Err(why);
+    }
     let set = Edit::Set(format!("{}.at", place(index)), json!(query.to_string()));
     let swap = |first: usize| Edit::Swap(place(first), place(first + 1));
     let swaps: Vec<Edit> = match target > index {

@@ -41,7 +41,7 @@ impl Author {
     pub fn show(
         &mut self,
         session: &mut Session,
-        readers: Option<Readers>,
+        readers: Readers,
         rect: Rect,
         ui: &mut Ui,
     ) -> Result<(), String> {
@@ -49,10 +49,6 @@ impl Author {
         let mut ui = ui.new_child(UiBuilder::new().max_rect(place));
         ui.set_clip_rect(rect);
         ui.ctx().request_repaint_after(LOOK);
-        let Some(readers) = readers else {
-            ui.label(session.localize(strings::NO_FILES));
-            return Ok(());
-        };
         let own = session.file.clone();
         let own = own.filter(|_| !session.lesson().is_free_walk());
         let Some(path) = own else {
@@ -60,8 +56,9 @@ impl Author {
             let on = go_on(session, &unsaved, &mut ui);
             let begun = self.begin.show(session, readers, &unsaved, &mut ui)?;
             if let Some(document) = on.or(begun.as_ref()) {
-                let (path, text) = (document.path().to_owned(), document.text());
-                let lesson = (readers.lesson)(&path, text.as_bytes());
+                // What is wrong with its text is shown once it is written on.
+                let (path, right) = (document.path().to_owned(), document.right());
+                let lesson = (readers.lesson)(&path, right.as_bytes());
                 let lesson = lesson.map_err(|problems| one_a_line(&problems))?;
                 session.open_to_write(lesson, path)?;
             }

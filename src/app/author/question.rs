@@ -34,7 +34,7 @@ pub fn show(form: &mut Form, index: usize, ui: &mut Ui) {
         return;
     }
     form.text(strings::ASK, &place, "ask", 2, ui);
-    let explained = form.session.explained().get(index);
+    let explained = form.session.explained_at(index);
     let from = explained.map_or(0, |said| said.step + 1);
     form.selector(strings::ANSWER_AT, &place, "at", from, ui);
     answer(form, index, &place, ui);
@@ -48,7 +48,7 @@ pub fn show(form: &mut Form, index: usize, ui: &mut Ui) {
 /// Why nothing can be asked about the step that is shown, if it cannot.
 fn cannot_ask(form: &Form, index: usize) -> Option<Message> {
     let session = form.session;
-    let asked_at = session.explained().get(index)?.step;
+    let asked_at = session.explained_at(index)?.step;
     if !session.follows_lesson() {
         return Some(strings::OTHER_PART);
     }
@@ -78,7 +78,7 @@ fn about_this_step(form: &mut Form) -> Value {
 
 /// The kind of the answer, what belongs to it, and what it is in the run.
 fn answer(form: &mut Form, index: usize, place: &str, ui: &mut Ui) {
-    let explained = form.session.explained().get(index);
+    let explained = form.session.explained_at(index);
     let question = explained.and_then(|said| said.question.as_ref());
     let own = match question {
         Some(question) => form.session.walk().own_fields(question.step),

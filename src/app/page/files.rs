@@ -53,21 +53,31 @@ fn named(name: &str) -> Result<Vec<u8>, String> {
     read(Path::new(Path::new(name).file_name().unwrap_or_default()))
 }
 
-/// Begins to read what was dropped on the page in this frame.
+/// Begins to read what was dropped on the page in this frame. Of several files one is opened, once all are read: a scene or lesson where
+/// there is one, as it may name the others.
 pub fn take_dropped(ctx: &egui::Context) {
-    for file in ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files)) {
-        let ctx = ctx.clone();
-        spawn_local(async move {
-            let path = file.path().to_owned();
-            let read = file.bytes_async().await;
-            let read = read.map(|bytes| keep(&path, bytes));
-            DROPPED.with_borrow_mut(|dropped| dropped.push(read.map(|()| path)));
-            ctx.request_repaint();
-        });
-    }
+    let files = ctx.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
+    let is_document = |path: &Path| path.extension().is_some_and(|ending| ending == "json");
+    let paths = files.iter().map(|file| file.path());
+    let document = paths.clone().find(|path| is_document(path));
+    let Some(opened) = document.or(paths.clone().next()).map(Path::to_owned) else {
+        return;
+    };
+    let ctx = ctx.clone();
+    spawn_local(async move {
+        let mut all = Ok(opened);
+        for file in files {
+            match file.bytes_async().await {
+                Ok(bytes) => keep(file.path(), bytes),
+                Err(why) => all = Err(why),
+            }
+        }
+        DROPPED.with_borrow_mut(|dropped| dropped.push(all));
+        ctx.request_repaint();
+    });
 }
 
-/// The next file that was dropped, once it is read.
+/// What is to be opened of the files dropped last, once they are read.
 pub fn next_dropped() -> Option<Result<PathBuf, String>> {
     DROPPED.with_borrow_mut(Vec::pop)
 }

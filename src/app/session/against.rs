@@ -70,7 +70,7 @@ impl Session {
     /// Compares a picture with what is shown. A scene that is walked freely is then walked in a picture of that size. Errors: what of it
     /// does not fit, and nothing has changed then.
     pub fn compare_with(&mut self, name: String, mine: StoredImage) -> Result<(), Refused> {
-        if self.look.home || self.look.mistakes || self.studying.is_open {
+        if self.is_on_page() {
             return Err(strings::COMPARE_WHERE.into());
         }
         let (size, ours) = ([mine.width, mine.height], self.lesson().size);

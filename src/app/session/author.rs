@@ -14,9 +14,10 @@ impl Session {
         self.look.questions && !self.is_written()
     }
 
-    /// Whether the lesson is being written.
+    /// Whether the lesson is being written, not only about to begin.
     pub fn is_written(&self) -> bool {
-        self.look.drawer == Some(Drawer::Author)
+        let is_own = self.file.is_some() && !self.lesson().is_free_walk();
+        self.look.drawer == Some(Drawer::Author) && is_own
     }
 
     /// Why no lesson can be written from here, if none can.
@@ -45,10 +46,21 @@ impl Session {
         &self.open.narrated
     }
 
+    /// The explanation of that index in the lesson's file; none where its step does not happen.
+    pub fn explained_at(&self, index: usize) -> Option<&Narrated> {
+        self.explained().iter().find(|said| said.index == index)
+    }
+
+    /// Why steps of this run are not those of the file, if they are not.
+    pub fn runs_otherwise(&self) -> Option<Message> {
+        let otherwise = self.is_changed() || !self.setup().forced().is_empty();
+        otherwise.then_some(strings::CHANGED)
+    }
+
     /// Why the step cannot become one of the lesson's, if it cannot.
     pub fn cannot_explain_here(&self) -> Option<Message> {
-        if self.is_changed() || !self.setup().forced().is_empty() {
-            return Some(strings::CHANGED);
+        if let Some(why) = self.runs_otherwise() {
+            return Some(why);
         }
         if !self.follows_lesson() {
             return Some(strings::OTHER_PART);

@@ -18,6 +18,12 @@ pub enum Standing {
 }
 
 impl Session {
+    /// How the questions stand, by their explanations.
+    #[cfg(target_arch = "wasm32")]
+    pub fn standings(&self) -> &[Standing] {
+        &self.standings
+    }
+
     /// The question at this step, and how it stands.
     pub fn question(&self) -> Option<(&Question, Standing)> {
         let index = self.narrated_here().filter(|_| self.asks())?;

@@ -17,6 +17,11 @@ impl Session {
         }
     }
 
+    /// Whether a page is shown in place of a lesson: that of all lessons, of mistakes, or of studies.
+    pub fn is_on_page(&self) -> bool {
+        self.look.home || self.look.mistakes || self.studying.is_open
+    }
+
     /// As it stands on the frame of the window, for people and for scripts. Steps are counted from 0.
     pub fn window_title(&self) -> String {
         if self.look.home {
@@ -35,9 +40,12 @@ impl Session {
         strings::STEP_OF.format(self.look.language, &[("step", &step), ("last", &last)])
     }
 
-    /// What the lesson says here, or else what the step does, without mathematical signs.
+    /// What the lesson says here, or else what the step does, without mathematical signs; nothing where a page is shown.
     #[cfg(target_arch = "wasm32")]
     pub fn said_here(&self) -> String {
+        if self.is_on_page() {
+            return String::new();
+        }
         let language = self.look.language;
         match self.narration_here() {
             Some(told) => plain(told.say(language)),

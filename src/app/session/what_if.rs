@@ -49,9 +49,6 @@ impl WhatIf {
         let jobs = mistakes.into_iter().map(|mistake| {
             let (right, setup) = (self.right.clone(), setup.clone());
             let job: Job<Drawn> = Box::new(move |worker| {
-                if worker.go_on().is_err() {
-                    return;
-                }
                 let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
                 let go_on = || worker.go_on();
                 if right.get().is_none()

@@ -6,9 +6,11 @@ use super::*;
 use crate::app::author_strings as words;
 use crate::app::opened::{Opened, Readers};
 use crate::language::Message;
+use crate::lesson::Change;
 use crate::replay::query::kinds;
 use crate::scene::document::Problem;
-use crate::scene::{Limits, View};
+use crate::scene::edit::Edit;
+use crate::scene::{Limits, Movable, View};
 use std::fs;
 use std::path::Path;
 
@@ -233,6 +235,43 @@ fn explanations_are_moved_exchanged_and_deleted_and_each_change_is_undone() {
     assert_eq!(told(&screen), steps[1..]);
     screen.act(strings::UNDO);
     assert_eq!((told(&screen), screen.text_of_lesson()), (steps, ten));
+}
+
+/// Where a lamp is moved, some steps do not happen: the others stay what they are, and nothing is moved or deleted by this run.
+#[test]
+fn in_a_run_with_other_values_explanations_stay_what_they_are() {
+    let (_folder, mut screen) = walk(EN);
+    with_ten_explanations(&mut screen);
+    let (session, window) = screen.harness.state_mut();
+    let parameters = serde_json::json!([{ "light": 0 }]);
+    let edit = Edit::Insert(String::new(), "parameters".into(), parameters);
+    window.author.documents.only().edit(&[edit], session);
+    screen.rest();
+    assert_eq!(screen.problems(), "");
+    let text = screen.text_of_lesson();
+    let below = Change::Place {
+        of: Movable::Light(0),
+        position: glam::DVec3::new(0.0, -3.0, 0.0),
+    };
+    screen.session_mut().update(Command::Change(below)).unwrap();
+    screen.rest();
+    let happen: Vec<usize> = screen
+        .session()
+        .explained()
+        .iter()
+        .map(|said| said.index)
+        .collect();
+    assert!(happen.len() < 10, "{happen:?}");
+    for index in happen {
+        screen.pick_row_of(index);
+        let said = screen.session().narration_here().unwrap().say(EN);
+        assert_eq!(said, format!("What happens here is number {index}."));
+    }
+    screen.pick_row_of(9);
+    for name in [words::DELETE, words::EARLIER, words::MOVE] {
+        screen.act(name);
+    }
+    assert_eq!(screen.text_of_lesson(), text);
 }
 
 #[test]

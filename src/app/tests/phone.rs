@@ -88,6 +88,8 @@ fn sheets_and_pages_fit_a_phone() {
         ("filled", vec![Command::Fill]),
         ("keys", vec![Command::Keys]),
         ("skipped", vec![Command::Skipped]),
+        ("what-if", vec![Command::Questions, Command::WhatIf]),
+        ("mistakes", vec![Command::Mistakes]),
     ] {
         for phone in PHONES {
             let screen = screen("gouraud-triangle", phone, 1.0, commands.clone());
