@@ -10,31 +10,40 @@ use super::{strings, style};
 use crate::lesson::{Answer, Question};
 use crate::panels::Panel;
 use crate::picture::{Ink, Tag};
-use egui::{FontId, Label, LayerId, Rect, ScrollArea, Stroke, Ui, pos2};
+use egui::{FontId, Id, Label, LayerId, Rect, ScrollArea, Stroke, Ui, Vec2, pos2};
 
 /// Heights of the least text in the height of the screen.
 const LINES: f32 = 28.0;
 /// The least text of a panel, in points.
 const LEAST_TEXT: f32 = 11.0;
-/// Part of the height for the key panel.
+/// Parts of the height for the key panel: beside a sentence, a question, and an answer with its reason.
 const KEY: f32 = 0.64;
+const KEY_ASKED: f32 = 0.52;
+const KEY_ANSWERED: f32 = 0.46;
 /// Part of the width for the sentence.
 const SAID: f32 = 0.5;
 
 /// Where what is presented stands, and how large it is.
 pub struct Places {
     pub key: Rect,
-    said: Rect,
+    pub said: Rect,
+    /// Empty beside a question.
     pub formula: Rect,
     /// Height of the text.
     text: f32,
 }
 
 impl Places {
-    pub fn new(whole: Rect) -> Self {
+    /// `asked` is how a question stands, where there is one.
+    pub fn new(whole: Rect, asked: Option<Standing>) -> Self {
+        let (key, said) = match asked {
+            None => (KEY, SAID),
+            Some(Standing::Open) => (KEY_ASKED, 1.0),
+            Some(_) => (KEY_ANSWERED, 1.0),
+        };
         let inner = whole.shrink(GAP);
-        let border = inner.top() + KEY * inner.height();
-        let column = inner.left() + SAID * inner.width();
+        let border = inner.top() + key * inner.height();
+        let column = inner.left() + said * inner.width();
         Places {
             key: Rect::from_min_max(inner.min, pos2(inner.right(), border)).shrink(MARGIN),
             said: Rect::from_min_max(
@@ -60,12 +69,11 @@ pub fn show(
     commands: &mut Vec<Command>,
     ui: &mut Ui,
 ) -> Option<Tag> {
-    let places = Places::new(whole);
+    let question = session.question();
+    let places = Places::new(whole, question.map(|(_, standing)| standing));
     let mut under = None;
-    let panels = [
-        (session.key_panel(), places.key),
-        (Some(Panel::Formula), places.formula),
-    ];
+    let formula = question.is_none().then_some(Panel::Formula);
+    let panels = [(session.key_panel(), places.key), (formula, places.formula)];
     for (panel, rect) in panels {
         let Some(panel) = panel else { continue };
         style::card(session.look.theme, rect.expand(MARGIN), ui);
@@ -88,7 +96,7 @@ pub fn show(
         .id_salt((session.recording(), session.step()))
         .show(&mut ui, |ui| {
             ui.set_width(ui.available_width());
-            match session.question() {
+            match question {
                 Some((question, standing)) => asked(session, question, standing, text, ui),
                 None => sentence(session, window, text, ui),
             }
@@ -118,18 +126,24 @@ fn first_sentence(text: &str) -> &str {
 fn asked(session: &Session, question: &Question, standing: Standing, size: f32, ui: &mut Ui) {
     let language = session.look.language;
     ui.add(Label::new(prose(session, question.ask(language), size, Ink::Text)).wrap());
-    if let Answer::Choice { options, .. } | Answer::Order { items: options, .. } = &question.answer
-    {
-        for (letter, option) in ('A'..).zip(options) {
-            let option = format!("{letter}  {}", option[language as usize]);
-            ui.add(Label::new(prose(session, &option, size, Ink::Linked)).wrap());
-        }
-    }
     if standing == Standing::Open {
+        if let Answer::Choice { options, .. } | Answer::Order { items: options, .. } =
+            &question.answer
+        {
+            for (letter, option) in ('A'..).zip(options) {
+                let option = format!("{letter}  {}", option[language as usize]);
+                ui.add(Label::new(prose(session, &option, size, Ink::Linked)).wrap());
+            }
+        }
         let text = session.localize(strings::ANSWER_WITH_A_KEY);
         ui.add(Label::new(prose(session, text, size, Ink::Muted)).wrap());
     } else {
-        let answer = question.answer.in_words(language);
+        let mut answer = question.answer.in_words(language);
+        if let Answer::Choice { right, .. } = question.answer
+            && let Some(letter) = ('A'..).nth(right)
+        {
+            answer = format!("{letter}  {answer}");
+        }
         let answer = set(
             session,
             &answer,
@@ -141,9 +155,19 @@ fn asked(session: &Session, question: &Question, standing: Standing, size: f32, 
     }
 }
 
-/// A spot around the pointer, which the back row sees.
+/// A spot around the pointer, which the back row sees. Where everything became larger or smaller, its place is known when it moves.
 fn spot(session: &Session, height: f32, ui: &Ui) {
-    let Some(at) = ui.input(|input| input.pointer.hover_pos()) else {
+    let zoom = ui.ctx().zoom_factor();
+    let moved = ui.input(|input| input.pointer.delta() != Vec2::ZERO);
+    let moved_at = ui.data_mut(|data| {
+        let moved_at = data.get_temp_mut_or(Id::unique("spot"), 0.0);
+        if moved {
+            *moved_at = zoom;
+        }
+        *moved_at
+    });
+    let at = ui.input(|input| input.pointer.hover_pos());
+    let Some(at) = at.filter(|_| moved_at == zoom) else {
         return;
     };
     let ink = style::color(session.look.theme, Ink::This);

@@ -10,7 +10,7 @@ use crate::language::Message;
 use crate::panels::kind_name;
 use crate::replay::query;
 use egui::containers::menu::MenuConfig;
-use egui::{Button, Key, PopupCloseBehavior, Rect, RichText, TextEdit, Ui};
+use egui::{Button, Id, Key, PopupCloseBehavior, Rect, RichText, TextEdit, Ui};
 
 /// A row narrower than this leaves the speed to the keys.
 const WIDE: f32 = 1100.0;
@@ -271,6 +271,8 @@ fn search(
 ) {
     let hint = format!("/ {}", session.localize(strings::SEARCH));
     let edit = TextEdit::singleline(&mut window.search)
+        // It keeps the focus where the row is laid out in another way meanwhile.
+        .id(Id::unique("search"))
         .desired_width((room - 24.0).clamp(40.0, 200.0))
         .align(egui::Align2::LEFT_CENTER)
         .hint_text(hint);

@@ -79,6 +79,19 @@ impl Session {
     }
 
     pub(super) fn toggle_drawer(&mut self, drawer: Drawer) {
-        self.look.drawer = Some(drawer).filter(|_| self.look.drawer != Some(drawer));
+        let shown = self.look.drawer.filter(|_| !self.covers_window());
+        self.look.drawer = Some(drawer).filter(|_| shown != Some(drawer));
+        self.show_window();
+    }
+
+    /// Whether the presentation or one panel takes the place of the window's bar and drawers.
+    fn covers_window(&self) -> bool {
+        self.filled || self.look.presenting
+    }
+
+    /// Ends what covers the window's bar and drawers.
+    pub(super) fn show_window(&mut self) {
+        self.filled = false;
+        self.look.stop_presenting();
     }
 }

@@ -57,6 +57,13 @@ impl Look {
         }
     }
 
+    pub(super) fn stop_presenting(&mut self) {
+        if self.presenting {
+            self.presenting = false;
+            self.theme = self.before_presenting;
+        }
+    }
+
     /// How much larger than normal everything is drawn.
     pub fn zoom(&self) -> f32 {
         TEXT_SIZES[self.text] * self.theme.text_scale()

@@ -22,7 +22,10 @@ impl Session {
             return self.finish();
         }
         match command {
-            Command::Search => self.search_wanted = true,
+            Command::Search => {
+                self.show_window();
+                self.search_wanted = true;
+            }
             Command::Find(text) => return self.find(text, true),
             Command::FindBack(text) => return self.find(text, false),
             Command::SearchFor(text) => return self.search_for(text),
@@ -358,20 +361,14 @@ impl Session {
                     Theme::Projector => Theme::Light,
                 }
             }
+            Command::Present if look.presenting => look.stop_presenting(),
             Command::Present => {
-                look.presenting = !look.presenting;
-                if look.presenting {
-                    look.before_presenting = look.theme;
-                    look.theme = Theme::Projector;
-                } else {
-                    look.theme = look.before_presenting;
-                }
+                look.presenting = true;
+                look.before_presenting = look.theme;
+                look.theme = Theme::Projector;
             }
             Command::StopPresenting if self.filled => self.filled = false,
-            Command::StopPresenting if look.presenting => {
-                return self.change_look(&Command::Present);
-            }
-            Command::StopPresenting => {}
+            Command::StopPresenting => look.stop_presenting(),
             Command::Keys => look.keys = !look.keys,
             Command::Skipped => look.skipped = !look.skipped,
             Command::Smooth => look.smooth = !look.smooth,

@@ -243,17 +243,17 @@ fn in_a_run_with_other_values_explanations_stay_what_they_are() {
     let (_folder, mut screen) = walk(EN);
     with_ten_explanations(&mut screen);
     let (session, window) = screen.harness.state_mut();
-    let parameters = serde_json::json!([{ "light": 0 }]);
+    let parameters = serde_json::json!([{ "object": "ball" }]);
     let edit = Edit::Insert(String::new(), "parameters".into(), parameters);
     window.author.documents.only().edit(&[edit], session);
     screen.rest();
     assert_eq!(screen.problems(), "");
     let text = screen.text_of_lesson();
-    let below = Change::Place {
-        of: Movable::Light(0),
-        position: glam::DVec3::new(0.0, -3.0, 0.0),
+    let away = Change::Place {
+        of: Movable::Object(0),
+        position: glam::DVec3::new(0.0, 20.0, 0.0),
     };
-    screen.session_mut().update(Command::Change(below)).unwrap();
+    screen.session_mut().update(Command::Change(away)).unwrap();
     screen.rest();
     let happen: Vec<usize> = screen
         .session()

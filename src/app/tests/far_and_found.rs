@@ -36,7 +36,7 @@ fn all_that_is_presented_is_a_28th_of_the_screen_high() {
         .next();
     let node = screen.harness.get_by_label(first.expect("a sentence"));
     assert!(node.rect().height() >= height / 28.0);
-    let places = Places::new(screen.harness.ctx.content_rect());
+    let places = Places::new(screen.harness.ctx.content_rect(), None);
     assert_eq!(places.zoom(), height / 28.0 / 11.0);
     for (panel, place) in [(Panel::Image, places.key), (Panel::Formula, places.formula)] {
         let shown = screen.panel(panel);
@@ -46,6 +46,63 @@ fn all_that_is_presented_is_a_28th_of_the_screen_high() {
             "{}",
             panel.name()
         );
+    }
+}
+
+#[test]
+fn presented_questions_and_their_answers_fit_on_the_screen() {
+    let mut faults = Vec::new();
+    for builtin in builtins() {
+        let mut screen = screen(builtin.id, [1280, 720], 1.0, [Command::Present]);
+        let explained = screen.session().explained().iter();
+        let asked = explained.filter(|said| said.question.is_some());
+        let steps: Vec<usize> = asked.map(|said| said.step).collect();
+        for step in steps {
+            for command in [Command::Seek(step), Command::Skip] {
+                screen.session_mut().update(command).expect("a question");
+                for language in Language::ALL {
+                    screen.session_mut().look.language = language;
+                    screen.harness.run();
+                    let (_, standing) = screen.session().question().expect("a question");
+                    let whole = screen.harness.ctx.content_rect();
+                    let card = Places::new(whole, Some(standing)).said;
+                    let labels = screen
+                        .harness
+                        .query_all_by_role(egui::accesskit::Role::Label);
+                    let bottom = labels.map(|label| label.rect().bottom()).reduce(f32::max);
+                    let missing = bottom.expect("a question") - card.bottom();
+                    if missing > 0.0 {
+                        let code = language.code();
+                        faults.push(format!(
+                            "{} step {step} {code} {standing:?}: {missing} too high",
+                            builtin.id
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn a_search_or_a_drawer_ends_the_presentation_and_a_filled_window() {
+    for covers in [Command::Present, Command::Fill] {
+        let mut screen = triangle([covers.clone()]);
+        screen.press(Modifiers::NONE, Key::Slash);
+        // The field stands in the bar, which is shown again by now.
+        screen.harness.run();
+        screen
+            .harness
+            .event(egui::Event::Text("UNIT NORMAL".into()));
+        screen.press(Modifiers::NONE, Key::Enter);
+        assert_eq!(screen.session().look.drawer, Some(Drawer::Results));
+        assert!(!screen.session().look.presenting && !screen.session().is_filled());
+        screen.session_mut().update(covers).unwrap();
+        // The drawer that was covered is shown, not closed.
+        screen.session_mut().update(Command::Results).unwrap();
+        assert_eq!(screen.session().look.drawer, Some(Drawer::Results));
+        assert!(!screen.session().look.presenting && !screen.session().is_filled());
     }
 }
 
@@ -67,7 +124,7 @@ fn check_presentation(lessons: std::ops::Range<usize>) {
             session.look.language = Language::ALL[number % 2];
             for screen in [[1280.0, 800.0], [1920.0, 1080.0]] {
                 let whole = egui::Rect::from_min_size(egui::Pos2::ZERO, screen.into());
-                let places = Places::new(whole);
+                let places = Places::new(whole, None);
                 let key = session.key_panel().expect("a panel");
                 for (panel, place) in [(key, places.key), (Panel::Formula, places.formula)] {
                     let size = glam::Vec2::new(place.width(), place.height()) / places.zoom();
