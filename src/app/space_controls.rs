@@ -5,7 +5,8 @@ use super::session::{Command, Session};
 use super::strings;
 use crate::algorithms::ray_tree::RayKind;
 use crate::language::Message;
-use crate::panels::{Orbit, Pixels, Preset, SpaceView, ray_kind_name};
+use crate::panels::{Orbit, Pixels, Preset, RayChoice, SpaceView, ray_kind_name};
+use crate::render::Method;
 use egui::{Key, PointerButton, Response, RichText, Ui};
 use glam::Vec2;
 use std::f32::consts::PI;
@@ -77,6 +78,16 @@ fn which_rays(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     for (pixels, name) in PIXELS {
         ui.radio_value(&mut rays.pixels, pixels, session.localize(name));
     }
+    // Ray casting has primary rays alone.
+    if session.lesson().method == Method::RayTracing {
+        kinds_and_levels(session, &mut rays, ui);
+    }
+    if rays != view.rays {
+        commands.push(Command::ViewSpace(SpaceView { rays, ..view }));
+    }
+}
+
+fn kinds_and_levels(session: &Session, rays: &mut RayChoice, ui: &mut Ui) {
     ui.separator();
     for kind in RayKind::ALL {
         let mut is_shown = rays.shows_kind(kind);
@@ -85,7 +96,7 @@ fn which_rays(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             .checkbox(&mut is_shown, format!("{letters}  {name}"))
             .changed()
         {
-            rays = rays.toggled(kind);
+            *rays = rays.toggled(kind);
         }
     }
     ui.separator();
@@ -101,9 +112,6 @@ fn which_rays(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             session.localize(strings::ALL_LEVELS),
         );
     });
-    if rays != view.rays {
-        commands.push(Command::ViewSpace(SpaceView { rays, ..view }));
-    }
 }
 
 fn looked_at(session: &Session, orbit: Orbit) -> Command {

@@ -7,7 +7,7 @@ use super::{PanelInput, Properties, names};
 use crate::algorithms::focus::Focus;
 use crate::figure::{Axis, LEGEND_ROW, Labels, Plot, Scale, legend};
 use crate::language::{Language, Message};
-use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, wrap};
+use crate::picture::{Ink, Picture, Rect, Stroke, Style, Tag, Text, wrap};
 use crate::replay::Run;
 use crate::replay::radiosity::{ChannelNow, IterationNow, State};
 use glam::Vec2;
@@ -15,6 +15,9 @@ use glam::Vec2;
 const MARGIN: f32 = 8.0;
 const TEXT: f32 = 11.0;
 const LINE: f32 = 16.0;
+/// Curves end beside the letters of their channels.
+const ALL_LETTERS: &str = "R G B";
+const BESIDE: f32 = 8.0;
 /// With more iterations some are passed over.
 const MOST_POINTS: usize = 70;
 /// Points so far apart have a mark each.
@@ -90,6 +93,11 @@ fn letters(channel: &ChannelNow, channels: &[ChannelNow]) -> String {
     letters.collect::<Vec<_>>().join(" ")
 }
 
+/// Of the letters of a channel.
+fn letter() -> Text {
+    Style::Bold.size(12.0)
+}
+
 /// Residuals have whole lines, bounds broken ones.
 fn kind_of_line(ink: Ink, dashed: bool) -> Stroke {
     match dashed {
@@ -139,10 +147,17 @@ impl Iterations {
         let plot = Plot::new(
             Axis::new(iterations, ITERATION.text(input.language), input.language),
             Axis::new(Scale::decades(values), "", input.language),
-            whole,
+            Rect {
+                width: whole.width - letter().width(ALL_LETTERS) - BESIDE,
+                ..whole
+            },
         );
+        let field = plot.place.grown(2.0);
         Iterations {
-            labels: Labels::new(plot.place.grown(2.0)),
+            labels: Labels::new(Rect::between(
+                (field.x, field.y),
+                (whole.right(), field.bottom()),
+            )),
             plot,
             first,
         }
@@ -236,9 +251,9 @@ impl Iterations {
                 }
             }
             if let Some(&(at, _)) = points.last() {
-                let style = Style::Bold.size(12.0);
                 let toward = Vec2::new(1.0, -0.4);
-                self.labels.put(picture, (at, 3.0), toward, letters, style);
+                self.labels
+                    .put(picture, (at, 3.0), toward, letters, letter());
             }
         }
     }

@@ -23,6 +23,13 @@ const DISTANCE: Message = Message("illumination-distance");
 
 const TEXT: f32 = 12.0;
 const ROW: f32 = 18.0;
+/// With the current light.
+const MOST_ROWS: f32 = 7.0;
+/// Part of the height that the rows may take where they are larger than that.
+const ROWS: f32 = 0.45;
+/// Where their bars can be told apart.
+const ROW_WIDTH: f32 = 340.0;
+const LARGEST: f32 = 2.0;
 const MARGIN: f32 = 8.0;
 /// The least size at which the curves can be read.
 const PLOT: Vec2 = Vec2::new(180.0, 110.0);
@@ -44,7 +51,10 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = Picture::new(size.x, size.y);
     let whole = Rect::new(0.0, 0.0, size.x, size.y).grown(-MARGIN);
     let rows = rows(point, input.language);
-    let height = rows.len() as f32 * ROW;
+    let scale = (ROWS * whole.height / (MOST_ROWS * ROW)).min(whole.width / ROW_WIDTH);
+    let scale = scale.clamp(1.0, LARGEST);
+    let row_height = scale * ROW;
+    let height = rows.len() as f32 * row_height;
     let beside = whole.width >= 2.0 * PLOT.x + 60.0 && whole.height < height + PLOT.y;
     let (list, plot) = if beside {
         let width = 0.5 * whole.width;
@@ -71,10 +81,11 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     };
     let walk = input.run.walk();
     let kind = walk.kind(walk.position());
-    let fitting = (list.height / ROW) as usize;
+    let fitting = (list.height / row_height) as usize;
     for (i, row) in rows.iter().take(fitting).enumerate() {
-        let y = list.y + i as f32 * ROW;
-        row.draw(&mut picture, kind, Rect::new(list.x, y, list.width, ROW));
+        let y = list.y + i as f32 * row_height;
+        let place = Rect::new(list.x, y, list.width, row_height);
+        row.draw(&mut picture, kind, place, scale);
     }
     if plot.width >= PLOT.x && plot.height >= PLOT.y {
         curves(
@@ -164,23 +175,25 @@ fn standard(light: &CurrentLight, n_dot_l: f64) -> f64 {
 }
 
 impl Listed {
-    fn draw(&self, picture: &mut Picture, kind: &str, place: Rect) {
+    fn draw(&self, picture: &mut Picture, kind: &str, place: Rect, scale: f32) {
         let here = self.recorded_by == kind;
         let value = Style::Mono
-            .size(TEXT)
+            .size(scale * TEXT)
             .ink(if here { Ink::This } else { Ink::Text });
-        let name = Style::Label.size(TEXT).ink(Ink::Muted);
+        let name = Style::Label.size(scale * TEXT).ink(Ink::Muted);
+        let gap = scale * 10.0;
         let mark = Some(self.ink).filter(|_| self.bar.is_some());
         let (before, start) = match mark {
-            Some(_) => (0.0, 44.0),
-            None => (
-                18.0,
-                18.0 + name.width(&self.name).min(place.width - 18.0) + 10.0,
-            ),
+            Some(_) => (0.0, scale * 44.0),
+            None => {
+                let before = scale * 18.0;
+                let name = name.width(&self.name).min(place.width - before);
+                (before, before + name + gap)
+            }
         };
         let y = place.center().y;
         if mark.is_none() {
-            let line = [(place.x, y), (place.x + 12.0, y)];
+            let line = [(place.x, y), (place.x + scale * 12.0, y)];
             picture.tagged(self.tag, |picture| {
                 picture.line(line[0], line[1], self.ink.stroke(2.5));
             });
@@ -191,9 +204,10 @@ impl Listed {
             .cell(start, Cell::forms(values))
             .draw(picture, place);
         // Bars begin in one line, behind the longest number that there may be.
-        let start = place.x + start + value.width("0.000, 0.000, 0.000") + 10.0;
+        let start = place.x + start + value.width("0.000, 0.000, 0.000") + gap;
         if let Some(share) = self.bar.filter(|_| start + 30.0 < place.right()) {
-            let all = Rect::between((start, y - 5.0), (place.right(), y + 5.0));
+            let half = scale * 5.0;
+            let all = Rect::between((start, y - half), (place.right(), y + half));
             picture.tagged(self.tag, |picture| {
                 picture.rect(all, Ink::Faint);
                 let width = share * all.width;

@@ -15,7 +15,7 @@ pub use list::image::{
 };
 pub use list::inspector::{InspectorView, scrolled as inspector_scrolled};
 pub use list::ray_tree::{HeldNode, TreeView, node_near};
-pub use list::space::{Orbit, Pixels, Preset, SpaceView};
+pub use list::space::{Orbit, Pixels, Preset, RayChoice, SpaceView};
 pub use list::time_line::{heights as time_line_heights, step_at};
 pub use list::vectors::{PlaneGrip, degrees_toward, grip as vector_grip};
 pub use shared::answered::{Answered, AskedArrow};

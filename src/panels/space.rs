@@ -14,7 +14,7 @@ mod sketch;
 mod surfaces;
 mod vectors;
 
-pub use choice::{Pixels, SpaceView};
+pub use choice::{Pixels, RayChoice, SpaceView};
 pub use orbit::{Orbit, Preset};
 
 use super::message::{NO_STEPS, message};
