@@ -268,6 +268,11 @@ impl Documents {
         unsaved
     }
 
+    pub fn unsaved_mut(&mut self) -> impl Iterator<Item = &mut Document> {
+        let all = self.all.values_mut();
+        all.filter(|document| !document.is_saved())
+    }
+
     /// Nothing of them is shown any more.
     pub fn close(&mut self) {
         self.shown = None;

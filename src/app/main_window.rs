@@ -26,8 +26,16 @@ pub struct Start {
     pub readers: Readers,
 }
 
-/// Opens the window, and returns when it is closed. Errors: one line on why there is no window, and what works without.
-pub fn open(start: Start) -> Result<(), String> {
+/// Why nothing was opened.
+pub enum NotOpened {
+    /// What is wrong with the link.
+    Link(String),
+    /// Why there is no window, and what works without, in one line.
+    Window(String),
+}
+
+/// Opens the window, and returns when it is closed.
+pub fn open(start: Start) -> Result<(), NotOpened> {
     let (path, folder) = start.folder.unzip();
     let mut window = Window {
         opened: Some(Opened::new(start.readers, path)),
@@ -46,11 +54,15 @@ pub fn open(start: Start) -> Result<(), String> {
     let at_home = start.lesson.is_none();
     let (lesson, file) = match start.lesson {
         Some(lesson) => lesson,
-        None => to_go_on_with(kept.lesson.as_deref(), folder.as_ref())?,
+        None => {
+            let found = to_go_on_with(kept.lesson.as_deref(), folder.as_ref());
+            found.map_err(NotOpened::Window)?
+        }
     };
     // Read here, so that no frame waits for it.
     listed();
-    let mut session = Session::new(lesson).map_err(|error| error.to_string())?;
+    let session = Session::new(lesson);
+    let mut session = session.map_err(|error| NotOpened::Window(error.to_string()))?;
     kept.language = kept.language.or_else(sys_locale::get_locale);
     session.file = file;
     if let Some(folder) = folder {
@@ -63,12 +75,12 @@ pub fn open(start: Start) -> Result<(), String> {
     }
     window.notice = trouble.map(|trouble| trouble.in_language(session.look.language));
     if let Some(link) = start.link {
-        session.show_link(&link)?;
+        session.show_link(&link).map_err(NotOpened::Link)?;
     }
     show(session, window).map_err(|problem| {
-        format!(
+        NotOpened::Window(format!(
             "cannot open a window: {problem}; `lightwalk frames LESSON --out DIR` and `lightwalk render SCENE --method gouraud --out FILE.png` work without one"
-        )
+        ))
     })
 }
 

@@ -63,6 +63,7 @@ mod thumbnails;
 mod top_bar;
 mod transport;
 mod tree_controls;
+mod unsaved;
 mod what_if_drawer;
 mod whereabouts;
 pub mod window;
@@ -72,7 +73,7 @@ mod window_state;
 mod tests;
 
 #[cfg(not(target_arch = "wasm32"))]
-pub use main_window::{Start, open};
+pub use main_window::{NotOpened, Start, open};
 pub use opened::Readers;
 #[cfg(target_arch = "wasm32")]
 pub use page::start;

@@ -10,11 +10,12 @@ use super::session::{Kept, Session, Standing};
 use super::window_state::Window;
 use crate::lesson::Link;
 use eframe::{WebOptions, WebRunner};
+use std::sync::Arc;
 use wasm_bindgen::prelude::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::spawn_local;
-use web_sys::HtmlCanvasElement;
 use web_sys::js_sys::{Function, Reflect};
+use web_sys::{Event, HtmlCanvasElement};
 
 /// The ids of the page's canvas, of what stands there until it is drawn, and of what is told where it cannot be.
 const CANVAS: &str = "lightwalk";
@@ -78,6 +79,7 @@ async fn run() -> Result<(), String> {
                 Ok(Box::new(PageApp {
                     app: App::new(session, window, creation),
                     address,
+                    leave: Leave::new(),
                     told: None,
                 }))
             }),
@@ -107,6 +109,7 @@ fn base(page: &web_sys::Window) -> String {
 struct PageApp {
     app: App,
     address: Address,
+    leave: Leave,
     /// What was told last: the recording, the step and the address, and how the questions stood.
     told: Option<((u64, usize, String), Vec<Standing>)>,
 }
@@ -157,6 +160,7 @@ impl eframe::App for PageApp {
         eframe::App::ui(&mut self.app, ui, frame);
         self.address.tell(&self.app.session);
         self.tell();
+        self.leave.ask(!self.app.window.unsaved().is_empty());
         if background::do_next() {
             ui.ctx().request_repaint();
         }
@@ -172,16 +176,18 @@ struct Address {
     page: web_sys::Window,
     /// As it was last written or read; none before.
     known: Option<String>,
-    /// The lesson and whether it is the page of mistakes, as they were last written or read.
-    place: (Option<String>, bool),
+    place: Place,
 }
+
+/// The lesson, the scene, and whether it is the page of mistakes, as they were last written or read.
+type Place = (Option<String>, Option<Arc<str>>, bool);
 
 impl Address {
     fn new(page: &web_sys::Window) -> Self {
         Address {
             page: page.clone(),
             known: None,
-            place: (None, false),
+            place: Place::default(),
         }
     }
 
@@ -235,7 +241,32 @@ impl Address {
     }
 }
 
+/// Lets the browser ask before the page is left.
+struct Leave {
+    asks: bool,
+    stop: Closure<dyn Fn(Event)>,
+}
+
+impl Leave {
+    fn new() -> Self {
+        Leave {
+            asks: false,
+            stop: Closure::new(|event: Event| event.prevent_default()),
+        }
+    }
+
+    fn ask(&mut self, asks: bool) {
+        if self.asks != asks
+            && let Some(page) = web_sys::window()
+        {
+            let stop = asks.then(|| self.stop.as_ref().unchecked_ref());
+            page.set_onbeforeunload(stop);
+            self.asks = asks;
+        }
+    }
+}
+
 /// What is another page to go back to.
-fn place(link: &Link) -> (Option<String>, bool) {
-    (link.lesson.clone(), link.mistakes)
+fn place(link: &Link) -> Place {
+    (link.lesson.clone(), link.scene.clone(), link.mistakes)
 }

@@ -10,6 +10,7 @@ use super::window_state::Window;
 use super::{
     cards, finished, forget, home, key_sheet, mistakes_page, narration, narrow, notice, outline,
     presentation, pressed, skipped, strings, study_view, style, take_away, top_bar, transport,
+    unsaved,
 };
 use crate::panels::{Panel, time_line_heights};
 use crate::picture::Tag;
@@ -40,6 +41,7 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
         ctx.request_repaint_after(LOOK_AGAIN);
     }
     window.save_what_is_made(session, &ctx);
+    unsaved::ask(session, window, &ctx);
     window.keep_up(session, &ctx);
 
     // Where another lesson takes its place meanwhile, the text is shown in it again.
@@ -328,8 +330,8 @@ impl Window {
         }
         if let Some(command) = session.shared.take() {
             let shared = match &self.address {
-                Some(address) => format!("{address}#{}", session.link()),
-                None => command,
+                Some(address) if session.has_link() => format!("{address}#{}", session.link()),
+                _ => command,
             };
             let said = strings::SHARED.format(session.look.language, &[("command", &shared)]);
             self.notice = Some(said);

@@ -12,6 +12,7 @@ use super::scene_page::ScenePage;
 use super::session::Session;
 use super::study_plot::StudyPlot;
 use super::take_away::Made;
+use super::unsaved::Closing;
 use crate::panels::Panel;
 use crate::picture::Theme;
 use std::collections::HashMap;
@@ -42,6 +43,7 @@ pub struct Window {
     pub(super) embedded: bool,
     /// What is made to be taken away.
     pub(super) taking: Vec<Work<Made>>,
+    pub(super) closing: Closing,
     /// Where progress is kept; nowhere in tests.
     pub(super) keeper: Option<Keeper>,
     /// The least heights of the first formula and of all, with their numbers, and what they depend on.

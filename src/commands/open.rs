@@ -24,7 +24,7 @@ const MISTAKES: &str = "mistakes";
 #[cfg(feature = "gui")]
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     use super::{files, lesson_folder, output};
-    use crate::app::{self, FolderOfLessons, Readers, Start};
+    use crate::app::{self, FolderOfLessons, NotOpened, Readers, Start};
     use crate::color::{StoredImage, read_image};
     use crate::lesson::{Lesson, Link, builtin};
     use std::path::Path;
@@ -41,6 +41,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         return Err(files::wrong(&MISTAKES, &message));
     }
     let link = lesson.take_if(|name| name.contains('#') && !Path::new(name).exists());
+    let address = link.clone().unwrap_or_default();
     let link = match &link {
         None => page.map(|_| Link {
             mistakes: true,
@@ -123,7 +124,10 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             },
         },
     };
-    app::open(start).map_err(Failure::Failed)
+    app::open(start).map_err(|why| match why {
+        NotOpened::Link(why) => files::wrong(&address, &why),
+        NotOpened::Window(why) => Failure::Failed(why),
+    })
 }
 
 #[cfg(not(feature = "gui"))]

@@ -1,11 +1,12 @@
 //! A lesson with other values of its parameters.
 
 use super::error::{LessonError, problem};
-use super::parameters::{ByPath, Change, NotAllowed, Parameter, PathValue, Source};
+use super::parameters::{ByPath, Change, Kind, NotAllowed, Parameter, PathValue, Source};
 use super::resolve::Lesson;
 use crate::language::Language;
 use crate::methods::Settings;
 use crate::scene::Scene;
+use glam::DVec3;
 
 impl Lesson {
     /// The value that a parameter has after the changes.
@@ -19,6 +20,40 @@ impl Lesson {
             }),
             _ => parameter.value(&self.scene),
         })
+    }
+
+    /// The change of a parameter to the value that is written with these numbers. None where they are no value for it.
+    pub fn change(&self, parameter: Parameter, numbers: &[f64]) -> Option<Change> {
+        let number = || match numbers {
+            &[number] => Some(number),
+            _ => None,
+        };
+        let whole = || {
+            let is_index = |number: &f64| (0.0..=f64::from(u32::MAX)).contains(number);
+            let number = number().filter(|number| is_index(number) && number.fract() == 0.0);
+            number.map(|number| number as u32)
+        };
+        let mut change = self.value(parameter, &[])?;
+        match &mut change {
+            Change::Place { position, .. } => {
+                *position = DVec3::from_array(numbers.try_into().ok()?);
+            }
+            Change::Coefficient { value, .. } => *value = number()?,
+            Change::Divisions { divisions, .. } => *divisions = whole()?,
+            Change::ByPath { parameter, value } => {
+                *value = match &self.by_path.get(*parameter)?.kind {
+                    Kind::Number { range, .. } => {
+                        PathValue::Number(number().filter(|number| range.contains(number))?)
+                    }
+                    Kind::Choice(options) => {
+                        let option = whole()? as usize;
+                        options.get(option)?;
+                        PathValue::Option(option)
+                    }
+                }
+            }
+        }
+        Some(change)
     }
 
     /// Scene and settings after the changes, of which there is at most one a parameter. Errors: why a value cannot be had.

@@ -120,6 +120,19 @@ impl Change {
         }
     }
 
+    /// Its value, as [`super::Lesson::change`] takes it.
+    pub fn numbers(self) -> Vec<f64> {
+        match self {
+            Change::Place { position, .. } => position.to_array().to_vec(),
+            Change::Coefficient { value, .. } => vec![value],
+            Change::Divisions { divisions, .. } => vec![divisions.into()],
+            Change::ByPath { value, .. } => vec![match value {
+                PathValue::Number(number) => number,
+                PathValue::Option(option) => option as f64,
+            }],
+        }
+    }
+
     /// Makes the change in `scene`, which was `opened` before any change. Errors: nothing has changed then.
     pub(super) fn make(self, scene: &mut Scene, opened: &Scene) -> Result<(), NotAllowed> {
         match self {

@@ -44,6 +44,8 @@ pub struct Lesson {
     pub by_path: Vec<ByPath>,
     /// The document, where values of it may be changed.
     pub(super) source: Option<Arc<Source>>,
+    /// The text of the scene of a walk as an address has it; none where it names other files or is long.
+    pub packed: Option<Arc<str>>,
     /// What it was read from, to say where a mistake is.
     pub(super) text: Option<Arc<[u8]>>,
     pub panels: Vec<Panel>,
@@ -145,6 +147,7 @@ impl Lesson {
                 parameters,
                 by_path,
                 source: source.map(Arc::new),
+                packed: None,
                 text: Some(bytes.into()),
                 panels,
                 recap: file.recap,

@@ -114,6 +114,7 @@ impl Lesson {
             by_path: Vec::new(),
             missing: Vec::new(),
             source: None,
+            packed: None,
             text: None,
             recap: None,
             panels: panels.filter_map(Panel::called).collect(),

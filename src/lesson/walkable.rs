@@ -1,10 +1,11 @@
 //! What can be walked through, from the bytes of a file.
 
 use super::kind::is_lesson;
+use super::link::pack;
 use super::resolve::Lesson;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::scene::document::Problem;
-use crate::scene::{self, Limits, ReadFile, Scene, is_mesh};
+use crate::scene::{self, Limits, ReadFile, Scene, SceneError, is_mesh};
 
 impl Lesson {
     /// What the file of that name holds: a lesson, or a walk through a scene, or through a mesh, which gets a camera and a light.
@@ -15,13 +16,14 @@ impl Lesson {
             let lesson = Lesson::read(bytes, &limits, read_file);
             return lesson.map_err(|error| error.to_string());
         }
-        let scene = match is_mesh(name) {
-            true => scene::scene_of_mesh(name, &limits, &mut |wanted| match wanted == name {
-                true => Ok(bytes.to_vec()),
-                false => read_file(wanted),
-            }),
-            false => scene::read(bytes, &limits, read_file),
-        };
+        if !is_mesh(name) {
+            let read = Lesson::of_scene_text(name, bytes, read_file);
+            return read.map_err(|problems| SceneError { problems }.to_string());
+        }
+        let scene = scene::scene_of_mesh(name, &limits, &mut |wanted| match wanted == name {
+            true => Ok(bytes.to_vec()),
+            false => read_file(wanted),
+        });
         Lesson::through(name, scene.map_err(|error| error.to_string())?)
     }
 
@@ -31,17 +33,23 @@ impl Lesson {
         text: &[u8],
         read_file: &mut ReadFile,
     ) -> Result<Lesson, Vec<Problem>> {
-        let scene = scene::read(text, &Limits::default(), read_file);
+        let mut alone = true;
+        let scene = scene::read(text, &Limits::default(), &mut |path| {
+            alone = false;
+            read_file(path)
+        });
         let scene = scene.map_err(|error| error.problems)?;
         // What is wrong with all of it has no place.
-        Lesson::through(name, scene).map_err(|message| {
+        let walk = Lesson::through(name, scene).map_err(|message| {
             vec![Problem {
                 place: String::new(),
                 line: None,
                 column: None,
                 message,
             }]
-        })
+        })?;
+        let packed = pack(text).filter(|_| alone).map(Into::into);
+        Ok(Lesson { packed, ..walk })
     }
 
     /// A walk through a scene. Errors: why no picture can be made of it.

@@ -21,6 +21,10 @@ pub(super) struct Changes {
 }
 
 impl Changes {
+    pub fn now(&self) -> &[Change] {
+        &self.now
+    }
+
     /// The changes once another is made. One to the lesson's own value is none.
     fn with(&self, change: Change, own: Option<Change>) -> Vec<Change> {
         let parameter = change.parameter();
@@ -133,7 +137,7 @@ impl Session {
     }
 
     /// Shows the lesson with these changes in place of those before. Errors: why they cannot be had; nothing has changed then.
-    fn show_changes(&mut self, changes: Vec<Change>) -> Result<(), Refused> {
+    pub(super) fn show_changes(&mut self, changes: Vec<Change>) -> Result<(), Refused> {
         let changed = self.open.lesson.changed(&changes);
         let (scene, settings) = changed.map_err(|why| match why {
             NotAllowed::NoRoom(NoRoom::TooFar) => strings::TOO_FAR.into(),

@@ -57,24 +57,29 @@ impl Session {
         }
     }
 
-    /// The command that opens this lesson at this step. Errors: why there is none.
+    /// The command that opens what is shown. Errors: why there is none.
     pub fn command_line(&self) -> Result<String, Message> {
-        if self.lesson().number == Lesson::UNNUMBERED {
-            Err(strings::SHARE_NO_STUDY)
-        } else if !self.follows_lesson() {
-            Err(strings::SHARE_LESSON_ONLY)
-        } else if !self.setup().forced().is_empty() {
-            Err(strings::SHARE_AS_LEFT_OUT_ONLY)
-        } else if self.is_changed() {
-            Err(strings::SHARE_UNCHANGED_ONLY)
-        } else {
-            let (id, step) = (&self.lesson().id, self.step());
-            let lesson = match &self.file {
-                None => id.clone(),
-                Some(file) => in_quotes(&file.to_string_lossy()),
-            };
-            Ok(format!("lightwalk open {lesson} --step {step}"))
+        let lesson = self.lesson();
+        let is_own = self.file.is_some() && !lesson.is_free_walk();
+        let is_plain = self.follows_lesson() && !self.is_changed();
+        if !self.setup().forced().is_empty() {
+            return Err(strings::SHARE_AS_LEFT_OUT_ONLY);
         }
+        let what = match &self.file {
+            Some(file) if is_own && is_plain => in_quotes(&file.to_string_lossy()),
+            Some(_) if is_own && self.is_changed() => return Err(strings::SHARE_UNCHANGED_ONLY),
+            Some(_) if is_own => return Err(strings::SHARE_LESSON_ONLY),
+            _ if lesson.is_free_walk() && lesson.packed.is_none() => {
+                return Err(strings::SHARE_THE_FILES);
+            }
+            _ if lesson.number == Lesson::UNNUMBERED && !lesson.is_free_walk() => {
+                return Err(strings::SHARE_NO_STUDY);
+            }
+            _ if is_plain && !lesson.is_free_walk() => lesson.id.clone(),
+            _ if self.has_link() => return Ok(format!("lightwalk open '#{}'", self.link())),
+            _ => return Err(strings::SHARE_UNMOVED_ONLY),
+        };
+        Ok(format!("lightwalk open {what} --step {}", self.step()))
     }
 }
 

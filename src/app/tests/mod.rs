@@ -23,6 +23,7 @@ mod scene_page;
 mod skipped;
 mod studies;
 mod take_away;
+mod unsaved;
 mod what_if;
 
 use super::session::{Command, Session, Sheet, Standing};

@@ -37,7 +37,7 @@ const READERS: Readers = Readers {
 };
 
 /// The page of a scene file.
-fn page(language: Language) -> (tempfile::TempDir, Screen) {
+pub(super) fn page(language: Language) -> (tempfile::TempDir, Screen) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("own.json");
     fs::write(&path, SCENE).unwrap();
@@ -51,7 +51,10 @@ fn page(language: Language) -> (tempfile::TempDir, Screen) {
 }
 
 /// Does something with the document and its session.
-fn with<T>(screen: &mut Screen, act: impl FnOnce(&mut Document, &mut Session) -> T) -> T {
+pub(super) fn with<T>(
+    screen: &mut Screen,
+    act: impl FnOnce(&mut Document, &mut Session) -> T,
+) -> T {
     let (session, window) = screen.harness.state_mut();
     let done = act(window.scene_page.documents.only(), session);
     screen.harness.run_steps(3);
