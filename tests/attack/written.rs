@@ -110,7 +110,7 @@ fn table(text: &str) -> Result<(), String> {
 }
 
 fn marked_up(text: &str, end: &str) -> Result<(), String> {
-    match text.trim_end().ends_with(end) && !not_finite(text).is_some() {
+    match text.trim_end().ends_with(end) && not_finite(text).is_none() {
         true => Ok(()),
         false => Err("it has no end, or a number that is not finite".into()),
     }
