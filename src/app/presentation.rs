@@ -18,7 +18,7 @@ const LINES: f32 = 28.0;
 const LEAST_TEXT: f32 = 11.0;
 /// Parts of the height for the key panel: beside a sentence, a question, and an answer with its reason.
 const KEY: f32 = 0.64;
-const KEY_ASKED: f32 = 0.52;
+const KEY_ASKED: f32 = 0.51;
 const KEY_ANSWERED: f32 = 0.46;
 /// Part of the width for the sentence.
 const SAID: f32 = 0.5;
