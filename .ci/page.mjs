@@ -117,6 +117,13 @@ try {
   for (const type of ["dragEnter", "dragOver", "drop"]) await send("Input.dispatchDragEvent", { type, ...at_middle });
   await until(`document.title.includes("${basename(scene)}")`, "a scene that is dropped is walked through");
   await picture("page-scene");
+  await until(at("scene="), "the address holds a scene of one's own");
+  await open(await evaluate("location.hash"));
+  await until("document.title.includes('Adegan yang dibagikan')", "a link to a scene opens it");
+  await evaluate("location.hash = '#lesson=shadows&change=0:1.5,4,2.5&step=3'");
+  await until("document.title.includes('langkah 3')", "a link with a changed value is followed");
+  await press("ArrowRight", 39);
+  await until(at("change=0:1.5,4,2.5&step=4"), "a changed value stays in the address");
 
   // In a frame of another page, which steers it and hears of it.
   await send("Page.navigate", { url: `${home}frame.html` });
