@@ -1,7 +1,7 @@
 // Opens the page in a headless Chromium as a student would, and checks by its address and title what happens. Screenshots go to the
 // second folder. Usage: node page.mjs SITE OUT SCENE.json
 import { spawn } from "node:child_process";
-import { readFile, writeFile, mkdtemp } from "node:fs/promises";
+import { mkdtemp, readdir, readFile, writeFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { tmpdir } from "node:os";
 import { basename, extname, join, resolve } from "node:path";
@@ -53,6 +53,7 @@ function send(method, params = {}) {
   chromium.stdio[3].write(JSON.stringify({ id: number, method, params, sessionId: session }) + "\0");
   return new Promise((done, failed) => waiting.set(number, [done, failed]));
 }
+const later = (milliseconds) => new Promise((then) => setTimeout(then, milliseconds));
 async function evaluate(expression) {
   const { result, exceptionDetails } = await send("Runtime.evaluate", { expression, awaitPromise: true, returnByValue: true });
   if (exceptionDetails) throw new Error(exceptionDetails.text);
@@ -62,7 +63,7 @@ async function until(expression, what, seconds = 60) {
   const end = Date.now() + 1000 * seconds;
   while (Date.now() < end) {
     if (await evaluate(expression)) return;
-    await new Promise((later) => setTimeout(later, 50));
+    await later(50);
   }
   const told = await evaluate("document.getElementById('trouble')?.textContent ?? ''");
   throw new Error(`failed: ${what}. The address is ${await evaluate("location.href")}. ${told} ${problems.join("; ")}`);
@@ -72,8 +73,16 @@ async function press(key, code) {
     await send("Input.dispatchKeyEvent", { type, key, code: key, windowsVirtualKeyCode: code });
   }
 }
+// Presses the mouse at the first place and lets it go at the last.
+async function drag(...places) {
+  const events = [["mouseMoved", places[0]], ["mousePressed", places[0]], ...places.slice(1).map((at) => ["mouseMoved", at]), ["mouseReleased", places.at(-1)]];
+  for (const [type, [x, y]] of events) {
+    await send("Input.dispatchMouseEvent", { type, x, y, button: "left", buttons: type === "mouseReleased" ? 0 : 1, clickCount: 1 });
+    await later(200);
+  }
+}
 async function picture(name) {
-  await new Promise((drawn) => setTimeout(drawn, 1500));
+  await later(1500);
   const { data } = await send("Page.captureScreenshot");
   await writeFile(join(out, `${name}.png`), Buffer.from(data, "base64"));
 }
@@ -111,6 +120,26 @@ try {
   await until(at("lesson=gathering&step=3"), "another address is followed");
   await until("document.title.includes('langkah 3')", "the title names the step");
   await until("document.getElementById('step').textContent !== ''", "what is said is there for screen readers");
+
+  // A question is answered, a slider is moved, and a handout comes.
+  await open("#lesson=gouraud-triangle&step=0");
+  await evaluate("window.said = []; window.shows = window.tell; window.tell = (text) => { said.push(JSON.parse(text)); shows(text); }");
+  await press("End", 35);
+  await until("said.at(-1)?.answers.includes('open')", "a question waits");
+  await drag([128, 278]);
+  await until("said.at(-1).answers.includes('right')", "a click answers it");
+  await picture("page-question");
+  await drag([1136, 556]);
+  await drag([1130, 94], [1150, 94]);
+  await until(at("change=0:"), "a slider changes a value");
+  await send("Page.setDownloadBehavior", { behavior: "allow", downloadPath: resolve(out) });
+  for (const place of [[1215, 20], [1085, 291], [825, 291]]) await drag(place);
+  const there = async () => (await readdir(out)).some((name) => name.endsWith("-handout-id.html"));
+  for (let tries = 0; !(await there()); tries++) {
+    if (tries === 100) throw new Error("failed: a handout comes");
+    await later(100);
+  }
+  await picture("page-slider");
 
   // A scene from the user's own computer.
   const at_middle = { x: 640, y: 300, data: { items: [], files: [resolve(scene)], dragOperationsMask: 1 } };
