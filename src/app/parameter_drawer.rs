@@ -64,7 +64,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
     egui::ScrollArea::vertical().show(&mut ui, |ui| {
         ui.spacing_mut().item_spacing.y = 4.0;
         for (index, cell) in cells(session).into_iter().enumerate() {
-            if let (Cell::Place(of), true) = (cell, for_fingers) {
+            if let Cell::Place(of) = cell {
                 ui.label(RichText::new(place_name(session, of)).size(13.0));
             }
             let (_, place) = ui.allocate_space(egui::vec2(ui.available_width(), row));
@@ -76,7 +76,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, rect: Rect, ui: &mut
             };
             commands.extend(change.map(Command::Change));
         }
-        ui.horizontal(|ui| {
+        ui.horizontal_wrapped(|ui| {
             for (name, command) in [
                 (strings::UNDO, Command::Undo),
                 (strings::REDO, Command::Redo),
@@ -242,10 +242,6 @@ fn coordinates(session: &Session, of: Movable, ui: &mut Ui) -> Option<Change> {
     let who = place_name(session, of);
     let mut place = position;
     ui.spacing_mut().item_spacing.x = 4.0;
-    // With fingers it stands above.
-    if !style::is_for_fingers(ui.ctx()) {
-        ui.label(RichText::new(who.as_str()).size(13.0));
-    }
     for (axis, x) in ["x", "y", "z"].into_iter().zip(place.as_mut()) {
         let before = *x;
         ui.label(RichText::new(axis).size(13.0));

@@ -25,6 +25,32 @@ fn ball() -> Screen {
     screen_of(lesson.expect("a right lesson"), [1280, 800], 1.0, [])
 }
 
+#[test]
+fn no_parameter_of_any_lesson_sticks_out_of_the_drawer() {
+    let mut faults = Vec::new();
+    for builtin in crate::lesson::builtins() {
+        let mut screen = screen(builtin.id, [1280, 800], 1.0, [Command::Parameters]);
+        for language in Language::ALL {
+            screen.session_mut().look.language = language;
+            screen.harness.run();
+            for role in [Role::Button, Role::SpinButton, Role::Slider, Role::Label] {
+                for node in screen.harness.query_all_by_role(role) {
+                    let label = node.accesskit_node().label().unwrap_or_default();
+                    if node.rect().right() > 1280.0 {
+                        let code = language.code();
+                        faults.push(format!(
+                            "{} {code}: {label} ends at {}",
+                            builtin.id,
+                            node.rect().right()
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
 fn lights(screen: &Screen) -> [DVec3; 2] {
     let input = screen.session().panel_input();
     let lights = &input.run.prepared().scene.lights;
