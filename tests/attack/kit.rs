@@ -137,7 +137,9 @@ pub fn not_finite(text: &str) -> Option<&str> {
 
 /// Whether a message of refusal says something in every line, and nothing of how the program is made.
 pub fn is_clear(message: &str) -> Result<(), String> {
-    let bare = |line: &str| (1..10).contains(&line.trim().len());
+    // A line of its own names an argument that is missing.
+    let names = |line: &str| line.trim().starts_with(['<', '-']);
+    let bare = |line: &str| (1..10).contains(&line.trim().len()) && !names(line);
     let ours = ["panicked", "src/", ".rs:", "unwrap", "Some(", "None"];
     match message.lines().any(bare)
         || message.is_empty()
