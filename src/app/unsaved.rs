@@ -2,18 +2,9 @@
 
 use super::document::Documents;
 use super::session::Session;
-use super::window_state::Window;
+use super::window_state::{Closing, Window};
 use super::{strings, style};
 use egui::{Context, Id, Modal, ViewportCommand};
-
-/// What was decided about closing the window.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Closing {
-    #[default]
-    No,
-    Asked,
-    Agreed,
-}
 
 /// Keeps the window open while something is not saved, and asks what to do about it.
 pub fn ask(session: &Session, window: &mut Window, ctx: &Context) {

@@ -12,10 +12,18 @@ use super::scene_page::ScenePage;
 use super::session::Session;
 use super::study_plot::StudyPlot;
 use super::take_away::Made;
-use super::unsaved::Closing;
 use crate::panels::Panel;
 use crate::picture::Theme;
 use std::collections::HashMap;
+
+/// What was decided about closing the window over changes that are not saved.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) enum Closing {
+    #[default]
+    No,
+    Asked,
+    Agreed,
+}
 
 /// What the window keeps that the session need not know: textures, tile borders, half-typed texts.
 #[derive(Default)]

@@ -5,7 +5,7 @@
 mod part;
 mod scene_text;
 
-pub use scene_text::{pack, unpack};
+pub(super) use scene_text::{pack, unpack};
 
 use crate::algorithms::focus::Focus;
 use crate::language::Language;

@@ -40,7 +40,7 @@ pub use chapter::Chapter;
 pub use error::LessonError;
 pub use file::{LessonFile, lesson_schema};
 pub use kind::is_lesson;
-pub use link::{Link, unpack};
+pub use link::Link;
 pub use narrated::{Narrated, Question};
 pub use parameters::{
     ByPath, Change, Coefficient, DIVISIONS, Kind, NotAllowed, Parameter, PathValue,

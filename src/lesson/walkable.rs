@@ -1,7 +1,7 @@
 //! What can be walked through, from the bytes of a file.
 
 use super::kind::is_lesson;
-use super::link::pack;
+use super::link::{pack, unpack};
 use super::resolve::Lesson;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::scene::document::Problem;
@@ -25,6 +25,12 @@ impl Lesson {
             false => read_file(wanted),
         });
         Lesson::through(name, scene.map_err(|error| error.to_string())?)
+    }
+
+    /// A walk through the scene whose packed text an address holds. Errors: what is wrong with it.
+    pub fn of_packed_scene(name: &str, packed: &str) -> Result<Lesson, String> {
+        let nothing: &mut ReadFile = &mut |_| Err("an address holds no other files".into());
+        Lesson::of_file(name, &unpack(packed)?, nothing)
     }
 
     /// A walk through the scene of that name whose text is given. Errors: what is wrong with it, and where.

@@ -2,8 +2,7 @@
 
 use super::super::strings;
 use super::{Command, Refused, Session};
-use crate::lesson::{Change, Lesson, Link, unpack};
-use crate::scene::ReadFile;
+use crate::lesson::{Change, Lesson, Link};
 
 impl Session {
     /// Shows what the link says. Errors: why not; the rest is shown.
@@ -53,9 +52,7 @@ impl Session {
     fn show_scene_of_link(&mut self, packed: &str, link: &Link) -> Result<(), String> {
         let is_here = self.lesson().packed.as_deref() == Some(packed) && !self.is_on_page();
         if !is_here {
-            let nothing: &mut ReadFile = &mut |_| Err("an address holds no other files".into());
-            let name = self.localize(strings::SHARED_SCENE);
-            let lesson = Lesson::of_file(name, &unpack(packed)?, nothing)?;
+            let lesson = Lesson::of_packed_scene(self.localize(strings::SHARED_SCENE), packed)?;
             self.open_document(lesson, None)?;
         }
         let method = link.method.filter(|&method| method != self.lesson().method);
@@ -135,6 +132,7 @@ mod tests {
     use crate::lesson::builtin;
     use crate::panels::Panel;
     use crate::picture::Theme;
+    use crate::scene::ReadFile;
 
     fn session() -> Session {
         Session::new(builtin("shadows").unwrap().read().unwrap()).unwrap()
