@@ -181,20 +181,6 @@ mod page {
     }
 }
 
-/// Work that is called off ends so soon that nobody waits: in a tenth of a second, and in twice that on a machine that tests in parallel.
-#[cfg(test)]
-pub const SOON: std::time::Duration = std::time::Duration::from_millis(200);
-
-/// How long it takes until the work that was called off lets go of what it works on.
-#[cfg(test)]
-pub fn time_to_end<T>(of: &Arc<T>) -> std::time::Duration {
-    let start = std::time::Instant::now();
-    while Arc::strong_count(of) > 1 {
-        std::thread::sleep(std::time::Duration::from_millis(1));
-    }
-    start.elapsed()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -8,6 +8,7 @@ use crate::scene::{Limits, View, read};
 use std::collections::BTreeSet;
 use std::convert::Infallible;
 use std::num::NonZeroU32;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A glass ball and a mirror before a wall behind the lamp, which is seen by shadow rays that go on too far.
 const GLASS: &str = r#"{ "schema": 1, "background": [0.1, 0.2, 0.4],
@@ -335,5 +336,45 @@ fn the_encoding_is_that_of_the_format_unless_a_mistake_of_it_explains_most() {
         let found = compared(&mine, &setup, Method::RayTracing);
         let first = found.mistakes.first().map(|found| found.name);
         assert_eq!((found.encoding, first), (said, Some(mistake)));
+    }
+}
+
+#[test]
+fn a_comparison_asks_at_every_row_whether_to_go_on_and_stops_where_it_is_not_to() {
+    let lesson = crate::lesson::builtin("refraction")
+        .unwrap()
+        .read()
+        .unwrap();
+    let [width, height] = [30, 20];
+    let prepared = PreparedScene::of_size(lesson.scene.clone(), [width, height]).unwrap();
+    let setup = Setup::new(prepared, lesson.settings.clone());
+    let mine = StoredImage {
+        width,
+        height,
+        pixels: vec![[0.5; 3]; (width * height) as usize],
+        is_float: false,
+    };
+    // How often it asks where it is called off at the n-th time.
+    let asked = |n: usize| {
+        let asked = AtomicUsize::new(0);
+        let go_on = |_, _| match asked.fetch_add(1, Ordering::Relaxed) + 1 < n {
+            true => Ok(()),
+            false => Err(()),
+        };
+        let one = NonZeroUsize::MIN;
+        let found = compare(&mine, &setup, lesson.method, 0.0, one, &go_on, |_| {});
+        (found.is_ok(), asked.into_inner())
+    };
+    let (is_whole, all) = asked(usize::MAX);
+    let mistakes = Mistake::ALL.into_iter();
+    let drawn = mistakes.filter(|mistake| mistake.concerns(lesson.method));
+    assert!(
+        is_whole && all >= height as usize * drawn.count() / 2,
+        "{all}"
+    );
+    for n in [1, 2, 21, all / 3, all / 2, all] {
+        let (is_whole, asked) = asked(n);
+        // Once more behind the picture that ends.
+        assert!(!is_whole && asked <= n + 1, "{asked} times at {n}");
     }
 }

@@ -2,7 +2,6 @@ use super::super::Command;
 use super::*;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::app::background::{SOON, time_to_end};
 use crate::lesson::builtin;
 use crate::picture::Tag;
 use crate::render::render;
@@ -126,26 +125,4 @@ fn a_picture_of_another_size_than_the_lessons_is_refused_with_both_sizes() {
         session.compare_with("mine.png".into(), mine),
         Err(strings::COMPARE_WHERE.into())
     );
-}
-
-#[test]
-fn a_comparison_that_is_called_off_ends_at_once() {
-    let lesson = builtin("refraction").unwrap().read().unwrap();
-    let setup = lesson.setup(lesson.scene.clone(), lesson.settings.clone());
-    let setup = Arc::new(setup.unwrap());
-    let [width, height] = lesson.size;
-    let mine = Arc::new(StoredImage {
-        width,
-        height,
-        pixels: vec![[0.5; 3]; (width * height) as usize],
-        is_float: false,
-    });
-    for moment in [5, 100, 400, 1000] {
-        let of = (setup.clone(), lesson.method);
-        let against = Against::begin("mine.png".into(), mine.clone(), of, 0);
-        std::thread::sleep(std::time::Duration::from_millis(moment));
-        drop(against);
-        let time = time_to_end(&setup);
-        assert!(time < SOON, "{time:?} after {moment} ms");
-    }
 }

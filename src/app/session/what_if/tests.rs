@@ -2,7 +2,6 @@ use super::super::against::tests::walk;
 use super::super::{Command, Session};
 use super::*;
 use crate::algorithms::focus::Focus;
-use crate::app::background::{SOON, time_to_end};
 use crate::lesson::builtin;
 use crate::picture::Tag;
 use crate::render::render;
@@ -126,23 +125,4 @@ fn a_pixel_of_a_room_leads_to_the_patch_that_is_seen_there() {
         .into_iter()
         .find_map(|name| fields.get(name));
     assert!(patch.is_some(), "{fields:?}");
-}
-
-#[test]
-fn pictures_that_are_called_off_end_at_once() {
-    let lesson = builtin("refraction").unwrap().read().unwrap();
-    let setup = lesson.setup(lesson.scene.clone(), lesson.settings.clone());
-    let setup = Arc::new(setup.unwrap());
-    let possible = Mistake::ALL.into_iter();
-    let possible: Vec<Mistake> = possible
-        .filter(|mistake| mistake.concerns(lesson.method))
-        .collect();
-    for moment in [5, 100, 400, 1000] {
-        let mut what_if = WhatIf::default();
-        what_if.begin(possible.clone(), &setup, lesson.method);
-        std::thread::sleep(std::time::Duration::from_millis(moment));
-        drop(what_if);
-        let time = time_to_end(&setup);
-        assert!(time < SOON, "{time:?} after {moment} ms");
-    }
 }
