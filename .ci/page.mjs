@@ -65,8 +65,8 @@ async function until(expression, what, seconds = 60) {
     if (await evaluate(expression)) return;
     await later(50);
   }
-  const told = await evaluate("document.getElementById('trouble')?.textContent ?? ''");
-  throw new Error(`failed: ${what}. The address is ${await evaluate("location.href")}. ${told} ${problems.join("; ")}`);
+  const trouble = await evaluate("document.getElementById('trouble')?.textContent ?? ''");
+  throw new Error(`failed: ${what}. The address is ${await evaluate("location.href")}. ${trouble} ${problems.join("; ")}`);
 }
 async function press(key, code) {
   for (const type of ["keyDown", "keyUp"]) {
@@ -123,7 +123,7 @@ try {
 
   // A question is answered, a slider is moved, and a handout comes.
   await open("#lesson=gouraud-triangle&step=0");
-  await evaluate("window.said = []; window.shows = window.tell; window.tell = (text) => { said.push(JSON.parse(text)); shows(text); }");
+  await evaluate("window.said = []; window.shows = window.report; window.report = (text) => { said.push(JSON.parse(text)); shows(text); }");
   await press("End", 35);
   await until("said.at(-1)?.answers.includes('open')", "a question waits");
   await drag([128, 278]);
@@ -169,7 +169,7 @@ try {
   await send("Network.emulateNetworkConditions", { offline: false, latency: 0, downloadThroughput: -1, uploadThroughput: -1 });
   if (!(await evaluate("localStorage.getItem('lightwalk').includes('shadows')"))) throw new Error("nothing is kept");
 
-  // On a phone, with a finger. (Where the pixels of a point are emulated, the canvas is told the wrong size.)
+  // On a phone, with a finger. (Where the pixels of a point are emulated, the canvas gets the wrong size.)
   await send("Emulation.setDeviceMetricsOverride", { width: 390, height: 844, deviceScaleFactor: 1, mobile: true });
   await send("Emulation.setTouchEmulationEnabled", { enabled: true });
   await open("#lesson=shadows&step=5");

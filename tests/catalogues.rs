@@ -173,10 +173,10 @@ fn an_index_of_several_letters_stands_in_braces() {
                 continue;
             }
             // Arguments have names of their own.
-            let told = message
+            let literals = message
                 .split('{')
-                .map(|part| part.split_once('}').map_or(part, |(_, told)| told));
-            for part in told {
+                .map(|part| part.split_once('}').map_or(part, |(_, literals)| literals));
+            for part in literals {
                 let indices = part.split('_').skip(1);
                 for index in indices {
                     let letters = index.chars().take_while(|c| c.is_alphabetic()).count();

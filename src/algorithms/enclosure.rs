@@ -262,14 +262,14 @@ impl Enclosure {
         let known = known_channels(&channels, self.forced);
         let black_rows = self.forced.has(Part::BlackRows);
         let solver = self.settings.solver;
-        let tell = |recorded| Event { solver, recorded };
+        let event = |recorded| Event { solver, recorded };
         let patches = self.patches.len() as u32;
-        recorder.enter(|| tell(SolverEvent::Enclosure { patches }));
+        recorder.enter(|| event(SolverEvent::Enclosure { patches }));
         let areas = self.areas();
         let solved = solve_channels(&areas, channels, known, solver, recorder, |patches, by| {
             solve(&patches.with_black_rows(black_rows), by)
         });
-        recorder.leave(|| tell(SolverEvent::RoomDone));
+        recorder.leave(|| event(SolverEvent::RoomDone));
         let solutions = solved?;
         let [red, green, blue] = &solutions;
         let radiosity = (0..self.patches.len())

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 
-/// Work under way, and what it finds. Dropped, it is cancelled: it ends by itself when it next tells its progress.
+/// Work under way, and what it finds. Dropped, it is cancelled: it ends by itself when it next reports its progress.
 pub struct Work<T> {
     /// None once all has arrived.
     found: Option<Receiver<T>>,

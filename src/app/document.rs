@@ -1,6 +1,6 @@
 //! Scene and lesson files that are edited: the text of a file is what counts, and the last that was right is what is shown.
 
-use super::opened::{Readers, Shown};
+use super::opened::{ReadDocument, Readers};
 use super::session::Session;
 use crate::scene::document::{Problem, one_a_line};
 use crate::scene::edit::Edit;
@@ -20,7 +20,7 @@ pub struct Document {
     path: PathBuf,
     readers: Readers,
     /// What the text is read as.
-    read: Shown,
+    read: ReadDocument,
     text: String,
     /// The last text that was right.
     right: String,
@@ -46,7 +46,7 @@ fn parsed(text: &str) -> Option<Value> {
 
 impl Document {
     /// Errors: why the file cannot be read.
-    pub fn open(path: PathBuf, readers: Readers, read: Shown) -> Result<Self, String> {
+    pub fn open(path: PathBuf, readers: Readers, read: ReadDocument) -> Result<Self, String> {
         let text = (readers.text)(&path)?;
         let on_disk = text.clone();
         Ok(Document {
@@ -56,7 +56,7 @@ impl Document {
     }
 
     /// One whose file is not there yet.
-    pub fn new(path: PathBuf, readers: Readers, read: Shown, text: String) -> Self {
+    pub fn new(path: PathBuf, readers: Readers, read: ReadDocument, text: String) -> Self {
         Document {
             path,
             readers,
@@ -105,7 +105,7 @@ impl Document {
         }
         let read = (self.read)(&self.path, self.text.as_bytes());
         self.problems = match read {
-            Ok(lesson) => session.show_anew(lesson).err().unwrap_or_default(),
+            Ok(lesson) => session.replace_document(lesson).err().unwrap_or_default(),
             Err(problems) => problems,
         };
         if self.problems.is_empty() {

@@ -35,11 +35,11 @@ pub fn show(session: &mut Session, document: &mut Document, ui: &mut Ui) -> Resu
     if action(strings::REDO, nothing, session, ui) {
         document.redo(session);
     }
-    let mut told = Ok(());
+    let mut outcome = Ok(());
     let nothing = unless(!document.is_saved(), strings::SCENE_IS_SAVED);
     let nothing = nothing.filter(|_| !document.in_conflict);
     if action(strings::SCENE_SAVE, nothing, session, ui) {
-        told = document.save(false).map(drop);
+        outcome = document.save(false).map(drop);
     }
     if document.in_conflict {
         let warn = style::color(session.look.theme, Ink::Warn);
@@ -49,8 +49,8 @@ pub fn show(session: &mut Session, document: &mut Document, ui: &mut Ui) -> Resu
             document.take_theirs(session);
         }
         if action(strings::SCENE_SAVE_MINE, None, session, ui) {
-            told = document.save(true).map(drop);
+            outcome = document.save(true).map(drop);
         }
     }
-    told
+    outcome
 }

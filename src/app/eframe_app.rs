@@ -18,11 +18,11 @@ impl App {
         App { session, window }
     }
 
-    /// Opens what was dropped on the page, or tells why it cannot be read.
+    /// Opens what was dropped on the page, or says why it cannot be read.
     #[cfg(target_arch = "wasm32")]
     pub fn open(&mut self, dropped: Result<PathBuf, String>) {
-        let told = dropped.and_then(|path| self.window.open_file(&mut self.session, &path));
-        self.window.notice = told.err();
+        let outcome = dropped.and_then(|path| self.window.open_file(&mut self.session, &path));
+        self.window.notice = outcome.err();
     }
 }
 

@@ -1,6 +1,6 @@
 //! All values of a step: a search among them, and the list, which scrolls.
 
-use super::panel_on::{Shown, panel_on};
+use super::panel_on::{PanelResponse, panel_on};
 use super::panel_view::PanelView;
 use super::session::{Command, Session};
 use super::strings;
@@ -17,7 +17,7 @@ pub fn show(
     commands: &mut Vec<Command>,
     rect: Rect,
     ui: &mut Ui,
-) -> Shown {
+) -> PanelResponse {
     let (mut search, mut list) = (rect, rect);
     search.max.y = rect.min.y + SEARCH.max(ui.spacing().interact_size.y);
     list.min.y = search.max.y;

@@ -34,10 +34,10 @@ const NAMES: f32 = 18.0;
 pub struct MistakesPage {
     /// Right and wrong.
     made: HashMap<Mistake, [TextureHandle; 2]>,
-    making: Option<Work<Made>>,
+    making: Option<Work<DrawnMistake>>,
 }
 
-struct Made {
+struct DrawnMistake {
     mistake: Mistake,
     /// Right and wrong.
     pictures: [ColorImage; 2],
@@ -52,7 +52,7 @@ impl MistakesPage {
             let jobs = missing.map(|&mistake| job(mistake, ctx.clone()));
             Work::begin_all("mistakes", jobs.collect())
         });
-        for Made { mistake, pictures } in making.take() {
+        for DrawnMistake { mistake, pictures } in making.take() {
             let textures = pictures
                 .map(|picture| ctx.load_texture(mistake.name(), picture, TextureOptions::LINEAR));
             self.made.insert(mistake, textures);
@@ -84,10 +84,10 @@ impl MistakesPage {
 }
 
 /// Draws the example of a mistake.
-fn job(mistake: Mistake, ctx: Context) -> Job<Made> {
+fn job(mistake: Mistake, ctx: Context) -> Job<DrawnMistake> {
     Box::new(move |worker| {
         if let Some(pictures) = pictures(mistake, &|| worker.go_on()) {
-            worker.send(Made { mistake, pictures });
+            worker.send(DrawnMistake { mistake, pictures });
             ctx.request_repaint();
         }
     })

@@ -162,7 +162,7 @@ fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui
         }
     }
     if let Some(said) = session.narration_here() {
-        announced(ui.label(prose(session, said.say(language), 14.5, Ink::Text)));
+        announced(ui.label(prose(session, said.text(language), 14.5, Ink::Text)));
         if let Some(slide) = said.slide(language) {
             slide_note(session, slide, ui);
         }

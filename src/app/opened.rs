@@ -12,7 +12,7 @@ use std::time::SystemTime;
 use web_time::Duration;
 
 /// Reads a text, which may not be saved yet, as what is shown of it; other files are found from the path of its own.
-pub type Shown = fn(&Path, &[u8]) -> Result<Lesson, Vec<Problem>>;
+pub type ReadDocument = fn(&Path, &[u8]) -> Result<Lesson, Vec<Problem>>;
 
 /// What reads files. Errors: what is wrong with them, one problem a line.
 #[derive(Clone, Copy)]
@@ -23,8 +23,8 @@ pub struct Readers {
     /// The text of a scene or lesson file.
     pub text: fn(&Path) -> Result<String, String>,
     /// A scene as a walk.
-    pub scene: Shown,
-    pub lesson: Shown,
+    pub scene: ReadDocument,
+    pub lesson: ReadDocument,
     /// Writes a file, whole or not at all.
     pub write: fn(&Path, &[u8]) -> Result<(), String>,
     pub picture: fn(&Path) -> Result<StoredImage, String>,

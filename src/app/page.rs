@@ -17,25 +17,25 @@ use wasm_bindgen_futures::spawn_local;
 use web_sys::js_sys::{Function, Reflect};
 use web_sys::{Event, HtmlCanvasElement};
 
-/// The ids of the page's canvas, of what stands there until it is drawn, and of what is told where it cannot be.
+/// The ids of the page's canvas, of what stands there until it is drawn, and of the message that stands there where it cannot be.
 const CANVAS: &str = "lightwalk";
 const LOADING: &str = "loading";
 const TROUBLE: &str = "trouble";
 /// What the address says of a page in a frame of another one.
 const EMBEDDED: &str = "embed";
-/// The function of the page that takes what is told, as JSON.
-const TELL: &str = "tell";
+/// The function of the page that takes reports, as JSON.
+const REPORT: &str = "report";
 
 /// Shows the window in the page.
 pub fn start() {
     spawn_local(async {
-        let told = run().await;
+        let outcome = run().await;
         let page = web_sys::window().and_then(|window| window.document());
         let element = |id| page.as_ref()?.get_element_by_id(id);
         if let Some(loading) = element(LOADING) {
             loading.remove();
         }
-        if let (Err(why), Some(place)) = (told, element(TROUBLE)) {
+        if let (Err(why), Some(place)) = (outcome, element(TROUBLE)) {
             place.set_text_content(Some(&why));
         }
     });
@@ -80,7 +80,7 @@ async fn run() -> Result<(), String> {
                     app: App::new(session, window, creation),
                     address,
                     leave: Leave::new(),
-                    told: None,
+                    reported: None,
                 }))
             }),
         )
@@ -105,19 +105,19 @@ fn base(page: &web_sys::Window) -> String {
     href.split('#').next().unwrap_or_default().to_owned()
 }
 
-/// The window, with what the page tells of it.
+/// The window, with what the page reports of it.
 struct PageApp {
     app: App,
     address: Address,
     leave: Leave,
-    /// What was told last: the recording, the step and the address, and how the questions stood.
-    told: Option<((u64, usize, String), Vec<Standing>)>,
+    /// What was reported last: the recording, the step and the address, and how the questions stood.
+    reported: Option<((u64, usize, String), Vec<Standing>)>,
 }
 
 impl PageApp {
-    /// Tells where the window is: by the page's title; for screen readers, which see nothing of a canvas, by what is said at the step; and
+    /// Reports where the window is: by the page's title; for screen readers, which see nothing of a canvas, by what is said at the step; and
     /// to the page that has this one in a frame, with how the questions stand.
-    fn tell(&mut self) {
+    fn report(&mut self) {
         let session = &self.app.session;
         let shown = (
             session.recording(),
@@ -125,7 +125,7 @@ impl PageApp {
             session.link().to_string(),
         );
         let standings = session.standings().to_vec();
-        if self.told.as_ref() == Some(&(shown.clone(), standings.clone())) {
+        if self.reported.as_ref() == Some(&(shown.clone(), standings.clone())) {
             return;
         }
         let answers: Vec<_> = session
@@ -141,12 +141,12 @@ impl PageApp {
         });
         let text = text.to_string();
         let page = web_sys::window().map(JsValue::from).unwrap_or_default();
-        let tell = Reflect::get(&page, &TELL.into());
-        if let Some(tell) = tell.ok().as_ref().and_then(JsCast::dyn_ref::<Function>) {
+        let report = Reflect::get(&page, &REPORT.into());
+        if let Some(report) = report.ok().as_ref().and_then(JsCast::dyn_ref::<Function>) {
             // What the page makes of it is its own concern.
-            drop(tell.call1(&page, &text.as_str().into()));
+            drop(report.call1(&page, &text.as_str().into()));
         }
-        self.told = Some((shown, standings));
+        self.reported = Some((shown, standings));
     }
 }
 
@@ -158,8 +158,8 @@ impl eframe::App for PageApp {
             self.app.open(dropped);
         }
         eframe::App::ui(&mut self.app, ui, frame);
-        self.address.tell(&self.app.session);
-        self.tell();
+        self.address.write(&self.app.session);
+        self.report();
         self.leave.ask(!self.app.window.unsaved().is_empty());
         if background::do_next() {
             ui.ctx().request_repaint();
@@ -219,7 +219,7 @@ impl Address {
         self.known = Some(now);
     }
 
-    fn tell(&mut self, session: &Session) {
+    fn write(&mut self, session: &Session) {
         let link = session.link();
         let text = link.to_string();
         if self.known.as_ref() == Some(&text) {
@@ -229,12 +229,12 @@ impl Address {
         let Ok(history) = self.page.history() else {
             return;
         };
-        // A browser that is asked too often refuses for a while: then the next frame tells it.
-        let told = match place(&link) == self.place {
+        // A browser that is asked too often refuses for a while: then the next frame tries again.
+        let written = match place(&link) == self.place {
             true => history.replace_state_with_url(&JsValue::NULL, "", Some(&address)),
             false => history.push_state_with_url(&JsValue::NULL, "", Some(&address)),
         };
-        if told.is_ok() {
+        if written.is_ok() {
             self.place = place(&link);
             self.known = Some(text);
         }

@@ -8,7 +8,7 @@ use crate::picture::Tag;
 use egui::{Key, Rect, Response, Ui};
 
 /// What came of showing a panel.
-pub struct Shown {
+pub struct PanelResponse {
     pub command: Option<Command>,
     pub under: Option<Tag>,
     /// Whether a place that shows nothing was clicked twice.
@@ -28,7 +28,7 @@ pub fn panel_on(
     view: &mut PanelView,
     rect: Rect,
     ui: &mut Ui,
-) -> Shown {
+) -> PanelResponse {
     let (response, under) = view.show(session, panel, rect, Scale::Full, ui);
     let mut command = None;
     let went = response.double_clicked() || entered(&response, ui);
@@ -90,7 +90,7 @@ pub fn panel_on(
     // A double click into the ray tree or the scene fits it.
     let fits = matches!(panel, Panel::RayTree | Panel::Space);
     let filled = response.double_clicked() && under.is_none() && !fits;
-    Shown {
+    PanelResponse {
         command,
         under,
         filled,

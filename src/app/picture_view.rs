@@ -88,7 +88,7 @@ impl<K: PartialEq> PictureView<K> {
     pub fn paint(&self, place: Place, name: &str, response: &Response, ui: &Ui) -> Option<Tag> {
         let rect = place.rect;
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, name));
-        // Without the braces that only tell how a symbol is set.
+        // Without the braces that only say how a symbol is set.
         let spoken = self.alt().replace(['{', '}'], "");
         ui.ctx()
             .accesskit_node_builder(response.id, |node| node.set_description(spoken));

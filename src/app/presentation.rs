@@ -108,7 +108,7 @@ pub fn show(
 /// What is said here in one sentence, or what the step does.
 fn sentence(session: &Session, window: &Window, size: f32, ui: &mut Ui) {
     let said = session.narration_here();
-    let said = said.map(|said| first_sentence(said.say(session.look.language)));
+    let said = said.map(|said| first_sentence(said.text(session.look.language)));
     let step = window.views.get(&Panel::Formula).map(|view| view.alt());
     let words = said.or(step).unwrap_or_default();
     ui.add(Label::new(prose(session, words, size, Ink::Text)).wrap());

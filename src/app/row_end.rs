@@ -2,7 +2,7 @@
 
 use egui::{Align, Layout, Rect, Ui, UiBuilder, pos2};
 
-/// Puts `contents` at the right end of the row that `ui` is; it is told the room that there is. Returns what is left of the row before
+/// Puts `contents` at the right end of the row that `ui` is; it is given the room that there is. Returns what is left of the row before
 /// it. Its width is that of the frame before, which is done again where the two differ.
 pub fn row_end(ui: &mut Ui, contents: impl FnOnce(&mut Ui, f32)) -> Rect {
     let id = ui.scope_id().with("row end");

@@ -3,7 +3,7 @@
 use super::background::Work;
 use super::opened::Readers;
 use super::session::{Session, TakeAway};
-use crate::export::{Contents, Shown, deck, handout};
+use crate::export::{Contents, ExportedLesson, deck, handout};
 use crate::language::Language;
 use crate::lesson::Lesson;
 use crate::panels::{Panel, draw};
@@ -17,10 +17,10 @@ const PICTURE: Vec2 = Vec2::new(960.0, 600.0);
 const SCALE: f32 = 2.0;
 
 /// A file, before it is written: its name, and what is in it. An error says why there is none.
-pub type Made = Result<(String, Vec<u8>), String>;
+pub type NewFile = Result<(String, Vec<u8>), String>;
 
 /// Begins to make it. A page does so between two frames.
-pub fn begin(session: &Session, what: TakeAway) -> Work<Made> {
+pub fn begin(session: &Session, what: TakeAway) -> Work<NewFile> {
     let lesson = session.lesson().clone();
     let look = session.look;
     match what {
@@ -51,7 +51,7 @@ pub fn begin(session: &Session, what: TakeAway) -> Work<Made> {
 }
 
 /// The key panel at this step.
-fn picture(session: &Session) -> Made {
+fn picture(session: &Session) -> NewFile {
     let panel = session.key_panel().unwrap_or(Panel::Image);
     let drawn = draw(panel, &session.panel_input(), PICTURE);
     let pixels = rasterize(&drawn, session.look.theme, SCALE).map_err(|error| error.to_string())?;
@@ -64,19 +64,20 @@ fn document(
     lesson: Lesson,
     language: Language,
     kind: &str,
-    write: impl FnOnce(&mut Shown, &[usize]) -> String,
-) -> Made {
+    write: impl FnOnce(&mut ExportedLesson, &[usize]) -> String,
+) -> NewFile {
     let open = lesson.open().map_err(|error| error.to_string())?;
     let panels = open.lesson.panels.clone();
     let name = format!("{}-{kind}-{}.html", open.lesson.id, language.code());
     // Another thread renders what the window shows.
-    let mut shown = Shown::new(open, &panels, language, NonZeroUsize::MIN, &|_, _| ()).asking();
+    let mut shown =
+        ExportedLesson::new(open, &panels, language, NonZeroUsize::MIN, &|_, _| ()).asking();
     let steps = shown.narrated().to_vec();
     Ok((name, write(&mut shown, &steps).into_bytes()))
 }
 
 /// Writes it beside what is there. Returns the name under which it was saved.
-pub fn save(made: Made, readers: Readers) -> Result<String, String> {
+pub fn save(made: NewFile, readers: Readers) -> Result<String, String> {
     let (name, bytes) = made?;
     let path = free(&name);
     (readers.write)(&path, &bytes)?;

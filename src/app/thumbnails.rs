@@ -24,10 +24,10 @@ pub struct Thumbnail {
 pub struct Thumbnails {
     made: HashMap<String, Thumbnail>,
     /// Dropped, it ends within milliseconds.
-    making: Option<Work<Made>>,
+    making: Option<Work<DrawnThumbnail>>,
 }
 
-struct Made {
+struct DrawnThumbnail {
     id: String,
     image: ColorImage,
     background: Color32,
@@ -51,7 +51,7 @@ impl Thumbnails {
             let jobs = missing.map(|(id, own)| job(id, own, ctx.clone()));
             Work::begin_all("thumbnails", jobs.collect())
         });
-        for Made {
+        for DrawnThumbnail {
             id,
             image,
             background,
@@ -77,7 +77,7 @@ impl Thumbnails {
 }
 
 /// Makes the picture of a lesson, which is one of the program's own unless given.
-fn job(id: String, own: Option<Lesson>, ctx: Context) -> Job<Made> {
+fn job(id: String, own: Option<Lesson>, ctx: Context) -> Job<DrawnThumbnail> {
     Box::new(move |worker| {
         if let Some(made) = make(id, own, &|| worker.go_on()) {
             worker.send(made);
@@ -90,12 +90,12 @@ fn job(id: String, own: Option<Lesson>, ctx: Context) -> Job<Made> {
 type GoOn<'a> = dyn Fn() -> Result<(), Cancelled> + Sync + 'a;
 
 /// None where the lesson cannot be drawn, or the work was cancelled.
-fn make(id: String, own: Option<Lesson>, go_on: &GoOn) -> Option<Made> {
+fn make(id: String, own: Option<Lesson>, go_on: &GoOn) -> Option<DrawnThumbnail> {
     let read = || builtin(&id)?.read().ok();
     let lesson = own.or_else(read)?;
     let background = color(lesson.scene.background);
     let image = draw(lesson, go_on)?;
-    Some(Made {
+    Some(DrawnThumbnail {
         id,
         image,
         background,

@@ -282,7 +282,7 @@ impl Window {
     /// Opens what is dropped on the window, and reads again what was saved.
     fn open_files(&mut self, session: &mut Session, ctx: &egui::Context) {
         let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
-        let told = match dropped {
+        let outcome = match dropped {
             Some(file) => Some(self.open_file(session, file.path()).map(|()| None)),
             None => {
                 let opened = self.opened.as_mut();
@@ -290,8 +290,8 @@ impl Window {
                 read.map(|read| read.map(Some))
             }
         };
-        if let Some(told) = told {
-            self.notice = match told {
+        if let Some(outcome) = outcome {
+            self.notice = match outcome {
                 Ok(said) => said.map(|said| session.localize(said).to_owned()),
                 Err(why) => Some(why),
             };

@@ -11,7 +11,7 @@ use super::panel_view::{Key, PanelView};
 use super::scene_page::ScenePage;
 use super::session::Session;
 use super::study_plot::StudyPlot;
-use super::take_away::Made;
+use super::take_away::NewFile;
 use crate::panels::Panel;
 use crate::picture::Theme;
 use std::collections::HashMap;
@@ -50,7 +50,7 @@ pub struct Window {
     /// Whether it stands in a page of somebody else's, without its bar.
     pub(super) embedded: bool,
     /// What is made to be taken away.
-    pub(super) taking: Vec<Work<Made>>,
+    pub(super) taking: Vec<Work<NewFile>>,
     pub(super) closing: Closing,
     /// Where progress is kept; nowhere in tests.
     pub(super) keeper: Option<Keeper>,

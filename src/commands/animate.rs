@@ -6,7 +6,7 @@ use super::of_lesson::{LessonArguments, ThemeArgument};
 use super::output;
 use super::progress::Progress;
 use crate::color::{Animation, AnimationFormat};
-use crate::export::{SMALLEST_CARD, Shown, card, reading_seconds};
+use crate::export::{ExportedLesson, SMALLEST_CARD, card, reading_seconds};
 use crate::lesson::OpenLesson;
 use crate::panels::Panel;
 use crate::picture::{raster_size, rasterize, to_rgb8};
@@ -133,7 +133,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 
 /// The picture of a step, and how long it is shown.
 fn frame(
-    shown: &mut Shown,
+    shown: &mut ExportedLesson,
     arguments: &Arguments,
     chosen: Option<Panel>,
     step: usize,

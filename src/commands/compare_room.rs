@@ -4,7 +4,7 @@ use super::arguments::LimitArguments;
 use super::failure::Failure;
 use super::files;
 use super::form_factors::{MemoryArgument, enclosure, matrix_of};
-use super::matrix_difference::{compare_matrix, place, read_matrix, tell, with_place};
+use super::matrix_difference::{compare_matrix, place, print, read_matrix, with_place};
 use super::radiosity::{SystemArguments, light};
 use crate::algorithms::enclosure::{Enclosure, Settings};
 use crate::color::Rgb;
@@ -49,12 +49,12 @@ pub fn radiosity(room: &Room, path: &Path) -> Result<(), Failure> {
     let (matrix, tolerance) = (matrix_of(&enclosure), room.tolerance);
     let found = room_light::compare(&mine, ours, &enclosure, matrix, tolerance);
     let (off, all) = (found.off, found.patches);
-    let told = match room.in_json {
+    let text = match room.in_json {
         true => with_place(json!(found), &scene, &enclosure, "patch").to_string() + "\n",
         false => light_in_words(&found, &scene, &enclosure, tolerance),
     };
     let failed = format!("{off} of {all} radiosities differ by more than {tolerance}");
-    tell(&told, off, failed)
+    print(&text, off, failed)
 }
 
 /// The scene's patches. The settings are those of the scene unless given.

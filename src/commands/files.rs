@@ -263,7 +263,7 @@ pub fn reason(error: &std::io::Error) -> String {
     }
 }
 
-/// What the processor is called, where the system tells it in the place where Linux does.
+/// What the processor is called, where the system says it in the place where Linux does.
 pub fn processor_name() -> Option<String> {
     let recorded = fs::read_to_string("/proc/cpuinfo").ok()?;
     let line = recorded

@@ -10,7 +10,7 @@ use crate::panels::{said, written_formulas};
 use crate::picture::plain;
 use crate::replay::Run;
 use crate::study::follow::{
-    Difference, Followed, OtherValue, Told, ToldValue, explained_by, follow, read,
+    Difference, Followed, OtherValue, TraceLine, TraceValue, explained_by, follow, read,
 };
 use crate::study::mistakes::Mistake;
 use serde_json::{Value as Json, json};
@@ -59,11 +59,11 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         explained_by(&setup, (&run, focus), &trace, (tolerance, &followed))
     });
     let mut out = std::io::stdout();
-    let told = match arguments.json {
+    let text = match arguments.json {
         true => in_json(&followed, &trace, &mistakes, &run).to_string() + "\n",
         false => in_words(&followed, &trace, &mistakes, &run),
     };
-    out.write_all(told.as_bytes())?;
+    out.write_all(text.as_bytes())?;
     match followed.difference {
         None => Ok(()),
         Some(_) => Err(Failure::Failed(format!(
@@ -76,7 +76,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
 
 /// The channel in which the two values differ the most.
 fn channel(other: &OtherValue) -> usize {
-    let (ToldValue::Three(theirs), Some(ToldValue::Three(ours))) = (&other.theirs, &other.ours)
+    let (TraceValue::Three(theirs), Some(TraceValue::Three(ours))) = (&other.theirs, &other.ours)
     else {
         return 0;
     };
@@ -98,10 +98,10 @@ fn explained(run: &Run, other: &OtherValue) -> Vec<String> {
 
 /// Both values, to as many digits as it takes to tell them apart.
 fn written(other: &OtherValue) -> [String; 2] {
-    let short = |value: &ToldValue| match value {
-        ToldValue::Number(Some(number)) => Language::English.number(*number),
-        ToldValue::Number(None) => "not finite".to_owned(),
-        ToldValue::Three(three) => {
+    let short = |value: &TraceValue| match value {
+        TraceValue::Number(Some(number)) => Language::English.number(*number),
+        TraceValue::Number(None) => "not finite".to_owned(),
+        TraceValue::Three(three) => {
             let numbers = three.map(|number| Language::English.number(number));
             format!("[{}]", Language::English.list(numbers))
         }
@@ -117,7 +117,7 @@ fn written(other: &OtherValue) -> [String; 2] {
     }
 }
 
-fn in_words(followed: &Followed, trace: &[Told], mistakes: &[Mistake], run: &Run) -> String {
+fn in_words(followed: &Followed, trace: &[TraceLine], mistakes: &[Mistake], run: &Run) -> String {
     let mut lines = vec![format!("{} of {} steps agree", followed.agree, trace.len())];
     match &followed.difference {
         None => {}
@@ -144,7 +144,7 @@ fn in_words(followed: &Followed, trace: &[Told], mistakes: &[Mistake], run: &Run
     lines.join("\n") + "\n"
 }
 
-fn in_json(followed: &Followed, trace: &[Told], mistakes: &[Mistake], run: &Run) -> Json {
+fn in_json(followed: &Followed, trace: &[TraceLine], mistakes: &[Mistake], run: &Run) -> Json {
     let names: Vec<&str> = mistakes.iter().map(|mistake| mistake.name()).collect();
     let difference = match &followed.difference {
         None => Json::Null,

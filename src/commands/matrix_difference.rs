@@ -44,20 +44,20 @@ pub fn compare_matrix(
         .map(|rho| rho.channels())
         .collect();
     let found = matrix::compare(mine, reference, &areas, &rho, tolerance, unblocked);
-    let told = match in_json {
+    let text = match in_json {
         true => with_place(json!(found), scene, enclosure, "row").to_string() + "\n",
         false => matrix_in_words(&found, scene, enclosure, tolerance),
     };
     let (off, all) = (found.off, mine.len());
-    tell(
-        &told,
+    print(
+        &text,
         off,
         format!("{off} of {all} entries differ by more than {tolerance}"),
     )
 }
 
-pub fn tell(told: &str, off: usize, failed: String) -> Result<(), Failure> {
-    std::io::stdout().write_all(told.as_bytes())?;
+pub fn print(text: &str, off: usize, failed: String) -> Result<(), Failure> {
+    std::io::stdout().write_all(text.as_bytes())?;
     match off {
         0 => Ok(()),
         _ => Err(Failure::Failed(failed)),

@@ -86,7 +86,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         return Ok(());
     }
     writeln!(out, "{} of {}", method.name(), path.display())?;
-    tell_list(&setup, method, &skipped, &mut out)?;
+    write_list(&setup, method, &skipped, &mut out)?;
     match measured {
         Some(Ok(ablations)) => print_ablations(&ablations, method, &mut out),
         Some(Err(why)) => Ok(writeln!(out, "not measured: {why}")?),
@@ -114,7 +114,7 @@ fn needed(method: Method, skipped: &[LeftOut]) -> impl Iterator<Item = Part> {
     Part::ALL.into_iter().filter(is_needed)
 }
 
-fn tell_list(
+fn write_list(
     setup: &Setup,
     method: Method,
     skipped: &[LeftOut],

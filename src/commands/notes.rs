@@ -17,7 +17,7 @@ pub fn print(name: &dyn std::fmt::Display, notes: &[Note]) {
     }
 }
 
-/// Notes on options that were given although `method` has no use for them; `has_use` tells which methods have.
+/// Notes on options that were given although `method` has no use for them; `has_use` says which methods have.
 pub fn without_effect(
     given: impl IntoIterator<Item = &'static str>,
     method: Method,

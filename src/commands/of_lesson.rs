@@ -6,7 +6,7 @@ use super::files::{self, Document};
 use super::notes;
 use super::output;
 use super::progress::{Progress, named};
-use crate::export::Shown;
+use crate::export::ExportedLesson;
 use crate::language::Language;
 use crate::lesson::OpenLesson;
 use crate::panels::Panel;
@@ -51,10 +51,10 @@ impl LessonArguments {
     }
 
     /// The lesson with what these panels show, rendered on all cores.
-    pub fn show(&self, open: OpenLesson, panels: &[Panel]) -> Shown {
+    pub fn show(&self, open: OpenLesson, panels: &[Panel]) -> ExportedLesson {
         let threads = available_parallelism().unwrap_or(NonZeroUsize::MIN);
         let rendering = Progress::new("rendering");
-        Shown::new(open, panels, self.language, threads, &|done, all| {
+        ExportedLesson::new(open, panels, self.language, threads, &|done, all| {
             rendering.show(done, all)
         })
     }
@@ -64,7 +64,7 @@ impl LessonArguments {
     pub fn write_document(
         &self,
         out: &Path,
-        make: impl FnOnce(&mut Shown, &[usize], &dyn Fn(usize)) -> String,
+        make: impl FnOnce(&mut ExportedLesson, &[usize], &dyn Fn(usize)) -> String,
     ) -> Result<(), Failure> {
         output::check_ending("--out", out, &["html"])?;
         output::check_output(out)?;
@@ -115,7 +115,7 @@ impl StepsArguments {
             return Ok(range.clone().collect());
         }
         if self.step.is_empty() {
-            return Ok(open.narrated.iter().map(|told| told.step).collect());
+            return Ok(open.narrated.iter().map(|narrated| narrated.step).collect());
         }
         for &step in &self.step {
             within(format!("--step {step}"), step.saturating_add(1))?;

@@ -1,4 +1,4 @@
-//! Files that are written: they appear whole or not at all, and what is wrong with their names is told before the work.
+//! Files that are written: they appear whole or not at all, and what is wrong with their names is reported before the work.
 
 use super::failure::{Failure, unwritable};
 use super::files::folder_of;

@@ -128,7 +128,7 @@ fn two(text: &str) -> Option<[u32; 2]> {
 }
 
 /// What is said of a run that is too long to be recorded whole.
-pub const TRUNCATED: &str = "the recording met its memory limit, and tells only the beginning; choose --polygon, --scan-line or --pixel";
+pub const TRUNCATED: &str = "the recording met its memory limit, and holds only the beginning; choose --polygon, --scan-line or --pixel";
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     if let Some(out) = &arguments.out {

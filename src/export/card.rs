@@ -1,6 +1,6 @@
 //! An explanation as one picture: its title, its panel, and under it what is said.
 
-use super::{Page, Shown};
+use super::{ExportedLesson, Page};
 use crate::picture::{Ink, Picture, Rect, Style, braced, elide, wrap};
 use glam::Vec2;
 
@@ -21,7 +21,7 @@ pub fn reading_seconds(page: &Page) -> f64 {
 }
 
 /// The page with the number `place` of so many.
-pub fn card(shown: &mut Shown, page: &Page, place: [usize; 2], size: Vec2) -> Picture {
+pub fn card(shown: &mut ExportedLesson, page: &Page, place: [usize; 2], size: Vec2) -> Picture {
     // Code has no type of its own here.
     let said = braced(&page.said.replace('`', ""));
     let width = size.x - 2.0 * MARGIN;

@@ -2,7 +2,7 @@
 
 use super::html::{code, figure, words};
 use super::question::{answered, asked};
-use super::{Page, Shown};
+use super::{ExportedLesson, Page};
 use crate::language::Message;
 use crate::panels::Panel;
 use crate::picture::{Picture, Theme};
@@ -16,7 +16,12 @@ const FORMULA: Vec2 = Vec2::new(920.0, 200.0);
 const GROWN: f32 = 1.25;
 
 /// The sections, with the style that they need. `progress` hears how many steps are done.
-pub fn deck(shown: &mut Shown, steps: &[usize], theme: Theme, progress: &dyn Fn(usize)) -> String {
+pub fn deck(
+    shown: &mut ExportedLesson,
+    steps: &[usize],
+    theme: Theme,
+    progress: &dyn Fn(usize),
+) -> String {
     let language = shown.language;
     let lesson = &shown.open.lesson;
     let id = lesson.id.clone();
@@ -53,7 +58,7 @@ pub fn deck(shown: &mut Shown, steps: &[usize], theme: Theme, progress: &dyn Fn(
 }
 
 /// The picture of a step, with what is said there beside it and the formulas below.
-fn said(shown: &mut Shown, page: &Page, theme: Theme, id: &str) -> String {
+fn said(shown: &mut ExportedLesson, page: &Page, theme: Theme, id: &str) -> String {
     let language = shown.language;
     let words = format!(
         "<p>{}</p>\n<p>{}</p>\n",
@@ -70,7 +75,7 @@ fn said(shown: &mut Shown, page: &Page, theme: Theme, id: &str) -> String {
 }
 
 /// The formulas in the largest type with room for all; where there is none, as in the window.
-fn formula(shown: &mut Shown, step: usize, theme: Theme) -> Option<Picture> {
+fn formula(shown: &mut ExportedLesson, step: usize, theme: Theme) -> Option<Picture> {
     let room = FORMULA / GROWN / theme.text_scale();
     let whole = shown.formula(step, room.x)?;
     Some(match whole.height <= room.y {
@@ -79,7 +84,7 @@ fn formula(shown: &mut Shown, step: usize, theme: Theme) -> Option<Picture> {
     })
 }
 
-fn picture(shown: &mut Shown, page: &Page, theme: Theme, id: &str) -> String {
+fn picture(shown: &mut ExportedLesson, page: &Page, theme: Theme, id: &str) -> String {
     let picture = shown.draw(page.panel, page.step, PICTURE / theme.text_scale());
     let title = page.panel.title().text(shown.language);
     figure(&picture, title, theme, "panel", id)

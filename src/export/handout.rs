@@ -3,7 +3,7 @@
 
 use super::html::{code, escaped, figure, words};
 use super::question::{answered, asked, room};
-use super::{Page, Shown};
+use super::{ExportedLesson, Page};
 use crate::language::Message;
 use crate::panels::Panel;
 use crate::picture::{Picture, Theme, plain};
@@ -23,7 +23,11 @@ pub struct Contents<'a> {
 }
 
 /// The whole file. `progress` hears how many steps are done.
-pub fn handout(shown: &mut Shown, contents: &Contents, progress: &dyn Fn(usize)) -> String {
+pub fn handout(
+    shown: &mut ExportedLesson,
+    contents: &Contents,
+    progress: &dyn Fn(usize),
+) -> String {
     let language = shown.language;
     let mut body = String::new();
     let mut answers = String::new();
@@ -71,7 +75,7 @@ pub fn handout(shown: &mut Shown, contents: &Contents, progress: &dyn Fn(usize))
 }
 
 /// A step up to its question; it is left open.
-fn section(shown: &mut Shown, page: &Page, number: usize) -> String {
+fn section(shown: &mut ExportedLesson, page: &Page, number: usize) -> String {
     let language = shown.language;
     let drawn = |panel: Panel, picture: &Picture, class: &str, id: &str| {
         let title = panel.title().text(language);
@@ -106,7 +110,7 @@ fn section(shown: &mut Shown, page: &Page, number: usize) -> String {
 }
 
 /// A section behind the steps.
-fn last(class: &str, title: &'static str, contents: String, shown: &Shown) -> String {
+fn last(class: &str, title: &'static str, contents: String, shown: &ExportedLesson) -> String {
     let title = Message(title).text(shown.language);
     format!("<section class=\"{class}\">\n<h2>{title}</h2>\n{contents}\n</section>\n")
 }

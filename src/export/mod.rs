@@ -13,4 +13,4 @@ pub use card::{SMALLEST_CARD, card, reading_seconds};
 pub use deck::deck;
 pub use handout::{Contents, handout};
 pub use page::Page;
-pub use shown::Shown;
+pub use shown::ExportedLesson;

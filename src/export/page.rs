@@ -1,4 +1,4 @@
-//! What is told at one step.
+//! What is said at one step.
 
 use crate::lesson::Question;
 use crate::panels::Panel;

@@ -15,7 +15,7 @@ use std::convert::Infallible;
 use std::num::NonZeroUsize;
 
 /// What pictures of a lesson's steps are drawn of.
-pub struct Shown {
+pub struct ExportedLesson {
     pub open: OpenLesson,
     pub language: Language,
     /// Whether the lesson's questions wait at their steps, and hide what lies ahead.
@@ -25,7 +25,7 @@ pub struct Shown {
     narrated: Vec<usize>,
 }
 
-impl Shown {
+impl ExportedLesson {
     /// Renders what `panels` show beside the steps. `progress` hears how much of that is done.
     pub fn new(
         open: OpenLesson,
@@ -56,7 +56,7 @@ impl Shown {
             finished.race = race;
         }
         let narrated = open.narrated.iter().map(|said| said.step).collect();
-        Shown {
+        ExportedLesson {
             open,
             language,
             asks: false,
@@ -67,7 +67,7 @@ impl Shown {
 
     /// As somebody sees it who has answered no question yet.
     pub fn asking(self) -> Self {
-        Shown { asks: true, ..self }
+        ExportedLesson { asks: true, ..self }
     }
 
     /// The steps at which the lesson says something, ascending.
@@ -90,12 +90,12 @@ impl Shown {
         (height > 0.0).then(|| draw(Panel::Formula, &input, Vec2::new(width, height)))
     }
 
-    /// What is told at a step: by the lesson, or else by the step itself.
+    /// What is narrated at a step: by the lesson, or else by the step itself.
     pub fn page(&self, step: usize) -> Page {
         let walk = self.open.run.walk();
         let language = self.language;
-        let told = self.told(step);
-        let title = told.and_then(|told| told.title.as_ref());
+        let narrated = self.narrated_at(step);
+        let title = narrated.and_then(|narrated| narrated.title.as_ref());
         let line = walk.line(step);
         let listing = line.listing.text(line.number, language);
         Page {
@@ -104,22 +104,22 @@ impl Shown {
                 Some(title) => title.in_language(language).to_owned(),
                 None => kind_name(walk.kind(step), language),
             },
-            said: match told {
-                Some(told) => told.say(language).to_owned(),
+            said: match narrated {
+                Some(narrated) => narrated.text(language).to_owned(),
                 None => said(&self.open.run, step, language),
             },
-            slide: told.and_then(|told| told.slide(language).map(str::to_owned)),
-            question: told.and_then(|told| told.question.clone()),
+            slide: narrated.and_then(|narrated| narrated.slide(language).map(str::to_owned)),
+            question: narrated.and_then(|narrated| narrated.question.clone()),
             code: listing.trim().to_owned(),
-            panel: self.panel(told),
+            panel: self.panel(narrated),
         }
     }
 
     /// The panel that an explanation is about, or in which its question is answered.
-    fn panel(&self, told: Option<&Narrated>) -> Panel {
+    fn panel(&self, narrated: Option<&Narrated>) -> Panel {
         let panels = &self.open.lesson.panels;
-        let named = told.and_then(|told| told.key).into_iter();
-        let question = told.and_then(|told| told.question.as_ref());
+        let named = narrated.and_then(|narrated| narrated.key).into_iter();
+        let question = narrated.and_then(|narrated| narrated.question.as_ref());
         let fits = question.map_or(&[][..], |question| question.answer.panels());
         let mut wished = named.chain(panels.iter().copied());
         wished
@@ -129,13 +129,16 @@ impl Shown {
             .unwrap_or(Panel::Image)
     }
 
-    fn told(&self, step: usize) -> Option<&Narrated> {
+    fn narrated_at(&self, step: usize) -> Option<&Narrated> {
         let index = self.narrated.binary_search(&step).ok()?;
         Some(&self.open.narrated[index])
     }
 
     fn question(&self, step: usize) -> Option<&Question> {
-        self.told(step)?.question.as_ref().filter(|_| self.asks)
+        self.narrated_at(step)?
+            .question
+            .as_ref()
+            .filter(|_| self.asks)
     }
 
     fn input(&self, step: usize) -> PanelInput<'_> {

@@ -145,7 +145,7 @@ impl Answer {
         }
     }
 
-    /// What a wrong guess can be told about the right one; a hint of the lesson's own follows.
+    /// What may be said about the right one after a wrong guess; a hint of the lesson's own follows.
     pub fn hint(&self, guess: &Guess, language: Language) -> String {
         match (self, guess) {
             (&Answer::Number { value, .. }, Guess::Number(text)) => {

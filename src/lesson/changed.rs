@@ -124,7 +124,7 @@ fn verdicts(lesson: &Lesson, change: Change, faults: &mut BTreeSet<String>) -> O
         lesson.focus,
         RecordingLimit::default(),
     );
-    let narrated = lesson.narrate(&run).ok()?;
+    let narrated = lesson.narrate_changed(&run).ok()?;
     let mut decided = 0;
     for said in &narrated {
         let step = &lesson.steps[said.index];

@@ -13,7 +13,7 @@ use crate::replay::{Query, Run, Walk, query};
 use crate::scene::document::{Keyed, Problem};
 
 /// Finds every narrated step, in order, and fills in its texts. In a `changed` run a question may have no answer, and a step that does not
-/// happen is told at the one before it, or at the first.
+/// happen is narrated at the one before it, or at the first.
 pub(super) fn narrate(
     steps: &[StepFile],
     run: &Run,

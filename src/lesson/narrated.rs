@@ -40,7 +40,7 @@ pub struct Question {
 }
 
 impl Narrated {
-    pub fn say(&self, language: Language) -> &str {
+    pub fn text(&self, language: Language) -> &str {
         &self.say[language as usize]
     }
 

@@ -180,7 +180,7 @@ impl Lesson {
             self.focus,
             RecordingLimit::default(),
         );
-        let narrated = self.told(&run)?;
+        let narrated = self.narrate_unlocated(&run)?;
         Ok(OpenLesson {
             lesson: self,
             setup,
@@ -198,12 +198,13 @@ impl Lesson {
     }
 
     /// What is said in the lesson's own run. Errors: every anchor, value and answer that is not in it.
-    pub fn tell(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
+    pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
         let text = self.text.as_deref().unwrap_or_default();
-        self.told(run).map_err(|error| error.located(text))
+        self.narrate_unlocated(run)
+            .map_err(|error| error.located(text))
     }
 
-    fn told(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
+    fn narrate_unlocated(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
         let narrated = narrate(&self.steps, run, false)?;
         check_panels(&narrated, &self.panels)?;
         Ok(narrated)
@@ -211,7 +212,7 @@ impl Lesson {
 
     /// What is said in a run of the lesson's own part, whose scene may be changed: questions that have no answer then are
     /// undecided. Errors: every anchor and value that is not in the run.
-    pub fn narrate(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
+    pub fn narrate_changed(&self, run: &Run) -> Result<Vec<Narrated>, LessonError> {
         narrate(&self.steps, run, true)
     }
 }

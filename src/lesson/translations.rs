@@ -1,4 +1,4 @@
-//! Every text of a lesson file: none is empty, and those that are in one language are told.
+//! Every text of a lesson file: none is empty, and those that are in one language are reported.
 
 use super::error::problem;
 use super::file::{AnswerFile, LessonFile};
@@ -107,7 +107,7 @@ pub fn check(file: &LessonFile, problems: &mut Vec<Problem>) -> Vec<Note> {
         .collect()
 }
 
-/// A lesson that is written in one language is told of once.
+/// A lesson that is written in one language is reported once.
 fn notes_of(language: Language, places: Vec<String>, texts: usize) -> Vec<Note> {
     let [name, other] = match language {
         Language::Indonesian => ["Indonesian", "English"],

@@ -275,7 +275,7 @@ mod tests {
         let texts = texts(&picture);
         let shown = |text: &str| texts.iter().any(|(shown, _)| *shown == text);
         let Some(Value::Number(x_4)) = recorded.get("x_4") else {
-            panic!("an edge tells x_4")
+            panic!("an edge has x_4")
         };
         assert!(shown(&Language::English.fixed(x_4, 2)));
         assert!(shown(&numbers(
@@ -286,7 +286,7 @@ mod tests {
         let (Some(Value::Integer(upper)), Some(Value::Integer(lower))) =
             (recorded.get("upper"), recorded.get("lower"))
         else {
-            panic!("an edge tells its ends")
+            panic!("an edge has its ends")
         };
         assert!(shown(&format!("{}–{}", upper + 1, lower + 1)));
         assert!(picture.alt.contains("Edge interpolated"));

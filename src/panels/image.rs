@@ -27,7 +27,7 @@ use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, ascent, elide};
 use crate::replay::shading::Dot;
 use crate::replay::{Canvas, Run};
 use glam::{UVec2, Vec2};
-use layers::Shown;
+use layers::ShownLayer;
 use light::Light;
 use marks::Marks;
 use placing::Placing;
@@ -57,7 +57,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let Some(placing) = placing else {
         return picture;
     };
-    let shown = Shown::of(input);
+    let shown = ShownLayer::of(input);
     let hidden = input.hidden_pixels(&input.finished.picture);
     let (image, drawn) = image(input, shown.as_ref(), hidden.as_deref());
     picture.clipped(placing.frame, |picture| {
@@ -118,7 +118,7 @@ fn pixels(input: &PanelInput) -> UVec2 {
 /// Where the picture stands, in a panel of that size.
 fn area(input: &PanelInput, size: Vec2) -> Rect {
     let is_said = input.run.canvas().is_some() || light::title(input).is_some();
-    let has_row = is_said || Shown::of(input).is_some();
+    let has_row = is_said || ShownLayer::of(input).is_some();
     let row = if has_row { CAPTION_HEIGHT } else { 0.0 };
     Rect::new(0.0, 0.0, size.x, size.y - row)
 }
@@ -172,7 +172,11 @@ fn alt(input: &PanelInput, marks: Option<&Marks>, drawn: usize) -> String {
 }
 
 /// The picture so far, or a layer of its pixels; and how many pixels are drawn.
-fn image(input: &PanelInput, shown: Option<&Shown>, hidden: Option<&[bool]>) -> (Image, usize) {
+fn image(
+    input: &PanelInput,
+    shown: Option<&ShownLayer>,
+    hidden: Option<&[bool]>,
+) -> (Image, usize) {
     let size = pixels(input);
     let (image, drawn) = match input.run.canvas() {
         Some(canvas) => so_far(input, canvas, hidden),

@@ -268,7 +268,7 @@ fn standing(racer: &Racer, now: Now, language: Language) -> String {
     let effort = format!(
         "{} · {} {unit}",
         last.iterations,
-        // No clock tells more than three digits.
+        // No clock is good for more than three digits.
         language.significant(many * last.seconds, 3)
     );
     match racer.unsolved {

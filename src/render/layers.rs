@@ -1,6 +1,6 @@
 //! What is known of the pixels of a picture beside their colours: what the first ray through each meets, and how many rays it takes.
 //!
-//! A method that follows rays tells it by its own events. For the others a ray is cast through the centre of each pixel.
+//! A method that follows rays records it in its own events. For the others a ray is cast through the centre of each pixel.
 
 use super::tally::RayCounts;
 use crate::algorithms::ray_tracing;
@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn layers_tell_what_is_seen_and_count_the_rays_of_the_picture() {
+    fn layers_show_what_is_seen_and_count_the_rays_of_the_picture() {
         let setup = setup();
         let all = |method| {
             let Ok(layers) = layers(&setup, method, |_, _| Ok::<(), Infallible>(()));

@@ -22,7 +22,7 @@ pub struct Dot {
     pub color: Rgb,
     /// The step that coloured it, if any.
     pub step: Option<u32>,
-    /// Of what was drawn there, along the view; infinite where none was told.
+    /// Of what was drawn there, along the view; infinite where none was recorded.
     pub depth: f64,
 }
 

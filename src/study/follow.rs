@@ -1,8 +1,8 @@
 //! A trace of another program against the steps of a run: the first step that differs.
 //!
-//! A trace has a line for each step that it tells: the kind, and those values that the program has. Lines of one kind may come in any
+//! A trace has a line for each step that it records: the kind, and those values that the program has. Lines of one kind may come in any
 //! order within a scope, and so may scopes; steps may be left out. A line belongs to a step of its kind that has its values, first of all
-//! in the scope that is nearest to the line before, of those with one that no line has told yet; where no step has them, the line differs
+//! in the scope that is nearest to the line before, of those with one that no line has matched yet; where no step has them, the line differs
 //! from one of that nearest scope.
 
 mod read;
@@ -19,18 +19,18 @@ pub use read::read;
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A step as another program tells it.
+/// A step as another program records it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Told {
+pub struct TraceLine {
     /// In its file, from 1.
     pub line: usize,
     pub kind: String,
-    pub values: Vec<(String, ToldValue)>,
+    pub values: Vec<(String, TraceValue)>,
 }
 
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum ToldValue {
+pub enum TraceValue {
     /// None stands for a number that is not finite.
     Number(Option<f64>),
     Three([f64; 3]),
@@ -42,7 +42,7 @@ pub enum ToldValue {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Difference {
     Value(OtherValue),
-    /// The trace goes on telling steps of a kind of which the run has no more than `count`, which may be none.
+    /// The trace goes on with steps of a kind of which the run has no more than `count`, which may be none.
     More {
         line: usize,
         kind: String,
@@ -57,9 +57,9 @@ pub struct OtherValue {
     pub step: usize,
     pub kind: &'static str,
     pub field: String,
-    pub theirs: ToldValue,
+    pub theirs: TraceValue,
     /// None where the step has no such value.
-    pub ours: Option<ToldValue>,
+    pub ours: Option<TraceValue>,
 }
 
 /// How far a trace was followed.
@@ -103,11 +103,11 @@ pub enum Unknown {
 
 /// Follows a trace through a run. Numbers agree within `tolerance`, relative to what is larger: 1, or the largest component.
 /// Errors: the first line of an unknown kind, or with an unknown value or one of another type.
-pub fn follow(walk: &dyn Walk, trace: &[Told], tolerance: f64) -> Result<Followed, Unknown> {
+pub fn follow(walk: &dyn Walk, trace: &[TraceLine], tolerance: f64) -> Result<Followed, Unknown> {
     let mut is_told = vec![false; walk.len()];
     let mut last = None;
-    for (agree, told) in trace.iter().enumerate() {
-        let of_kind = (0..walk.len()).filter(|&step| walk.kind(step) == told.kind);
+    for (agree, traced) in trace.iter().enumerate() {
+        let of_kind = (0..walk.len()).filter(|&step| walk.kind(step) == traced.kind);
         let (done, left): (Vec<usize>, Vec<usize>) = of_kind.partition(|&step| is_told[step]);
         let Some(scope) = nearest_scope(walk, &left, last) else {
             let count = done.len();
@@ -115,11 +115,11 @@ pub fn follow(walk: &dyn Walk, trace: &[Told], tolerance: f64) -> Result<Followe
                 && !FAMILIES
                     .into_iter()
                     .flatten()
-                    .any(|kind| kind.name == told.kind)
+                    .any(|kind| kind.name == traced.kind)
             {
-                return Err(no_kind(walk, told));
+                return Err(no_kind(walk, traced));
             }
-            let (line, kind) = (told.line, told.kind.clone());
+            let (line, kind) = (traced.line, traced.kind.clone());
             let difference = Some(Difference::More { line, kind, count });
             return Ok(Followed { agree, difference });
         };
@@ -128,7 +128,7 @@ pub fn follow(walk: &dyn Walk, trace: &[Told], tolerance: f64) -> Result<Followe
             .partition(|&step| walk.outline().parent(step) == scope);
         let compared = here
             .into_iter()
-            .map(|step| compare(walk, step, told, tolerance));
+            .map(|step| compare(walk, step, traced, tolerance));
         let compared: Vec<Compared> = compared.collect::<Result<_, _>>()?;
         let most_alike = |compared: &&Compared| (compared.equal, usize::MAX - compared.step);
         let fits = |compared: &&Compared| compared.difference.is_none();
@@ -140,7 +140,7 @@ pub fn follow(walk: &dyn Walk, trace: &[Told], tolerance: f64) -> Result<Followe
         if let Some(difference) = &nearest.difference {
             let mut elsewhere = elsewhere.into_iter().filter(|_| nearest.may_be_another);
             let fitting = elsewhere.find_map(|step| {
-                let compared = compare(walk, step, told, tolerance).ok()?;
+                let compared = compare(walk, step, traced, tolerance).ok()?;
                 fits(&&compared).then_some(step)
             });
             let Some(fitting) = fitting else {
@@ -158,7 +158,7 @@ pub fn follow(walk: &dyn Walk, trace: &[Told], tolerance: f64) -> Result<Followe
     })
 }
 
-/// The scope of one of the steps: the one that has the innermost scope in common with the step told last, of several the earliest. None
+/// The scope of one of the steps: the one that has the innermost scope in common with the step matched last, of several the earliest. None
 /// without steps.
 fn nearest_scope(walk: &dyn Walk, steps: &[usize], last: Option<usize>) -> Option<Option<usize>> {
     let outline = walk.outline();
@@ -190,7 +190,12 @@ struct Compared {
     may_be_another: bool,
 }
 
-fn compare(walk: &dyn Walk, step: usize, told: &Told, tolerance: f64) -> Result<Compared, Unknown> {
+fn compare(
+    walk: &dyn Walk,
+    step: usize,
+    traced: &TraceLine,
+    tolerance: f64,
+) -> Result<Compared, Unknown> {
     let (fields, kind) = (walk.fields(step), walk.declared(step));
     let mut compared = Compared {
         step,
@@ -198,9 +203,9 @@ fn compare(walk: &dyn Walk, step: usize, told: &Told, tolerance: f64) -> Result<
         difference: None,
         may_be_another: false,
     };
-    for (field, theirs) in &told.values {
-        let (line, kind_name, field) = (told.line, told.kind.clone(), field.clone());
-        let ours = fields.get(&field).map(ToldValue::from);
+    for (field, theirs) in &traced.values {
+        let (line, kind_name, field) = (traced.line, traced.kind.clone(), field.clone());
+        let ours = fields.get(&field).map(TraceValue::from);
         if ours.is_none() && kind.quantity(&field).is_none() {
             let names = || kind.quantities.iter().map(|quantity| quantity.name);
             // Every letter is like every other.
@@ -213,7 +218,7 @@ fn compare(walk: &dyn Walk, step: usize, told: &Told, tolerance: f64) -> Result<
                 fields: names().collect::<Vec<_>>().join(", "),
             });
         }
-        let expected = ours.as_ref().map_or(theirs.kind(), ToldValue::kind);
+        let expected = ours.as_ref().map_or(theirs.kind(), TraceValue::kind);
         if theirs.kind() != expected {
             return Err(Unknown::Type {
                 line,
@@ -230,7 +235,7 @@ fn compare(walk: &dyn Walk, step: usize, told: &Told, tolerance: f64) -> Result<
             compared.equal += 1;
             continue;
         }
-        compared.may_be_another |= theirs.tells_apart();
+        compared.may_be_another |= theirs.distinguishes();
         if compared.difference.is_none() {
             compared.difference = Some(OtherValue {
                 line,
@@ -245,14 +250,14 @@ fn compare(walk: &dyn Walk, step: usize, told: &Told, tolerance: f64) -> Result<
     Ok(compared)
 }
 
-fn no_kind(walk: &dyn Walk, told: &Told) -> Unknown {
+fn no_kind(walk: &dyn Walk, traced: &TraceLine) -> Unknown {
     let mut kinds: Vec<&str> = (0..walk.len()).map(|step| walk.kind(step)).collect();
     kinds.sort_unstable();
     kinds.dedup();
     Unknown::Kind {
-        line: told.line,
-        kind: told.kind.clone(),
-        meant: suggestion(&told.kind, kinds.iter().copied()),
+        line: traced.line,
+        kind: traced.kind.clone(),
+        meant: suggestion(&traced.kind, kinds.iter().copied()),
         kinds: kinds.join(", "),
     }
 }
@@ -262,7 +267,7 @@ fn no_kind(walk: &dyn Walk, told: &Told) -> Unknown {
 pub fn explained_by(
     setup: &Setup,
     (run, focus): (&Run, Focus),
-    trace: &[Told],
+    trace: &[TraceLine],
     (tolerance, followed): (f64, &Followed),
 ) -> Vec<Mistake> {
     let Some(difference) = &followed.difference else {
@@ -292,27 +297,27 @@ pub fn explained_by(
     explain
 }
 
-impl ToldValue {
+impl TraceValue {
     /// Whether few steps have the same: not so of a truth, a word, black and white.
-    fn tells_apart(&self) -> bool {
+    fn distinguishes(&self) -> bool {
         match self {
-            ToldValue::Number(number) => number.is_some(),
-            ToldValue::Three(three) => three.iter().any(|part| part.fract() != 0.0),
-            ToldValue::Truth(_) | ToldValue::Word(_) => false,
+            TraceValue::Number(number) => number.is_some(),
+            TraceValue::Three(three) => three.iter().any(|part| part.fract() != 0.0),
+            TraceValue::Truth(_) | TraceValue::Word(_) => false,
         }
     }
 
     /// What it is, in words.
     fn kind(&self) -> &'static str {
         match self {
-            ToldValue::Number(_) => "a number",
-            ToldValue::Three(_) => "a list of three numbers",
-            ToldValue::Truth(_) => "true or false",
-            ToldValue::Word(_) => "a word",
+            TraceValue::Number(_) => "a number",
+            TraceValue::Three(_) => "a list of three numbers",
+            TraceValue::Truth(_) => "true or false",
+            TraceValue::Word(_) => "a word",
         }
     }
 
-    fn agrees(&self, ours: &ToldValue, tolerance: f64) -> bool {
+    fn agrees(&self, ours: &TraceValue, tolerance: f64) -> bool {
         let near = |a: &[f64], b: &[f64]| {
             let largest = b.iter().fold(1.0_f64, |largest, b| largest.max(b.abs()));
             let is_near = |(a, b): (&f64, &f64)| {
@@ -322,22 +327,22 @@ impl ToldValue {
             a.iter().zip(b).all(is_near)
         };
         match (self, ours) {
-            (ToldValue::Number(Some(a)), ToldValue::Number(Some(b))) => near(&[*a], &[*b]),
-            (ToldValue::Three(a), ToldValue::Three(b)) => near(a, b),
+            (TraceValue::Number(Some(a)), TraceValue::Number(Some(b))) => near(&[*a], &[*b]),
+            (TraceValue::Three(a), TraceValue::Three(b)) => near(a, b),
             _ => self == ours,
         }
     }
 }
 
-impl From<Value> for ToldValue {
+impl From<Value> for TraceValue {
     fn from(value: Value) -> Self {
         match value {
-            Value::Number(number) => ToldValue::Number(number.is_finite().then_some(number)),
-            Value::Integer(integer) => ToldValue::Number(Some(integer as f64)),
-            Value::Rgb(color) => ToldValue::Three(color.channels()),
-            Value::Vector(vector) => ToldValue::Three(vector.to_array()),
-            Value::Truth(truth) => ToldValue::Truth(truth),
-            Value::Word(word) => ToldValue::Word(word.to_owned()),
+            Value::Number(number) => TraceValue::Number(number.is_finite().then_some(number)),
+            Value::Integer(integer) => TraceValue::Number(Some(integer as f64)),
+            Value::Rgb(color) => TraceValue::Three(color.channels()),
+            Value::Vector(vector) => TraceValue::Three(vector.to_array()),
+            Value::Truth(truth) => TraceValue::Truth(truth),
+            Value::Word(word) => TraceValue::Word(word.to_owned()),
         }
     }
 }

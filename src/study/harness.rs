@@ -91,7 +91,7 @@ pub enum Unmeasured {
 }
 
 impl Study {
-    /// Measures every ladder, and tells of each as soon as it is `done`.
+    /// Measures every ladder, and reports each as soon as it is `done`.
     pub fn measure(
         &'static self,
         request: &Request,
@@ -182,7 +182,7 @@ impl Sweep {
     }
 }
 
-/// Errors this many times the reference's own are told from it.
+/// Errors this many times the reference's own are distinguished from it.
 const ABOVE_REFERENCE: f64 = 3.0;
 
 impl Line {

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 /// What a matrix is instead of F, for all its entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Looks {
+pub enum MatrixForm {
     /// F_ji at the place of F_ij.
     Transposed,
     /// A_i F_ij, which is symmetric.
@@ -24,34 +24,34 @@ pub enum Looks {
     Unblocked,
 }
 
-impl Looks {
+impl MatrixForm {
     /// Entry (i, j) of such a matrix, made of F; of the unblocked one F is the unblocked one itself. `rho` is ρ_i.
     fn entry(self, f: &[f64], areas: &[f64], rho: f64, i: usize, j: usize) -> f64 {
         let f = |i: usize, j: usize| f[i * areas.len() + j];
         match self {
-            Looks::Transposed => f(j, i),
-            Looks::TimesArea => areas[i] * f(i, j),
-            Looks::OverPi => f(i, j) / PI,
-            Looks::TimesPi => f(i, j) * PI,
-            Looks::TimesReflectance => rho * f(i, j),
-            Looks::System => f64::from(u8::from(i == j)) - rho * f(i, j),
-            Looks::Unblocked => f(i, j),
+            MatrixForm::Transposed => f(j, i),
+            MatrixForm::TimesArea => areas[i] * f(i, j),
+            MatrixForm::OverPi => f(i, j) / PI,
+            MatrixForm::TimesPi => f(i, j) * PI,
+            MatrixForm::TimesReflectance => rho * f(i, j),
+            MatrixForm::System => f64::from(u8::from(i == j)) - rho * f(i, j),
+            MatrixForm::Unblocked => f(i, j),
         }
     }
 
     pub fn in_words(self) -> &'static str {
         match self {
-            Looks::Transposed => "it is the transposed matrix: F_ji at the place of F_ij",
-            Looks::TimesArea => {
+            MatrixForm::Transposed => "it is the transposed matrix: F_ji at the place of F_ij",
+            MatrixForm::TimesArea => {
                 "it is A_i·F_ij, which is symmetric: divide row i by the area of patch i"
             }
-            Looks::OverPi => "it is F_ij/π: π is divided by once more than in the form factor",
-            Looks::TimesPi => "it is π·F_ij: the division by π is missing",
-            Looks::TimesReflectance => {
+            MatrixForm::OverPi => "it is F_ij/π: π is divided by once more than in the form factor",
+            MatrixForm::TimesPi => "it is π·F_ij: the division by π is missing",
+            MatrixForm::TimesReflectance => {
                 "it is ρ_i·F_ij: a form factor knows no ρ, which belongs into the system I − ρF"
             }
-            Looks::System => "it is I − ρF, the matrix of the system, and not F",
-            Looks::Unblocked => "it is the matrix without anything between the patches",
+            MatrixForm::System => "it is I − ρF, the matrix of the system, and not F",
+            MatrixForm::Unblocked => "it is the matrix without anything between the patches",
         }
     }
 }
@@ -72,7 +72,7 @@ pub struct MatrixComparison {
     /// Of the first row that differs, the entry that differs the most.
     pub first: Option<Entry>,
     pub largest: f64,
-    pub looks: Option<Looks>,
+    pub looks: Option<MatrixForm>,
     /// It is symmetric, and ours is not.
     pub is_symmetric: bool,
     /// The rows whose sum differs from that of ours.
@@ -111,7 +111,7 @@ pub fn compare(
             reference: reference[worst],
         }
     });
-    let is = |looks: &Looks, of: &[f64]| {
+    let is = |looks: &MatrixForm, of: &[f64]| {
         let of_channel = |c: usize| {
             let entry = |at: usize| looks.entry(of, areas, rho[at / n][c], at / n, at % n);
             (0..n * n).all(|at| (mine[at] - entry(at)).abs() <= tolerance)
@@ -120,17 +120,17 @@ pub fn compare(
     };
     let looks = (off > 0).then(|| {
         let simple = [
-            Looks::Transposed,
-            Looks::TimesArea,
-            Looks::OverPi,
-            Looks::TimesPi,
-            Looks::TimesReflectance,
-            Looks::System,
+            MatrixForm::Transposed,
+            MatrixForm::TimesArea,
+            MatrixForm::OverPi,
+            MatrixForm::TimesPi,
+            MatrixForm::TimesReflectance,
+            MatrixForm::System,
         ];
         let simple = simple.into_iter().find(|looks| is(looks, reference));
         simple.or_else(|| {
             let unblocked = unblocked()?;
-            Some(Looks::Unblocked).filter(|looks| is(looks, &unblocked))
+            Some(MatrixForm::Unblocked).filter(|looks| is(looks, &unblocked))
         })
     });
     let is_symmetric = |matrix: &[f64]| {
@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_row_that_differs_is_told_with_its_worst_entry() {
+    fn the_first_row_that_differs_is_reported_with_its_worst_entry() {
         let found = found([0.0, 0.4, 0.3, 0.25]);
         let entry = Entry {
             row: 1,
@@ -216,13 +216,13 @@ mod tests {
     fn what_the_whole_looks_like_is_recognized() {
         let pi = std::f64::consts::PI;
         for (mine, looks) in [
-            ([0.0, 0.1, 0.4, 0.2], Looks::Transposed),
-            ([0.0, 0.4, 0.4, 0.8], Looks::TimesArea),
-            (F.map(|f| f / pi), Looks::OverPi),
-            (F.map(|f| f * pi), Looks::TimesPi),
-            ([0.0, 0.08, 0.06, 0.12], Looks::TimesReflectance),
-            ([1.0, -0.2, -0.025, 0.95], Looks::System),
-            ([0.0, 0.5, 0.125, 0.2], Looks::Unblocked),
+            ([0.0, 0.1, 0.4, 0.2], MatrixForm::Transposed),
+            ([0.0, 0.4, 0.4, 0.8], MatrixForm::TimesArea),
+            (F.map(|f| f / pi), MatrixForm::OverPi),
+            (F.map(|f| f * pi), MatrixForm::TimesPi),
+            ([0.0, 0.08, 0.06, 0.12], MatrixForm::TimesReflectance),
+            ([1.0, -0.2, -0.025, 0.95], MatrixForm::System),
+            ([0.0, 0.5, 0.125, 0.2], MatrixForm::Unblocked),
         ] {
             assert_eq!(found(mine).looks, Some(looks));
         }

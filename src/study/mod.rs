@@ -1,7 +1,7 @@
 //! Error against run time: for each family of methods a ladder of settings beside a trusted reference.
 //!
 //! A study is data ([`form`]): settings with what they run, and what is right. [`harness`] measures it with [`timing`], fits laws
-//! ([`fit`]) and finds the [`pareto`] front; [`report`] and [`plot`] tell it. A new family is a file in [`families`].
+//! ([`fit`]) and finds the [`pareto`] front; [`report`] and [`plot`] present it. A new family is a file in [`families`].
 //!
 //! And what is stiff, extreme or wrong: cases of [`stress`], each with the answer that it must give.
 //!

@@ -150,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_told_with_its_row() {
+    fn what_is_no_number_is_reported_with_its_row() {
         for (text, expected) in [
             ("0 0.4\n0.1 x", "row 1: \"x\" is not a number"),
             ("1,,3", "row 0: \"\" is not a number"),

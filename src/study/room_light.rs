@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 /// What radiosities are instead of B, for all patches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Looks {
+pub enum RadiosityForm {
     /// E alone.
     EmissionOnly,
     /// B − E.
@@ -33,40 +33,46 @@ pub enum Looks {
     PiTwice,
 }
 
-impl Looks {
-    const ALL: [Looks; 11] = [
-        Looks::EmissionOnly,
-        Looks::EmissionForgotten,
-        Looks::GatheredOnce,
-        Looks::Arriving,
-        Looks::OverPi,
-        Looks::TimesPi,
-        Looks::TimesArea,
-        Looks::ChannelsSwapped,
-        Looks::FormFactorTransposed,
-        Looks::ReflectanceForgotten,
-        Looks::PiTwice,
+impl RadiosityForm {
+    const ALL: [RadiosityForm; 11] = [
+        RadiosityForm::EmissionOnly,
+        RadiosityForm::EmissionForgotten,
+        RadiosityForm::GatheredOnce,
+        RadiosityForm::Arriving,
+        RadiosityForm::OverPi,
+        RadiosityForm::TimesPi,
+        RadiosityForm::TimesArea,
+        RadiosityForm::ChannelsSwapped,
+        RadiosityForm::FormFactorTransposed,
+        RadiosityForm::ReflectanceForgotten,
+        RadiosityForm::PiTwice,
     ];
 
     pub fn in_words(self) -> &'static str {
         match self {
-            Looks::EmissionOnly => "it is E: no light was exchanged",
-            Looks::EmissionForgotten => "it is B − E: what a patch emits itself is missing",
-            Looks::GatheredOnce => {
+            RadiosityForm::EmissionOnly => "it is E: no light was exchanged",
+            RadiosityForm::EmissionForgotten => "it is B − E: what a patch emits itself is missing",
+            RadiosityForm::GatheredOnce => {
                 "it is E + ρ·Σ F_ij·E_j: light was gathered once; go on until nothing changes"
             }
-            Looks::Arriving => "it is (B − E)/ρ, the light that arrives: B = E + ρ times that",
-            Looks::OverPi => "it is B/π, the radiance: B itself is asked for",
-            Looks::TimesPi => {
+            RadiosityForm::Arriving => {
+                "it is (B − E)/ρ, the light that arrives: B = E + ρ times that"
+            }
+            RadiosityForm::OverPi => "it is B/π, the radiance: B itself is asked for",
+            RadiosityForm::TimesPi => {
                 "it is π·B: the form factors lack their division by π, or B was a radiance"
             }
-            Looks::TimesArea => "it is A·B, the power: divide by the area of the patch",
-            Looks::ChannelsSwapped => "red and blue changed places",
-            Looks::FormFactorTransposed => {
+            RadiosityForm::TimesArea => "it is A·B, the power: divide by the area of the patch",
+            RadiosityForm::ChannelsSwapped => "red and blue changed places",
+            RadiosityForm::FormFactorTransposed => {
                 "it solves B_i = E_i + ρ_i·Σ F_ji·B_j: F_ji stands at the place of F_ij"
             }
-            Looks::ReflectanceForgotten => "it solves B_i = E_i + Σ F_ij·B_j: ρ_i is missing",
-            Looks::PiTwice => "it solves B_i = E_i + ρ_i·Σ F_ij·B_j/π: F is divided by π already",
+            RadiosityForm::ReflectanceForgotten => {
+                "it solves B_i = E_i + Σ F_ij·B_j: ρ_i is missing"
+            }
+            RadiosityForm::PiTwice => {
+                "it solves B_i = E_i + ρ_i·Σ F_ij·B_j/π: F is divided by π already"
+            }
         }
     }
 
@@ -76,21 +82,23 @@ impl Looks {
         let emission = &enclosure.emission;
         let reflected = |i: usize| ours[i] - emission[i];
         match self {
-            Looks::EmissionOnly => emission.clone(),
-            Looks::EmissionForgotten => each(&reflected),
-            Looks::GatheredOnce => gathered_with(None, enclosure, matrix, emission),
-            Looks::Arriving => each(&|i| {
+            RadiosityForm::EmissionOnly => emission.clone(),
+            RadiosityForm::EmissionForgotten => each(&reflected),
+            RadiosityForm::GatheredOnce => gathered_with(None, enclosure, matrix, emission),
+            RadiosityForm::Arriving => each(&|i| {
                 let (b, rho) = (reflected(i).channels(), enclosure.reflectance[i].channels());
                 Rgb::from([0, 1, 2].map(|c| if rho[c] > 0.0 { b[c] / rho[c] } else { 0.0 }))
             }),
-            Looks::OverPi => each(&|i| ours[i] / PI),
-            Looks::TimesPi => each(&|i| ours[i] * PI),
-            Looks::TimesArea => each(&|i| ours[i] * enclosure.patches[i].area),
-            Looks::ChannelsSwapped => each(&|i| Rgb::new(ours[i].b, ours[i].g, ours[i].r)),
-            Looks::FormFactorTransposed | Looks::ReflectanceForgotten | Looks::PiTwice => {
+            RadiosityForm::OverPi => each(&|i| ours[i] / PI),
+            RadiosityForm::TimesPi => each(&|i| ours[i] * PI),
+            RadiosityForm::TimesArea => each(&|i| ours[i] * enclosure.patches[i].area),
+            RadiosityForm::ChannelsSwapped => each(&|i| Rgb::new(ours[i].b, ours[i].g, ours[i].r)),
+            RadiosityForm::FormFactorTransposed
+            | RadiosityForm::ReflectanceForgotten
+            | RadiosityForm::PiTwice => {
                 let mistake = match self {
-                    Looks::FormFactorTransposed => Mistake::FormFactorTransposed,
-                    Looks::ReflectanceForgotten => Mistake::ReflectanceForgotten,
+                    RadiosityForm::FormFactorTransposed => Mistake::FormFactorTransposed,
+                    RadiosityForm::ReflectanceForgotten => Mistake::ReflectanceForgotten,
                     _ => Mistake::PiTwice,
                 };
                 gathered_with(Some(mistake), enclosure, matrix, mine)
@@ -115,7 +123,7 @@ pub struct LightComparison {
     pub first: Option<Patch>,
     /// The largest difference, relative to the largest radiosity.
     pub largest: f64,
-    pub looks: Option<Looks>,
+    pub looks: Option<RadiosityForm>,
 }
 
 /// Compares the radiosities of all patches. The tolerance is relative to the largest of ours.
@@ -136,7 +144,7 @@ pub fn compare(
         mine: mine[patch].channels(),
         reference: ours[patch].channels(),
     });
-    let is = |looks: &Looks| {
+    let is = |looks: &RadiosityForm| {
         let light = looks.light(enclosure, matrix, ours, mine);
         let mut pairs = mine.iter().zip(&light);
         pairs.all(|(&mine, &light)| distance(mine, light) <= tolerance)
@@ -147,7 +155,9 @@ pub fn compare(
         off,
         first,
         largest: pairs.map(|(&a, &b)| distance(a, b)).fold(0.0, f64::max),
-        looks: Looks::ALL.into_iter().find(|looks| off > 0 && is(looks)),
+        looks: RadiosityForm::ALL
+            .into_iter()
+            .find(|looks| off > 0 && is(looks)),
     }
 }
 
@@ -220,24 +230,30 @@ mod tests {
         let e = &enclosure.emission;
         let once = Rgb::from([0, 1, 2].map(|c| rho[1][c] * f[1] * e[0].channels()[c]));
         for (mine, looks) in [
-            (e.clone(), Looks::EmissionOnly),
-            (vec![ours[0] - e[0], ours[1]], Looks::EmissionForgotten),
-            (vec![e[0], once], Looks::GatheredOnce),
-            (scaled(1.0 / PI), Looks::OverPi),
-            (scaled(PI), Looks::TimesPi),
-            (vec![ours[0] * 0.5, ours[1] * 2.0], Looks::TimesArea),
+            (e.clone(), RadiosityForm::EmissionOnly),
+            (
+                vec![ours[0] - e[0], ours[1]],
+                RadiosityForm::EmissionForgotten,
+            ),
+            (vec![e[0], once], RadiosityForm::GatheredOnce),
+            (scaled(1.0 / PI), RadiosityForm::OverPi),
+            (scaled(PI), RadiosityForm::TimesPi),
+            (vec![ours[0] * 0.5, ours[1] * 2.0], RadiosityForm::TimesArea),
             (
                 solved(&enclosure, rho, [f[1], f[0]]),
-                Looks::FormFactorTransposed,
+                RadiosityForm::FormFactorTransposed,
             ),
             (
                 solved(&enclosure, [[1.0; 3]; 2], f),
-                Looks::ReflectanceForgotten,
+                RadiosityForm::ReflectanceForgotten,
             ),
-            (solved(&enclosure, rho, f.map(|f| f / PI)), Looks::PiTwice),
+            (
+                solved(&enclosure, rho, f.map(|f| f / PI)),
+                RadiosityForm::PiTwice,
+            ),
             (
                 ours.iter().map(|b| Rgb::new(b.b, b.g, b.r)).collect(),
-                Looks::ChannelsSwapped,
+                RadiosityForm::ChannelsSwapped,
             ),
             (
                 [0, 1]
@@ -246,7 +262,7 @@ mod tests {
                         Rgb::from([0, 1, 2].map(|c| b[c] / rho[i][c]))
                     })
                     .to_vec(),
-                Looks::Arriving,
+                RadiosityForm::Arriving,
             ),
         ] {
             assert_eq!(found(&mine).looks, Some(looks));
@@ -254,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_patch_that_differs_is_told_with_both_values() {
+    fn the_first_patch_that_differs_is_reported_with_both_values() {
         let enclosure = enclosure();
         let matrix = [0.0; 4];
         let ours = [Rgb::new(4.0, 2.0, 1.0), Rgb::new(1.0, 1.0, 1.0)];

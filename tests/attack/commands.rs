@@ -168,8 +168,8 @@ fn every_command_is_right_or_refuses() {
         .expect("it starts");
     let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap_or_default();
     let [said, errors] = ["stdout", "stderr"].map(read);
-    let told = said.lines().filter(|line| line.starts_with(DRIVER.kind));
-    told.for_each(|line| println!("{line}"));
+    let counts = said.lines().filter(|line| line.starts_with(DRIVER.kind));
+    counts.for_each(|line| println!("{line}"));
     let last = read("arguments");
     let from = errors.len().saturating_sub(20_000);
     let from = (from..=errors.len())

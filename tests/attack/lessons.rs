@@ -6,7 +6,7 @@ use crate::kit::{Driver, Outcome, is_clear, not_finite, one_of, pick};
 use crate::panels::{check_picture, side};
 use crate::scenes::LIMITS;
 use glam::Vec2;
-use lightwalk::export::Shown;
+use lightwalk::export::ExportedLesson;
 use lightwalk::language::Language;
 use lightwalk::lesson::{Change, Guess, Lesson, LessonError, OpenLesson, Parameter};
 use lightwalk::numeric::Random;
@@ -153,7 +153,7 @@ fn move_parameter(open: &OpenLesson, random: &mut Random) -> Result<(), String> 
         lesson.focus,
         RecordingLimit::default(),
     );
-    if let Err(error) = lesson.narrate(&run) {
+    if let Err(error) = lesson.narrate_changed(&run) {
         refused(&error)?;
     }
     Ok(())
@@ -169,7 +169,8 @@ fn walk(open: OpenLesson, random: &mut Random) -> Result<(), String> {
         Panel::TimeLine,
         Panel::Inspector,
     ]);
-    let mut shown = Shown::new(open, &panels, language, NonZeroUsize::MIN, &|_, _| {}).asking();
+    let mut shown =
+        ExportedLesson::new(open, &panels, language, NonZeroUsize::MIN, &|_, _| {}).asking();
     let count = shown.open.run.walk().len();
     let mut steps = vec![pick(random, count), count - 1];
     steps.extend(shown.narrated().first());

@@ -75,7 +75,7 @@ fn every_lesson_opens_and_teaches() {
             }
         }
         for narrated in &open.narrated {
-            let [en, id] = Language::ALL.map(|language| narrated.say(language));
+            let [en, id] = Language::ALL.map(|language| narrated.text(language));
             assert_ne!(
                 en, id,
                 "{}: step {} says the same in both languages",
@@ -120,7 +120,7 @@ fn every_explanation_is_short() {
         assert!((10..=30).contains(&count), "{id}: {count} explanations");
         for language in Language::ALL {
             for (index, narrated) in lesson.narrated.iter().enumerate() {
-                let texts = [Some(narrated.say(language)), narrated.slide(language)];
+                let texts = [Some(narrated.text(language)), narrated.slide(language)];
                 let words = texts.into_iter().flatten().map(count_words);
                 long.extend(
                     words
@@ -155,7 +155,7 @@ fn no_text_says_where_a_panel_is() {
     for lesson in LESSONS.iter() {
         for language in Language::ALL {
             for narrated in &lesson.narrated {
-                let say = narrated.say(language).to_lowercase();
+                let say = narrated.text(language).to_lowercase();
                 let letters = |c: char| !c.is_alphabetic();
                 let words: Vec<&str> = say.split(letters).filter(|word| !word.is_empty()).collect();
                 // "panel above", "upper strip", "penggeser di atas".
@@ -179,7 +179,7 @@ fn no_explanation_says_what_to_press() {
     for lesson in LESSONS.iter() {
         for narrated in &lesson.narrated {
             for language in Language::ALL {
-                let say = narrated.say(language).to_lowercase();
+                let say = narrated.text(language).to_lowercase();
                 let mut words = say.split(|c: char| !c.is_alphabetic());
                 let pressed = words.any(|word| ["press", "tekan"].contains(&word));
                 assert!(!pressed, "{}: {say}", lesson.id);
@@ -198,7 +198,7 @@ fn texts_call_the_lessons_panels_by_their_titles() {
                 let question = narrated.question.as_ref();
                 let asked =
                     question.map(|question| [question.ask(language), question.why(language)]);
-                let texts = [narrated.say(language)].into_iter();
+                let texts = [narrated.text(language)].into_iter();
                 for text in texts.chain(asked.into_iter().flatten()) {
                     let behind = text.split("anel “").skip(1);
                     let names = behind.filter_map(|behind| Some(behind.split_once('”')?.0));

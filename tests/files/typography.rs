@@ -19,7 +19,7 @@ fn texts(open: &OpenLesson, language: Language) -> Vec<String> {
         lesson.summary.in_language(language).to_string(),
     ];
     for narrated in &open.narrated {
-        texts.push(narrated.say(language).to_string());
+        texts.push(narrated.text(language).to_string());
         texts.extend(narrated.slide(language).map(str::to_string));
         if let Some(question) = &narrated.question {
             texts.push(question.ask(language).to_string());

@@ -1,4 +1,4 @@
-//! The floors of the crate and their order: each may use only what stands above it in this list. `lib.rs` tells what each is for.
+//! The floors of the crate and their order: each may use only what stands above it in this list. `lib.rs` says what each is for.
 
 mod circles;
 

@@ -138,7 +138,7 @@ fn the_kinds_of_steps_are_listed_once_for_all_anchors_that_are_not_found() {
 }
 
 #[test]
-fn an_empty_object_is_told_all_that_a_scene_needs() {
+fn an_empty_object_is_reported_with_all_that_a_scene_needs() {
     let folder = folder();
     fs::write(folder.path().join("empty.json"), "{}").unwrap();
     let message = refused(&lightwalk(folder.path(), "check empty.json"), "{}");

@@ -11,7 +11,7 @@ use std::path::Path;
 
 #[cfg(feature = "gui")]
 #[test]
-fn what_the_window_cannot_open_is_told() {
+fn what_the_window_cannot_open_is_reported() {
     let folder = folder();
     fs::create_dir_all(folder.path().join("own/meshes")).unwrap();
     fs::write(folder.path().join("own/first.json"), LESSON).unwrap();

@@ -80,26 +80,26 @@ fn what_we_write_agrees_in_every_form() {
 }
 
 #[test]
-fn of_a_matrix_the_first_row_that_differs_and_what_it_is_are_told() {
+fn of_a_matrix_the_first_row_that_differs_and_what_it_is_are_reported() {
     let folder = folder();
     let f = form_factors(&folder);
     let said = |rows: &[Vec<f64>]| said(&folder, "--matrix", rows);
     let mut changed = f.clone();
     changed[1][0] += 0.125;
     let both = format!("yours is {}, and the reference {}", changed[1][0], f[1][0]);
-    let told = said(&changed);
+    let text = said(&changed);
     assert!(
-        told.contains("first row that differs: patch 1 (\"wall\" 0,0)"),
-        "{told}"
+        text.contains("first row that differs: patch 1 (\"wall\" 0,0)"),
+        "{text}"
     );
     assert!(
-        told.contains("from it to patch 0 (\"lamp, below\" 0,0)"),
-        "{told}"
+        text.contains("from it to patch 0 (\"lamp, below\" 0,0)"),
+        "{text}"
     );
-    assert!(told.contains(&both), "{told}");
+    assert!(text.contains(&both), "{text}");
     assert!(
-        told.contains("1 rows sum to something else: row 1 to"),
-        "{told}"
+        text.contains("1 rows sum to something else: row 1 to"),
+        "{text}"
     );
 
     let transposed: Vec<Vec<f64>> = (0..3).map(|i| (0..3).map(|j| f[j][i]).collect()).collect();
@@ -120,13 +120,13 @@ fn of_a_matrix_the_first_row_that_differs_and_what_it_is_are_told() {
 }
 
 #[test]
-fn of_radiosities_the_first_patch_that_differs_and_what_they_are_are_told() {
+fn of_radiosities_the_first_patch_that_differs_and_what_they_are_are_reported() {
     let folder = folder();
     let b = radiosities(&folder);
     let said = |rows: &[Vec<f64>]| said(&folder, "--radiosity", rows);
     let mut changed = b.clone();
     changed[2][1] += 0.25;
-    let told = said(&changed);
+    let text = said(&changed);
     let [mine, reference] = [&changed[2], &b[2]].map(|patch| {
         let written: Vec<String> = patch.iter().map(|b| format!("{b:.6}")).collect();
         written.join(" ")
@@ -134,7 +134,7 @@ fn of_radiosities_the_first_patch_that_differs_and_what_they_are_are_told() {
     let both = format!(
         "first patch that differs: 2 (\"wall\" 1,0); yours is {mine}, and the reference {reference}"
     );
-    assert!(told.contains(&both), "{told}");
+    assert!(text.contains(&both), "{text}");
     let scaled = |of: &dyn Fn(usize) -> f64| -> Vec<Vec<f64>> {
         let rows = b.iter().enumerate();
         rows.map(|(i, row)| row.iter().map(|b| of(i) * b).collect())
@@ -172,7 +172,7 @@ fn of_radiosities_the_first_patch_that_differs_and_what_they_are_are_told() {
 }
 
 #[test]
-fn the_same_is_told_as_json() {
+fn the_same_is_reported_as_json() {
     let folder = folder();
     let b = radiosities(&folder);
     let half: Vec<Vec<f64>> = b

@@ -11,7 +11,7 @@ WIDTH, HEIGHT = 64, 48
 x, y = int(sys.argv[1]), int(sys.argv[2])
 
 
-def tell(kind, **values):
+def record(kind, **values):
     print(json.dumps({"kind": kind, **values}))
 
 
@@ -26,15 +26,15 @@ def unit(a):
 
 focal = 0.5 * WIDTH / math.tan(math.radians(20))
 eye, u = [0, 0, 4], unit([x + 0.5 - 0.5 * WIDTH, 0.5 * HEIGHT - y - 0.5, -focal])
-tell("Ray", O=eye, u=u)
+record("Ray", O=eye, u=u)
 b = dot(eye, u)
 t = -b - math.sqrt(b * b - (dot(eye, eye) - 1))
-tell("ObjectTested", object=0, t=t, nearer=True)
+record("ObjectTested", object=0, t=t, nearer=True)
 n = [p + t * q for p, q in zip(eye, u)]
-tell("SurfaceMet", P=n, N_geometric=n)
+record("SurfaceMet", P=n, N_geometric=n)
 to_light = unit([1, 2, 3]) if len(sys.argv) < 4 else unit([-1, -2, -3])
-tell("ToLight", L=to_light)
+record("ToLight", L=to_light)
 cosine = max(0, dot(n, to_light))
 diffuse = [k * 0.9 * cosine for k in (0.6, 0.5, 0.4)]
-tell("Diffuse", I_d=diffuse)
-tell("Returned", I=[0.1 + d for d in diffuse])
+record("Diffuse", I_d=diffuse)
+record("Returned", I=[0.1 + d for d in diffuse])

@@ -68,7 +68,7 @@ fn a_program_in_python_is_followed_to_its_end_and_to_its_mistake() {
 }
 
 #[test]
-fn a_trace_that_cannot_be_read_is_told_with_its_line() {
+fn a_trace_that_cannot_be_read_is_reported_with_its_line() {
     let folder = folder();
     fs::write(folder.path().join("ball.json"), BALL).unwrap();
     for (trace, expected) in [

@@ -82,7 +82,7 @@ fn a_full_disk_leaves_no_part_of_a_file() {
 }
 
 #[test]
-fn a_full_device_is_told() {
+fn a_full_device_is_reported() {
     let folder = folder();
     for line in [
         "steps scene.json --method flat --size 9x7 --out /dev/full",

@@ -66,8 +66,8 @@ fn schemas_refuse_what_the_program_refuses_for_keys_and_types() {
     let mut refused = 0;
     for (of, good, (from, to, said)) in scenes.chain(lessons) {
         let broken: Result<Value, _> = serde_json::from_str(&good.replacen(from, to, 1));
-        let tells = |part: &&str| BY_KEYS_AND_TYPES.iter().any(|sign| part.contains(sign));
-        let (Ok(broken), true) = (broken, said.iter().any(tells)) else {
+        let says = |part: &&str| BY_KEYS_AND_TYPES.iter().any(|sign| part.contains(sign));
+        let (Ok(broken), true) = (broken, said.iter().any(says)) else {
             continue;
         };
         let found = fault(&schema(of), &broken);

@@ -2,7 +2,7 @@
 
 use crate::markup::elements;
 use crate::{command, files, folder, lightwalk, refused, succeeded};
-use lightwalk::export::Shown;
+use lightwalk::export::ExportedLesson;
 use lightwalk::language::Language;
 use lightwalk::lesson::{OpenLesson, builtin};
 use lightwalk::picture::{Shape, Theme, to_svg};
@@ -33,7 +33,7 @@ fn an_svg_has_one_shape_an_item() {
     for lesson in ["gouraud-triangle", "ray-tree", "gathering"] {
         let open = open(lesson);
         let panels = open.lesson.panels.clone();
-        let mut shown = Shown::new(
+        let mut shown = ExportedLesson::new(
             open,
             &panels,
             Language::Indonesian,
@@ -139,7 +139,10 @@ fn a_handout_is_one_page_with_everything_in_it() {
         assert!(count("svg") >= open.narrated.len());
         assert_eq!(count("svg"), count("desc"), "every picture has its words");
         assert!(!page.contains("<desc></desc>"));
-        let questions = open.narrated.iter().filter(|told| told.question.is_some());
+        let questions = open
+            .narrated
+            .iter()
+            .filter(|narrated| narrated.question.is_some());
         assert_eq!(
             page.matches("class=\"question\"").count(),
             questions.count()
@@ -153,12 +156,12 @@ fn a_handout_is_one_page_with_everything_in_it() {
 #[test]
 fn a_handout_writes_numbers_as_its_language_does() {
     let folder = folder();
-    let told = |language: &str| {
+    let narrated = |language: &str| {
         let made = format!("handout gathering --language {language} --step 531 --out h.html");
         succeeded(folder.path(), &made);
         read(folder.path(), "h.html")
     };
-    let (english, indonesian) = (told("en"), told("id"));
+    let (english, indonesian) = (narrated("en"), narrated("id"));
     assert!(english.contains("0.0242") && !english.contains("0,0242"));
     assert!(indonesian.contains("0,0242") && !indonesian.contains("0.0242"));
 }
@@ -170,7 +173,7 @@ fn answers_stand_on_the_last_page_and_only_if_asked_for() {
     let questions = || {
         open.narrated
             .iter()
-            .filter_map(|told| told.question.as_ref())
+            .filter_map(|narrated| narrated.question.as_ref())
     };
     succeeded(folder.path(), "handout gathering --out without.html");
     succeeded(folder.path(), "handout gathering --answers --out with.html");
@@ -191,7 +194,7 @@ fn answers_stand_on_the_last_page_and_only_if_asked_for() {
 }
 
 #[test]
-fn steps_that_were_pinned_are_told_by_themselves() {
+fn steps_that_were_pinned_are_reported_by_themselves() {
     let folder = folder();
     let made = "handout gouraud-triangle --step 20 --step 7 --step 20 --out h.html";
     succeeded(folder.path(), made);
@@ -212,7 +215,10 @@ fn slides_are_sections_alone() {
     let elements = elements(&deck);
     refers_only_to_itself(&deck);
     let open = open("ray-tree");
-    let questions = open.narrated.iter().filter(|told| told.question.is_some());
+    let questions = open
+        .narrated
+        .iter()
+        .filter(|narrated| narrated.question.is_some());
     // A title and a recap.
     let expected = open.narrated.len() + questions.count() + 2;
     assert_eq!(
@@ -252,8 +258,8 @@ fn explanations_are_animated_at_the_pace_of_a_reader() {
     let open = open("illumination-model");
     let delays = delays(folder.path(), "a.png");
     assert_eq!(delays.len(), open.narrated.len());
-    for (told, delay) in open.narrated.iter().zip(delays) {
-        let words = told.say(Language::English).split_whitespace().count() as u32;
+    for (narrated, delay) in open.narrated.iter().zip(delays) {
+        let words = narrated.text(Language::English).split_whitespace().count() as u32;
         assert!(delay >= 2000 + 300 * words, "{words} words in {delay} ms");
     }
 }
@@ -288,7 +294,7 @@ fn a_range_of_steps_and_iterations_are_animated() {
 }
 
 #[test]
-fn what_cannot_be_taken_away_is_told() {
+fn what_cannot_be_taken_away_is_reported() {
     let folder = folder();
     for (arguments, said) in [
         ("handout scene.json --out h.html", "is a scene"),

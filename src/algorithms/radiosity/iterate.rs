@@ -79,7 +79,7 @@ pub(super) fn run<R: Recorder<SolverEvent>>(
     let outcome = loop {
         // Where watching begins, the values of every patch
         if filter.takes(iterations) && !watched {
-            tell_values(&method, recorder);
+            record_values(&method, recorder);
         }
         watched = filter.takes(iterations);
         if residual <= stop.tolerance {
@@ -138,7 +138,7 @@ pub(super) fn run<R: Recorder<SolverEvent>>(
     })
 }
 
-fn tell_values<R: Recorder<SolverEvent>>(method: &impl Method, recorder: &mut R) {
+fn record_values<R: Recorder<SolverEvent>>(method: &impl Method, recorder: &mut R) {
     for (i, (&b, &unshot)) in method.radiosity().iter().zip(method.residual()).enumerate() {
         recorder.step(|| SolverEvent::Started {
             i: i as u32,

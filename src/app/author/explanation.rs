@@ -39,7 +39,7 @@ fn values(form: &Form, index: usize, ui: &mut Ui) {
         .iter()
         .map(|field| format!("{{{}}}", field.name))
         .collect();
-    let hint = form.say(strings::VALUES);
+    let hint = form.localize(strings::VALUES);
     egui::CollapsingHeader::new(egui::RichText::new(hint).size(12.5))
         .id_salt("values")
         .show(ui, |ui| {
@@ -54,9 +54,9 @@ fn panels(form: &Form) -> Vec<(Option<String>, String)> {
     let named = panels.iter().map(|panel| {
         (
             Some(panel.name().to_owned()),
-            form.say(panel.title()).to_owned(),
+            form.localize(panel.title()).to_owned(),
         )
     });
-    let first = (None, form.say(strings::FIRST_PANEL).to_owned());
+    let first = (None, form.localize(strings::FIRST_PANEL).to_owned());
     std::iter::once(first).chain(named).collect()
 }

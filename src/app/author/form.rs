@@ -51,7 +51,7 @@ fn inside(parent: &str, key: &str) -> String {
 }
 
 impl<'a> Form<'a> {
-    pub fn say(&self, message: Message) -> &'static str {
+    pub fn localize(&self, message: Message) -> &'static str {
         self.session.localize(message)
     }
 
@@ -81,7 +81,7 @@ impl<'a> Form<'a> {
 
     /// A text in both languages, that of the window first.
     pub fn text(&mut self, label: Message, parent: &str, key: &str, rows: usize, ui: &mut Ui) {
-        let name = self.say(label);
+        let name = self.localize(label);
         self.heading(name, ui);
         let place = inside(parent, key);
         let first = self.session.look.language;
@@ -129,7 +129,7 @@ impl<'a> Form<'a> {
     pub fn line(&mut self, label: Message, parent: &str, key: &str, ui: &mut Ui) {
         let place = inside(parent, key);
         let mut words = self.words(&place);
-        let name = self.say(label);
+        let name = self.localize(label);
         ui.horizontal(|ui| {
             ui.label(RichText::new(name).size(13.0));
             let edit = TextEdit::singleline(&mut words).desired_width(f32::INFINITY);
@@ -169,7 +169,7 @@ impl<'a> Form<'a> {
         let mut chosen = now.clone();
         let shown = options.iter().find(|(value, _)| *value == now);
         let shown = shown.map_or(now.clone().unwrap_or_default(), |(_, name)| name.clone());
-        let name = self.say(label);
+        let name = self.localize(label);
         ui.horizontal(|ui| {
             ui.label(RichText::new(name).size(13.0));
             let list = ComboBox::from_id_salt(&place).selected_text(&shown);

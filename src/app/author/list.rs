@@ -181,23 +181,23 @@ fn actions(
     let only = (steps(document) == 1).then(|| session.localize(strings::LAST_ONE));
     let first = (index == 0).then(|| session.localize(strings::IS_FIRST));
     let last = (index + 1 == steps(document)).then(|| session.localize(strings::IS_LAST));
-    let mut told = Ok(());
+    let mut outcome = Ok(());
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         if button(session, strings::EARLIER, mend.or(first), ui) {
-            told = exchange(session, document, index - 1, index - 1);
+            outcome = exchange(session, document, index - 1, index - 1);
         }
         if button(session, strings::LATER, mend.or(last), ui) {
-            told = exchange(session, document, index, index + 1);
+            outcome = exchange(session, document, index, index + 1);
         }
         if button(session, strings::MOVE, mend.or(here), ui) {
-            told = move_here(session, document, index);
+            outcome = move_here(session, document, index);
         }
         if button(session, strings::DELETE, mend.or(only), ui) {
             delete(session, document, index);
         }
     });
-    told
+    outcome
 }
 
 /// Lets an explanation and the next one change places, where the run goes in that order too.

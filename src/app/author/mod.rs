@@ -102,15 +102,15 @@ fn write(
     ui: &mut Ui,
 ) -> Result<(), String> {
     ui.spacing_mut().item_spacing.y = 5.0;
-    let mut told = ui
+    let mut outcome = ui
         .horizontal_wrapped(|ui| document_bar::show(session, document, ui))
         .inner;
     state(session, document, ui);
     ui.separator();
     let height = LIST * ui.available_height();
     let done = list::show(session, document, meanings, height, ui);
-    if told.is_ok() {
-        told = done;
+    if outcome.is_ok() {
+        outcome = done;
     }
     ui.separator();
     let selected = list::selected(document);
@@ -133,7 +133,7 @@ fn write(
     if !edits.is_empty() {
         document.edit(&edits, session);
     }
-    told
+    outcome
 }
 
 /// What is wrong with the text, or else what is missing.

@@ -24,9 +24,9 @@ pub fn show(form: &mut Form, index: usize, ui: &mut Ui) {
     let parent = format!("steps[{index}]");
     let place = format!("{parent}.question");
     ui.separator();
-    form.heading(form.say(strings::QUESTION), ui);
+    form.heading(form.localize(strings::QUESTION), ui);
     if form.at(&place).is_null() {
-        let refused = cannot_ask(form, index).map(|why| form.say(why));
+        let refused = cannot_ask(form, index).map(|why| form.localize(why));
         if form.button(strings::ASK_HERE, refused, ui) {
             let question = about_this_step(form);
             form.set(&parent, "question", Some(question));
@@ -104,7 +104,7 @@ fn answer(form: &mut Form, index: usize, place: &str, ui: &mut Ui) {
         }
         Some("choice") => options(form, &format!("{parent}.choice"), ui),
         Some("pixel") => tolerance(form, &format!("{parent}.pixel"), ui),
-        _ => drop(ui.label(form.say(strings::IN_THE_FILE))),
+        _ => drop(ui.label(form.localize(strings::IN_THE_FILE))),
     }
     if let Some(question) = question {
         let language = form.session.look.language;
@@ -132,7 +132,7 @@ fn kind(form: &mut Form, place: &str, own: &Fields, ui: &mut Ui) {
             if !chosen && fits.is_none() {
                 continue;
             }
-            if ui.selectable_label(chosen, form.say(name)).clicked()
+            if ui.selectable_label(chosen, form.localize(name)).clicked()
                 && let Some((_, answer)) = fits.filter(|_| !chosen)
             {
                 form.set(place, "answer", Some(answer.clone()));
@@ -153,7 +153,7 @@ fn tolerance(form: &mut Form, parent: &str, ui: &mut Ui) {
     let now = form.at(&place).as_f64().unwrap_or_default();
     let whole = parent.ends_with("pixel");
     let mut tolerance = now;
-    let name = form.say(strings::TOLERANCE);
+    let name = form.localize(strings::TOLERANCE);
     ui.horizontal(|ui| {
         ui.label(egui::RichText::new(name).size(13.0));
         let drag = DragValue::new(&mut tolerance)
@@ -180,7 +180,7 @@ fn options(form: &mut Form, parent: &str, ui: &mut Ui) {
         let place = format!("{parent}[{index}]");
         form.text(strings::OPTION, &place, "text", 1, ui);
         form.line(strings::WHEN, &place, "when", ui);
-        let few = (count <= 2).then(|| form.say(strings::TWO_OPTIONS));
+        let few = (count <= 2).then(|| form.localize(strings::TWO_OPTIONS));
         ui.push_id(index, |ui| {
             if form.button(strings::NO_OPTION, few, ui) {
                 form.edits.push(Edit::Remove(place));
@@ -189,7 +189,7 @@ fn options(form: &mut Form, parent: &str, ui: &mut Ui) {
     }
     if form.button(strings::ONE_MORE, None, ui) {
         let language = form.session.look.language;
-        let text = draft::text(language, form.say(strings::OPTION));
+        let text = draft::text(language, form.localize(strings::OPTION));
         let option = json!({ "text": text, "when": "unknown=0" });
         form.edits.push(Edit::Push(parent.to_owned(), option));
     }

@@ -23,9 +23,13 @@ pub fn show(form: &mut Form, ui: &mut Ui) {
 }
 
 fn chapter(form: &mut Form, ui: &mut Ui) {
-    let none = (None, form.say(strings::NO_CHAPTER).to_owned());
-    let named = super::super::strings::CHAPTERS
-        .map(|(chapter, title)| (Some(chapter.name().to_owned()), form.say(title).to_owned()));
+    let none = (None, form.localize(strings::NO_CHAPTER).to_owned());
+    let named = super::super::strings::CHAPTERS.map(|(chapter, title)| {
+        (
+            Some(chapter.name().to_owned()),
+            form.localize(title).to_owned(),
+        )
+    });
     let options: Vec<_> = std::iter::once(none).chain(named).collect();
     form.choice(strings::CHAPTER, "", "chapter", &options, ui);
 }
@@ -40,7 +44,7 @@ fn topics(form: &mut Form, ui: &mut Ui) {
         .collect();
     let now = topics.join(", ");
     let mut typed = now.clone();
-    let name = form.say(strings::TOPICS);
+    let name = form.localize(strings::TOPICS);
     ui.horizontal(|ui| {
         ui.label(RichText::new(name).size(13.0));
         let edit = egui::TextEdit::singleline(&mut typed).desired_width(f32::INFINITY);
@@ -55,12 +59,12 @@ fn topics(form: &mut Form, ui: &mut Ui) {
 /// The part that is recorded, and the one that is shown in its place.
 fn part(form: &mut Form, ui: &mut Ui) {
     let session = form.session;
-    form.heading(form.say(strings::PART), ui);
+    form.heading(form.localize(strings::PART), ui);
     let now = session.focus_in_words(session.lesson().focus);
     ui.horizontal_wrapped(|ui| {
         ui.label(RichText::new(now).size(13.0));
         let same = session.follows_lesson();
-        let refused = same.then(|| form.say(strings::PART_AS_IT_IS));
+        let refused = same.then(|| form.localize(strings::PART_AS_IT_IS));
         if form.button(strings::TAKE_PART, refused, ui) {
             form.set("", "focus", Some(draft::focus(session.focus())));
         }
@@ -68,7 +72,7 @@ fn part(form: &mut Form, ui: &mut Ui) {
 }
 
 fn panels(form: &mut Form, ui: &mut Ui) {
-    form.heading(form.say(strings::PANELS), ui);
+    form.heading(form.localize(strings::PANELS), ui);
     let list = form.at("panels").as_array();
     let now: Vec<String> = list
         .into_iter()
@@ -82,7 +86,7 @@ fn panels(form: &mut Form, ui: &mut Ui) {
         for panel in offered {
             let mut shown = now.iter().any(|name| name == panel.name());
             let was = shown;
-            ui.checkbox(&mut shown, form.say(panel.title()));
+            ui.checkbox(&mut shown, form.localize(panel.title()));
             let mut panels = now.clone();
             match (was, shown) {
                 (false, true) => panels.push(panel.name().to_owned()),
@@ -99,7 +103,7 @@ const BESIDE: [&str; 4] = ["code", "formula", "time-line", "inspector"];
 
 /// What a student may change, and what more could be.
 fn parameters(form: &mut Form, ui: &mut Ui) {
-    form.heading(form.say(strings::PARAMETERS), ui);
+    form.heading(form.localize(strings::PARAMETERS), ui);
     let list = form.at("parameters").as_array();
     let now: Vec<Value> = list.into_iter().flatten().cloned().collect();
     for (index, parameter) in now.iter().enumerate() {
@@ -117,7 +121,7 @@ fn parameters(form: &mut Form, ui: &mut Ui) {
         .into_iter()
         .filter(|parameter| !now.contains(parameter))
         .collect();
-    ui.menu_button(form.say(strings::ONE_MORE), |ui| {
+    ui.menu_button(form.localize(strings::ONE_MORE), |ui| {
         for parameter in offered {
             if ui.button(called(form, &parameter)).clicked() {
                 match form.at("parameters").is_null() {
@@ -159,7 +163,7 @@ fn called(form: &Form, parameter: &Value) -> String {
         .as_object()
         .and_then(|members| members.iter().next());
     let Some((kind, of)) = members else {
-        return form.say(strings::EYE).to_owned();
+        return form.localize(strings::EYE).to_owned();
     };
     let named = |message: Message| {
         let of = of.as_str().map_or_else(|| of.to_string(), str::to_owned);

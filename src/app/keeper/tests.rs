@@ -110,7 +110,7 @@ fn that_nothing_can_be_written_is_said_once() {
     let inside = folder.path().join("a file");
     fs::write(&inside, "").unwrap();
     let (mut keeper, _) = Keeper::open(Store::in_folder(inside.join("data")));
-    // Reading has failed already where the system tells a file in the way from a file that is not there.
+    // Reading has failed already where the system distinguishes a file in the way from a missing one.
     keeper.complained = false;
     let failed = keeper.save(&state("en", &[("shadows", 1)]));
     assert!(matches!(failed, Err(Trouble::Failed(_))), "{failed:?}");

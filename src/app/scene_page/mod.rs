@@ -52,14 +52,14 @@ impl ScenePage {
         ui.painter().rect_filled(whole, 0.0, ground);
         let whole = whole.shrink(GAP);
         let bar = Rect::from_min_size(whole.min, egui::vec2(whole.width(), 30.0));
-        let told = ui
+        let outcome = ui
             .scope_builder(UiBuilder::new().max_rect(bar), |ui| {
                 ui.horizontal_centered(|ui| {
-                    let told = document_bar::show(session, document, ui);
+                    let outcome = document_bar::show(session, document, ui);
                     if ui.button(session.localize(strings::SCENE_BACK)).clicked() {
                         commands.push(Command::EditScene);
                     }
-                    told
+                    outcome
                 })
                 .inner
             })
@@ -94,7 +94,7 @@ impl ScenePage {
         }
         self.view.show(session, Panel::Image, top, Scale::Small, ui);
         ui.ctx().request_repaint_after(LOOK);
-        told
+        outcome
     }
 }
 

@@ -160,7 +160,7 @@ impl Session {
         self.changes.now = changes;
         self.record_again();
         self.compare_again();
-        self.what_if.begin_anew();
+        self.what_if.restart();
         Ok(())
     }
 

@@ -9,13 +9,13 @@ use crate::methods::Method;
 use crate::scene::document::Problem;
 
 impl Session {
-    /// Shows the same file as it was saved anew: at the same place of its run, by the same method, with the same panel large.
+    /// Shows the same file as it was saved again: at the same place of its run, by the same method, with the same panel large.
     ///
     /// Errors: those of the lesson; nothing has changed then.
-    pub fn show_anew(&mut self, lesson: Lesson) -> Result<(), Vec<Problem>> {
+    pub fn replace_document(&mut self, lesson: Lesson) -> Result<(), Vec<Problem>> {
         let shown = match self.runs_as(&lesson) {
-            true => self.tell_anew(lesson),
-            false => self.run_anew(lesson),
+            true => self.replace_texts(lesson),
+            false => self.rerun(lesson),
         };
         shown.map_err(|error| error.problems)
     }
@@ -33,8 +33,8 @@ impl Session {
     }
 
     /// The same run with other words. How questions were answered stays where there are as many explanations.
-    fn tell_anew(&mut self, lesson: Lesson) -> Result<(), LessonError> {
-        let narrated = lesson.tell(&self.open.run)?;
+    fn replace_texts(&mut self, lesson: Lesson) -> Result<(), LessonError> {
+        let narrated = lesson.narrate(&self.open.run)?;
         self.narrated = narrated.iter().map(|said| said.step).collect();
         if narrated.len() != self.standings.len() {
             self.standings = vec![Standing::Open; narrated.len()];
@@ -45,7 +45,7 @@ impl Session {
         Ok(())
     }
 
-    fn run_anew(&mut self, lesson: Lesson) -> Result<(), LessonError> {
+    fn rerun(&mut self, lesson: Lesson) -> Result<(), LessonError> {
         let lesson = match self.lesson().is_free_walk() {
             true => lesson
                 .by_method(self.lesson().method)
@@ -148,7 +148,7 @@ mod tests {
         session
             .update(Command::Seek(met(&session).unwrap()))
             .unwrap();
-        session.reload(walk(1.2)).unwrap();
+        session.replace_document(walk(1.2)).unwrap();
         assert_eq!(session.focus(), focus);
         assert_eq!(session.walk().kind(session.step()), "Local");
         let radius = match session.prepared().scene.objects[0].shape {

@@ -76,7 +76,7 @@ impl Session {
         }
         self.narrated.clear();
         if self.follows_lesson() {
-            let narrated = self.open.lesson.narrate(&self.open.run);
+            let narrated = self.open.lesson.narrate_changed(&self.open.run);
             self.open.narrated = narrated.unwrap_or_default();
             let said = self.open.narrated.iter().map(|said| said.step);
             self.narrated.extend(said);

@@ -266,8 +266,8 @@ mod tests {
             ("scene=abc", "not whole"),
         ] {
             let link = Link::parse(link).unwrap();
-            let told = session().show_link(&link).unwrap_err();
-            assert!(told.contains(why), "{link}: {told}");
+            let message = session().show_link(&link).unwrap_err();
+            assert!(message.contains(why), "{link}: {message}");
         }
     }
 }

@@ -66,7 +66,7 @@ mod tests {
             assert!(mistake.concerns(session.lesson().method));
             let said = session
                 .narration_here()
-                .map(|said| said.say(Language::English));
+                .map(|said| said.text(Language::English));
             assert_eq!(said, Some(mistake.about(Language::English).as_str()));
         }
     }

@@ -43,7 +43,7 @@ impl Session {
             let asks = said.question.is_some() && self.asks();
             Entry {
                 step: said.step,
-                title: (!hidden).then(|| title.unwrap_or(said.say(language)).to_owned()),
+                title: (!hidden).then(|| title.unwrap_or(said.text(language)).to_owned()),
                 standing: asks.then(|| self.standings[said.index]),
             }
         });

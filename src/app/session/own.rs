@@ -137,9 +137,9 @@ impl Session {
         Ok(())
     }
 
-    /// Reads the file that is shown anew. Errors: what is wrong with it; nothing has changed then.
+    /// Shows the file again, as it was saved. Errors: what is wrong with it; nothing has changed then.
     pub fn reload(&mut self, lesson: Lesson) -> Result<(), String> {
-        self.show_anew(lesson)
+        self.replace_document(lesson)
             .map_err(|problems| with_path(self.file.as_deref(), &LessonError { problems }))
     }
 }

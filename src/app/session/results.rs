@@ -46,7 +46,7 @@ impl Session {
         let explained = self.open.narrated.iter().filter(|said| {
             let title = said.title.as_ref();
             let title = title.map_or("", |title| title.in_language(language));
-            let texts = [title, said.say(language)].map(|text| plain(text).to_lowercase());
+            let texts = [title, said.text(language)].map(|text| plain(text).to_lowercase());
             !wanted.is_empty() && texts.iter().any(|text| text.contains(&wanted))
         });
         let explained = explained.map(|said| said.step).filter(|&step| step < end);

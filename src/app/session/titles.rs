@@ -48,7 +48,7 @@ impl Session {
         }
         let language = self.look.language;
         match self.narration_here() {
-            Some(told) => plain(told.say(language)),
+            Some(narrated) => plain(narrated.text(language)),
             None => plain(&crate::panels::said(
                 self.panel_input().run,
                 self.step(),

@@ -15,7 +15,7 @@ use std::sync::{Arc, OnceLock};
 use std::thread::available_parallelism;
 
 /// A picture with a mistake, and how it differs from ours.
-type Made = (StoredImage, Comparison);
+type WrongPicture = (StoredImage, Comparison);
 
 /// What is known of the mistakes.
 #[derive(Default)]
@@ -23,7 +23,7 @@ pub struct WhatIf {
     /// The one that is switched on.
     pub on: Option<Mistake>,
     /// Its picture; none where it is not drawn yet, or no pixel differs.
-    pub made: Option<Made>,
+    pub made: Option<WrongPicture>,
     /// Counts the pictures, so that what was drawn of an earlier one is known to be old.
     pub version: u64,
     /// Of how many pixels each is off, as far as known.
@@ -35,7 +35,7 @@ pub struct WhatIf {
 }
 
 /// None where no pixel differs.
-type Drawn = (Mistake, Option<Made>);
+type Drawn = (Mistake, Option<WrongPicture>);
 
 impl WhatIf {
     /// How many pixels are off with a mistake; none before that is known.
@@ -92,7 +92,7 @@ impl WhatIf {
     }
 
     /// What was found was found of another picture. The mistake stays on, and its picture until the next one is there.
-    pub(super) fn begin_anew(&mut self) {
+    pub(super) fn restart(&mut self) {
         self.off.clear();
         self.right = Arc::default();
         self.work = None;

@@ -118,13 +118,13 @@ fn with_ten_explanations(screen: &mut Screen) -> Vec<usize> {
         screen.write(words::TITLE, language, &format!("Step {index}"));
         assert_eq!(screen.problems(), "");
     }
-    let told: Vec<usize> = screen
+    let explained_at: Vec<usize> = screen
         .session()
         .explained()
         .iter()
         .map(|said| said.step)
         .collect();
-    assert_eq!(told, steps);
+    assert_eq!(explained_at, steps);
     steps
 }
 
@@ -185,7 +185,7 @@ fn a_lesson_of_ten_explanations_is_written_saved_read_again_and_walked() {
     let mut screen = opened(folder.path(), "mirror-lesson.json", EN);
     for (index, &step) in steps.iter().enumerate() {
         assert_eq!(screen.session().step(), step);
-        let said = screen.session().narration_here().unwrap().say(EN);
+        let said = screen.session().narration_here().unwrap().text(EN);
         assert_eq!(said, format!("What happens here is number {index}."));
         if index == 2 {
             screen.session_mut().update(Command::Skip).unwrap();
@@ -198,7 +198,7 @@ fn a_lesson_of_ten_explanations_is_written_saved_read_again_and_walked() {
 fn explanations_are_moved_exchanged_and_deleted_and_each_change_is_undone() {
     let (_folder, mut screen) = walk(EN);
     let steps = with_ten_explanations(&mut screen);
-    let told = |screen: &Screen| -> Vec<usize> {
+    let explained_at = |screen: &Screen| -> Vec<usize> {
         screen
             .session()
             .explained()
@@ -221,9 +221,9 @@ fn explanations_are_moved_exchanged_and_deleted_and_each_change_is_undone() {
     if let Some(free) = free {
         screen.walk_to(free);
         screen.act(words::MOVE);
-        assert_eq!(told(&screen)[4], free);
+        assert_eq!(explained_at(&screen)[4], free);
         assert_eq!(
-            screen.session().explained()[4].say(EN),
+            screen.session().explained()[4].text(EN),
             "What happens here is number 3."
         );
         screen.act(strings::UNDO);
@@ -232,9 +232,12 @@ fn explanations_are_moved_exchanged_and_deleted_and_each_change_is_undone() {
 
     screen.pick_row_of(0);
     screen.act(words::DELETE);
-    assert_eq!(told(&screen), steps[1..]);
+    assert_eq!(explained_at(&screen), steps[1..]);
     screen.act(strings::UNDO);
-    assert_eq!((told(&screen), screen.text_of_lesson()), (steps, ten));
+    assert_eq!(
+        (explained_at(&screen), screen.text_of_lesson()),
+        (steps, ten)
+    );
 }
 
 /// Where a lamp is moved, some steps do not happen: the others stay what they are, and nothing is moved or deleted by this run.
@@ -264,7 +267,7 @@ fn in_a_run_with_other_values_explanations_stay_what_they_are() {
     assert!(happen.len() < 10, "{happen:?}");
     for index in happen {
         screen.pick_row_of(index);
-        let said = screen.session().narration_here().unwrap().say(EN);
+        let said = screen.session().narration_here().unwrap().text(EN);
         assert_eq!(said, format!("What happens here is number {index}."));
     }
     screen.pick_row_of(9);

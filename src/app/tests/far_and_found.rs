@@ -31,7 +31,7 @@ fn all_that_is_presented_is_a_28th_of_the_screen_high() {
     let height = screen.harness.ctx.content_rect().height();
     let said = screen.session().narration_here().expect("an explanation");
     let first = said
-        .say(Language::English)
+        .text(Language::English)
         .split_inclusive(['.', '?'])
         .next();
     let node = screen.harness.get_by_label(first.expect("a sentence"));

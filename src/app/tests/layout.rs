@@ -114,7 +114,7 @@ fn check(session: &Session, screen: [f32; 2], at_least: Least, faults: &mut Vec<
     }
 }
 
-/// Goes to every explanation of these lessons, set up by `commands`. `check` is told its number, and writes down what cannot be read.
+/// Goes to every explanation of these lessons, set up by `commands`. `check` is given its number, and writes down what cannot be read.
 fn check_explanations(
     numbers: std::ops::Range<usize>,
     commands: &[Command],

@@ -55,7 +55,7 @@ fn between_explanations_the_one_before_is_not_repeated() {
     let mut screen = triangle([Command::Questions]);
     screen.press(Modifiers::NONE, Key::N);
     let said = screen.session().narration_here().expect("an explanation");
-    let said = said.say(Language::English).to_owned();
+    let said = said.text(Language::English).to_owned();
     let begins = |screen: &Screen| {
         let start = said[..20].to_owned();
         let mut found = screen.harness.query_all_by(move |node| {

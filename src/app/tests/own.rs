@@ -147,7 +147,7 @@ fn one_lesson_of_the_folder_leads_to_the_next() {
 }
 
 #[test]
-fn an_anchor_that_its_run_lacks_is_told_on_the_card_too() {
+fn an_anchor_that_its_run_lacks_is_reported_on_the_card_too() {
     let (folder, mut screen) = own_lessons([1280, 800]);
     let (before, after) = TRIANGLE.rsplit_once("\"at\": \"").expect("an anchor");
     let lost = format!("{before}\"at\": \"Lost{after}").replacen("gouraud-triangle", "own-lost", 1);
@@ -188,7 +188,7 @@ fn first_opened() -> (tempfile::TempDir, Screen) {
 }
 
 #[test]
-fn a_mistake_in_a_saved_file_is_told_with_line_column_and_path_and_the_last_right_one_stays() {
+fn a_mistake_in_a_saved_file_is_reported_with_line_column_and_path_and_the_last_right_one_stays() {
     let (folder, mut screen) = first_opened();
     let path = folder.path().join("1.json");
     let right = lesson("own-first");
@@ -203,11 +203,14 @@ fn a_mistake_in_a_saved_file_is_told_with_line_column_and_path_and_the_last_righ
     ] {
         save(&path, &text, later);
         screen.harness.run_steps(3);
-        let told = notice(&screen);
-        assert!(told.starts_with(&path.display().to_string()), "{told}");
-        assert!(told.contains(said), "{told}");
-        let is_placed = told.contains(": line ") && told.contains(", column ");
-        assert!(is_placed, "{told}");
+        let message = notice(&screen);
+        assert!(
+            message.starts_with(&path.display().to_string()),
+            "{message}"
+        );
+        assert!(message.contains(said), "{message}");
+        let is_placed = message.contains(": line ") && message.contains(", column ");
+        assert!(is_placed, "{message}");
         assert_eq!(screen.session().lesson().id, "own-first");
     }
     save(&path, &right.replacen("Title of", "New title of", 1), 15);

@@ -74,7 +74,7 @@ fn a_point_that_is_pointed_at_is_named_and_a_click_opens_it() {
             let share = egui::vec2(column as f32, row as f32) / 60.0;
             let at = rect.min + share * rect.size();
             screen.harness.hover_at(at);
-            // What is told of a point follows the pointer a frame later.
+            // What is said of a point follows the pointer a frame later.
             screen.harness.step();
             screen.harness.step();
             let here = screen

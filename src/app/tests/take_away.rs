@@ -23,7 +23,7 @@ const READERS: Readers = Readers {
 };
 
 #[test]
-fn a_handout_slides_and_a_picture_are_saved_and_told() {
+fn a_handout_slides_and_a_picture_are_saved_and_reported() {
     let mut screen = triangle([Command::Speak(Language::Indonesian)]);
     screen.harness.state_mut().1.opened = Some(Opened::new(READERS, None));
     for (what, name, within) in [

@@ -82,8 +82,8 @@ fn what_is_saved_on_closing_is_not_saved_over_what_others_wrote() {
     screen.harness.run_steps(2);
     assert!(!press(&mut screen, strings::SAVE_AND_CLOSE));
     assert_eq!(fs::read_to_string(&path).unwrap(), theirs);
-    let told = screen.harness.state().1.notice.clone().unwrap();
-    assert!(told.contains("own.json"), "{told}");
+    let message = screen.harness.state().1.notice.clone().unwrap();
+    assert!(message.contains("own.json"), "{message}");
 
     let (folder, mut screen) = page(Language::English);
     change(&mut screen);

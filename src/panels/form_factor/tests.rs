@@ -25,7 +25,7 @@ fn at_the_end_the_value_stands_beside_the_reference() {
         fixture.seek(last);
         let fields = fixture.walk().own_fields(last);
         let Some(crate::record::Value::Number(f)) = fields.get("F_ij") else {
-            panic!("the last step tells F");
+            panic!("the last step has F");
         };
         let picture = draw(&fixture.input(), Vec2::new(800.0, 500.0));
         let printed: Vec<&str> = texts(&picture).into_iter().map(|(text, _)| text).collect();

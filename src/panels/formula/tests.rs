@@ -165,7 +165,7 @@ fn the_interpolated_edge_has_symbols_numbers_and_result() {
     let printed: String = texts(&picture).into_iter().map(|(text, _)| text).collect();
     let fields = fixture.walk().fields(fixture.walk().position());
     for name in ["y_4", "y_2", "y_1", "I_1", "I_2", "I_4", "difference"] {
-        let value = fields.get(name).expect("told");
+        let value = fields.get(name).expect("a recorded field");
         assert!(
             printed.contains(&shown(value, 4, Language::English)),
             "{name} in {printed}"

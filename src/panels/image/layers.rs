@@ -22,14 +22,14 @@ const NORMAL_COLORS: Message = Message("image-normal-colors");
 const NO_OBJECT: Message = Message("image-no-object");
 
 /// The layer that is shown, with the least and the largest of its values.
-pub(super) struct Shown<'a> {
+pub(super) struct ShownLayer<'a> {
     layer: PixelLayer,
     layers: &'a Layers,
     low: f64,
     high: f64,
 }
 
-impl<'a> Shown<'a> {
+impl<'a> ShownLayer<'a> {
     /// None where the picture is shown in its colours: they are wanted, a question waits, or the layer is not found yet.
     pub fn of(input: &PanelInput<'a>) -> Option<Self> {
         let layer = input.image.layer;
@@ -37,7 +37,7 @@ impl<'a> Shown<'a> {
         if layer == PixelLayer::Color || input.is_pending() {
             return None;
         }
-        let mut shown = Shown {
+        let mut shown = ShownLayer {
             layer,
             layers,
             low: f64::INFINITY,
@@ -177,7 +177,7 @@ fn normal_color(normal: DVec3) -> [u8; 3] {
 
 /// What a layer says of pixel (x, y), in words; none of the colours.
 pub(super) fn said(input: &PanelInput, x: u32, y: u32) -> Option<String> {
-    let shown = Shown::of(input)?;
+    let shown = ShownLayer::of(input)?;
     let pixel = shown.layers.get(x, y)?;
     let language = input.language;
     let value = match shown.layer {

@@ -132,14 +132,14 @@ fn the_depth_buffer_is_filled_step_by_step_and_says_what_the_run_recorded() {
     let said = value(&input, x, y);
     assert!(said.ends_with(&Language::English.short(z, 4)), "{said}");
     assert!(value(&input, x + 1, y).ends_with("none"));
-    let shown = Shown::of(&input).unwrap();
+    let shown = ShownLayer::of(&input).unwrap();
     assert_ne!(shown.color(&input, x, y), shown.color(&input, x + 1, y));
 
     let asked = PanelInput {
         pending: Some(&[]),
         ..input
     };
-    assert!(Shown::of(&asked).is_none(), "a question waits");
+    assert!(ShownLayer::of(&asked).is_none(), "a question waits");
 }
 
 #[test]

@@ -100,13 +100,13 @@ impl Layout {
     }
 
     /// The lines that are seen when so many are scrolled past, which is no more than lets the last be seen; and whether the first place
-    /// and the last tell of those before and after.
+    /// and the last stand for those before and after.
     pub fn seen(&self, first: usize) -> (Range<usize>, [bool; 2]) {
         let (all, room) = (self.lines.len(), self.capacity());
         if all <= room {
             return (0..all, [false; 2]);
         }
-        // One place tells of those before.
+        // One place stands for those before.
         let last_first = all + 1 - room.max(2);
         let first = first.min(last_first);
         let before = first > 0;

@@ -66,7 +66,7 @@ impl Exchange {
         }
     }
 
-    /// A step that tells of one patch by itself.
+    /// A step about one patch alone.
     fn of_step(run: &Run) -> Option<Self> {
         let walk = run.walk();
         let step = Some(walk.position()).filter(|&step| step < walk.len())?;

@@ -315,7 +315,7 @@ pub fn rays(method: Method, samples: u32) -> Fixture {
     );
     scene.objects[4].casts_shadow = false;
     if method == Method::RayCasting {
-        // A scene without highlights tells less of its lights.
+        // A scene without highlights records less of its lights.
         for material in &mut scene.materials {
             material.specular = Rgb::BLACK;
         }

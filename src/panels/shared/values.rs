@@ -1,4 +1,4 @@
-//! How panels write and colour the values that events tell.
+//! How panels write and colour the values of events.
 
 use super::names;
 use crate::color::Rgb;

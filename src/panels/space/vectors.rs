@@ -28,7 +28,7 @@ impl Sketch<'_> {
         self.disc(point.position, 3.0, disc);
     }
 
-    /// The arrows that a question asks for: the one that was turned, and the right one once it is told.
+    /// The arrows that a question asks for: the one that was turned, and the right one once it is revealed.
     pub fn asked(&mut self) {
         for arrow in self.input.answered.arrows() {
             let tag = Tag::Field(arrow.field);

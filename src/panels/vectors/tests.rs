@@ -57,7 +57,7 @@ fn indices_of_refraction_have_the_decimal_sign_of_the_language() {
 }
 
 #[test]
-fn angles_are_those_that_the_steps_tell() {
+fn angles_are_those_of_the_steps() {
     let mut fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
     for (kind, n, name) in [
         ("Faced", 0, "theta_i_degrees"),
@@ -70,7 +70,7 @@ fn angles_are_those_that_the_steps_tell() {
             .own_fields(fixture.walk().position())
             .get(name);
         let Some(Value::Number(angle)) = recorded else {
-            panic!("{kind} {n} tells {name}")
+            panic!("{kind} {n} has {name}")
         };
         let shown = format!("{}°", Language::English.short(angle, 1));
         let picture = draw(&fixture.input(), LARGE);

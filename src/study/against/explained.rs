@@ -29,7 +29,7 @@ impl Suspect {
             .count()
     }
 
-    /// Whether the picture is the same with this mistake and with the other, as far as it can be told.
+    /// Whether the picture is the same with this mistake and with the other, as far as is known.
     fn is_like(&self, other: &Suspect) -> bool {
         self.explained == other.explained
             && self.explanation.rms_after == other.explanation.rms_after

@@ -115,8 +115,8 @@ fn scenes() -> [(&'static str, &'static str, Method); 12] {
 }
 
 #[test]
-fn every_mistake_is_told_from_all_others_by_its_own_picture() {
-    let mut told: BTreeSet<&str> = BTreeSet::new();
+fn every_mistake_is_distinguished_from_all_others_by_its_own_picture() {
+    let mut named: BTreeSet<&str> = BTreeSet::new();
     for (name, scene, method) in scenes() {
         let setup = setup(scene, [40, 30]);
         let frame = render(&setup, method, ONE, &|_, _| {});
@@ -148,12 +148,12 @@ fn every_mistake_is_told_from_all_others_by_its_own_picture() {
                 mistake.name()
             );
             if right.len() == 1 {
-                told.insert(mistake.name());
+                named.insert(mistake.name());
             }
         }
     }
     let missing = Mistake::ALL.iter().map(|mistake| mistake.name());
-    let missing: Vec<_> = missing.filter(|name| !told.contains(name)).collect();
+    let missing: Vec<_> = missing.filter(|name| !named.contains(name)).collect();
     assert!(missing.is_empty(), "never alone: {missing:?}");
 }
 

@@ -223,7 +223,7 @@ fn curves(request: &Request, work: impl Fn(Method) -> Work) -> Vec<Unfinished> {
     ]
 }
 
-/// What the methods tell of their work.
+/// What the methods record of their work.
 const KINDS: [(&str, &str); 5] = [
     ("Pair", "pairs_of_points"),
     ("Edge", "edges_seen"),

@@ -166,7 +166,7 @@ fn sweep_settings(
         }
         let counted = &mut Counter::default();
         let again = problem.solve(solver, tolerance, counted);
-        debug_assert!(again.is_ok(), "told or not, the result is the same");
+        debug_assert!(again.is_ok(), "recorded or not, the result is the same");
         let matrices = if solver == Solver::Direct { 2 } else { 1 };
         let shared = problem.clone();
         sweep_settings.push(Setting {

@@ -1,6 +1,6 @@
 //! What classic mistakes make of the values of a step: each a formula that a program with the mistake computes in place of the right one.
 
-use super::{OtherValue, ToldValue};
+use super::{OtherValue, TraceValue};
 use crate::panels::{Slip, slipped};
 use crate::record::Value;
 use crate::replay::Run;
@@ -108,7 +108,7 @@ pub fn slips(run: &Run, other: &OtherValue, tolerance: f64) -> Vec<Mistake> {
     let of_kind = SLIPS.iter().filter(|(_, kind, _)| *kind == other.kind);
     let gives = |(mistake, _, slip): &OfKind| {
         let (name, value) = slipped(run, other.step, slip)?;
-        let value = ToldValue::from(value);
+        let value = TraceValue::from(value);
         (name == other.field && other.theirs.agrees(&value, tolerance)).then_some(*mistake)
     };
     let mut found: Vec<Mistake> = of_kind.filter_map(gives).collect();
@@ -120,7 +120,7 @@ pub fn slips(run: &Run, other: &OtherValue, tolerance: f64) -> Vec<Mistake> {
 /// A light that is hidden in their program and not in ours: by what lies behind it, or else by the surface itself.
 fn of_shadow(run: &Run, other: &OtherValue) -> Option<Mistake> {
     let hidden =
-        (&other.theirs, &other.ours) == (&ToldValue::Truth(true), &Some(ToldValue::Truth(false)));
+        (&other.theirs, &other.ours) == (&TraceValue::Truth(true), &Some(TraceValue::Truth(false)));
     if !hidden || other.kind != "Shadow" || other.field != "blocked" {
         return None;
     }

@@ -34,8 +34,8 @@ fn run(setup: Setup) -> Run {
 }
 
 /// The trace of a program that does just the same: own values alone.
-fn trace(walk: &dyn Walk) -> Vec<Told> {
-    let told = |step: usize| Told {
+fn trace(walk: &dyn Walk) -> Vec<TraceLine> {
+    let traced = |step: usize| TraceLine {
         line: step + 1,
         kind: walk.kind(step).to_owned(),
         values: walk
@@ -44,7 +44,7 @@ fn trace(walk: &dyn Walk) -> Vec<Told> {
             .map(|field| (field.name.to_owned(), field.value.into()))
             .collect(),
     };
-    (0..walk.len()).map(told).collect()
+    (0..walk.len()).map(traced).collect()
 }
 
 #[test]
@@ -59,9 +59,9 @@ fn a_program_that_does_the_same_is_followed_to_its_end() {
     assert_eq!(follow(run.walk(), &trace, 0.0), Ok(all));
 
     // Every second step untold, and the last digits lost
-    trace.retain(|told| told.line % 2 == 0);
-    for (_, value) in trace.iter_mut().flat_map(|told| &mut told.values) {
-        if let ToldValue::Number(Some(number)) = value {
+    trace.retain(|traced| traced.line % 2 == 0);
+    for (_, value) in trace.iter_mut().flat_map(|traced| &mut traced.values) {
+        if let TraceValue::Number(Some(number)) = value {
             *number = number.to_string()[..number.to_string().len().min(9)]
                 .parse()
                 .unwrap_or(*number);
@@ -84,15 +84,15 @@ fn steps_of_a_scope_may_come_in_any_order() {
 }
 
 #[test]
-fn the_first_value_that_differs_is_told_with_ours() {
+fn the_first_value_that_differs_is_reported_with_ours() {
     let run = run(setup());
     let mut trace = trace(run.walk());
     let at = trace
         .iter()
-        .position(|told| told.kind == "Diffuse")
+        .position(|traced| traced.kind == "Diffuse")
         .unwrap();
     let (field, right) = trace[at].values.last().unwrap().clone();
-    let wrong = ToldValue::Three([0.25, 0.5, 0.75]);
+    let wrong = TraceValue::Three([0.25, 0.5, 0.75]);
     trace[at].values.last_mut().unwrap().1 = wrong.clone();
     let followed = follow(run.walk(), &trace, TOLERANCE).unwrap();
     let difference = Difference::Value(OtherValue {
@@ -112,7 +112,7 @@ fn the_first_value_that_differs_is_told_with_ours() {
 #[test]
 fn more_steps_than_the_run_has_differ_and_unknown_names_are_errors() {
     let run = run(setup());
-    let told = |line, kind: &str, values: &[(&str, ToldValue)]| Told {
+    let traced = |line, kind: &str, values: &[(&str, TraceValue)]| TraceLine {
         line,
         kind: kind.into(),
         values: values
@@ -120,20 +120,24 @@ fn more_steps_than_the_run_has_differ_and_unknown_names_are_errors() {
             .map(|(name, value)| (name.to_string(), value.clone()))
             .collect(),
     };
-    let twice = [told(1, "FrameDone", &[]), told(2, "FrameDone", &[])];
+    let twice = [traced(1, "FrameDone", &[]), traced(2, "FrameDone", &[])];
     let difference = follow(run.walk(), &twice, 0.0).unwrap().difference;
     let (line, kind, count) = (2, "FrameDone".to_owned(), 1);
     assert_eq!(difference, Some(Difference::More { line, kind, count }));
 
-    let unknown = follow(run.walk(), &[told(7, "Difuse", &[])], 0.0).unwrap_err();
+    let unknown = follow(run.walk(), &[traced(7, "Difuse", &[])], 0.0).unwrap_err();
     let message = unknown.to_string();
     assert!(
         message
             .starts_with("line 7: there is no step of the kind \"Difuse\" (did you mean Diffuse?)")
     );
     assert!(message.contains("Diffuse"));
-    let value = ToldValue::Truth(true);
-    let unknown = follow(run.walk(), &[told(3, "Shadow", &[("blokced", value)])], 0.0);
+    let value = TraceValue::Truth(true);
+    let unknown = follow(
+        run.walk(),
+        &[traced(3, "Shadow", &[("blokced", value)])],
+        0.0,
+    );
     let message = unknown.unwrap_err().to_string();
     assert!(
         message.starts_with("line 3: Shadow has no value \"blokced\" (did you mean blocked?)"),
@@ -145,18 +149,18 @@ fn more_steps_than_the_run_has_differ_and_unknown_names_are_errors() {
 #[test]
 fn a_value_of_another_type_is_an_error_and_a_kind_that_the_run_lacks_a_difference() {
     let run = run(setup());
-    let line = |kind: &str, field: &str, value| Told {
+    let line = |kind: &str, field: &str, value| TraceLine {
         line: 4,
         kind: kind.into(),
         values: vec![(field.into(), value)],
     };
-    let red = ToldValue::Word("red".into());
+    let red = TraceValue::Word("red".into());
     let error = follow(run.walk(), &[line("Diffuse", "I_d", red)], 0.0).unwrap_err();
     assert_eq!(
         error.to_string(),
         "line 4: I_d is a word; of Diffuse it is a list of three numbers"
     );
-    let mirrored = line("Mirrored", "R_dot_V", ToldValue::Number(Some(0.5)));
+    let mirrored = line("Mirrored", "R_dot_V", TraceValue::Number(Some(0.5)));
     let followed = follow(run.walk(), &[mirrored], 0.0).unwrap();
     let (line, kind, count) = (4, "Mirrored".to_owned(), 0);
     assert_eq!(
@@ -165,7 +169,7 @@ fn a_value_of_another_type_is_an_error_and_a_kind_that_the_run_lacks_a_differenc
     );
 }
 
-/// The scopes of two rays that leave one surface, told the other way round, and told without the rays themselves.
+/// The scopes of two rays that leave one surface, recorded the other way round, and recorded without the rays themselves.
 #[test]
 fn rays_of_a_surface_may_be_followed_in_any_order() {
     let glass = SCENE.replace("\"transmission\"", "\"reflection\": 0.3, \"transmission\"");
@@ -180,15 +184,15 @@ fn rays_of_a_surface_may_be_followed_in_any_order() {
     };
     let trace = trace(walk);
     let part = |ray: usize| trace[ray..=walk.outline().last(ray)].iter().cloned();
-    let mut swapped: Vec<Told> = part(transmitted).chain(part(reflected)).collect();
+    let mut swapped: Vec<TraceLine> = part(transmitted).chain(part(reflected)).collect();
     assert_eq!(follow(walk, &swapped, 0.0).unwrap().difference, None);
 
     // The first wrong value stands in the transmitted part, and is held against that part.
-    let wrong = ToldValue::Three([9.0, 9.0, 9.0]);
-    let met = |told: &&mut Told| told.kind == "SurfaceMet";
-    let told = swapped.iter_mut().find(met).unwrap();
-    let line = told.line;
-    let position = told.values.iter_mut().find(|(name, _)| name == "P");
+    let wrong = TraceValue::Three([9.0, 9.0, 9.0]);
+    let met = |traced: &&mut TraceLine| traced.kind == "SurfaceMet";
+    let traced = swapped.iter_mut().find(met).unwrap();
+    let line = traced.line;
+    let position = traced.values.iter_mut().find(|(name, _)| name == "P");
     position.unwrap().1 = wrong;
     let followed = follow(walk, &swapped, 0.0).unwrap();
     let Some(Difference::Value(other)) = followed.difference else {

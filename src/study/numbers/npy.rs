@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_understood_is_told() {
+    fn what_is_not_understood_is_reported() {
         for (bytes, expected) in [
             (b"\x93NUMPY\x01".to_vec(), "ends in its header"),
             (b"\x93NUMPY\x01\x00\xff\xff{".to_vec(), "ends in its header"),

@@ -28,7 +28,7 @@ pub fn spheres(distance: f64, double: Roots<f64>, single: Roots<f32>) -> Result<
 }
 
 /// The share of nearest hits that are lost, or whose t is off by more than a tenth of the radius. What is right is geometry, in f64, of
-/// the ray as the precision tells it.
+/// the ray in that precision.
 pub fn wrong_hits<F: Float + Into<f64>>(distance: f64, roots: Roots<F>) -> Measured {
     at_ball(distance, |origin, direction| {
         let [o, d] = [origin, direction].map(|v: [F; 3]| DVec3::from_array(v.map(F::into)));

@@ -20,7 +20,7 @@ pub struct Measured {
     pub unit: Unit,
 }
 
-/// In what an error is told.
+/// The unit of an error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
     Relative,

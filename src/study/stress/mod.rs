@@ -9,6 +9,7 @@ mod form_factors;
 mod illumination;
 mod measured;
 mod nearest;
+mod output;
 mod radiosity;
 mod ramps;
 mod rays;
@@ -19,11 +20,10 @@ mod scenes;
 mod screen;
 mod squares;
 mod systems;
-mod tell;
 
 pub use case::{Case, Judged, Known, Measured, Ran, Recorded, Report, Unit, Verdict};
 pub use nearest::nearest_names;
-pub use tell::{json, statement, table};
+pub use output::{json, statement, table};
 
 const FAMILIES: [&[Case]; 8] = [
     illumination::CASES,

@@ -22,7 +22,7 @@ pub const CASES: &[Case] = &[
     },
     Case {
         name: "radiosity/furnace-1-1e-6",
-        asks: "the same with ρ = 1 − 10⁻⁶, to a residual of 10⁻⁸: what f64 can tell of B = 10⁶ is 10⁻¹⁰",
+        asks: "the same with ρ = 1 − 10⁻⁶, to a residual of 10⁻⁸: what f64 resolves of B = 10⁶ is 10⁻¹⁰",
         expects: "1/(1 − ρ) = 10⁶",
         because: "the same; rows are to sum to 1, and an error δ of a row's sum changes B by δ/(1 − ρ)",
         run: || furnace(1.0 - 1e-6, 1.0, 1e-8),

@@ -66,7 +66,7 @@ fn discs_are_the_limit_of_regular_polygons() {
         };
         automatic(&disc(0.0, 1.0), &disc(1.0, -1.0), 1e-9)
     };
-    // The error of n sides falls like 1/n²: two of them tell the limit to the fourth order (Richardson).
+    // The error of n sides falls like 1/n²: two of them give the limit to the fourth order (Richardson).
     let limit = (4.0 * of_sides(128) - of_sides(64)) / 3.0;
     assert!((limit / exact - 1.0).abs() < 1e-6, "{limit}");
 }

@@ -65,7 +65,7 @@ fn a_moved_light_is_seen_in_picture_run_and_narration_at_the_same_step() {
         session
             .narration_here()
             .unwrap()
-            .say(Language::English)
+            .text(Language::English)
             .to_owned()
     };
     let before = (intensity(&session), said(&session), picture(&mut session));
@@ -275,7 +275,7 @@ fn a_light_moved_elsewhere_is_moved_in_the_lesson_too() {
     let said = |session: &Session| {
         let narrated = session.open.narrated.iter();
         narrated
-            .map(|said| said.say(Language::English).to_owned())
+            .map(|said| said.text(Language::English).to_owned())
             .collect::<Vec<_>>()
     };
     assert_eq!(said(&session), said(&moved_there));

@@ -97,7 +97,7 @@ fn a_point_with_a_picture_opens_it_with_its_run_and_the_study_stays() {
         go(&mut session, StudyCommand::Pick(FIRST)).unwrap();
         assert_eq!(session.lesson().method, method);
         assert_eq!(session.title(), "rough, n = 2");
-        let said = session.narration_here().unwrap().say(Language::English);
+        let said = session.narration_here().unwrap().text(Language::English);
         assert!(said.contains("0.25 in 2.00 ms"), "{said}");
         assert!(session.last_step() > 1);
         assert_eq!(session.look.language, Language::Indonesian);
@@ -111,7 +111,7 @@ fn a_point_with_a_picture_opens_it_with_its_run_and_the_study_stays() {
 }
 
 #[test]
-fn a_point_without_a_picture_is_told_of_and_one_that_is_not_there_is_refused() {
+fn a_point_without_a_picture_is_reported_and_one_that_is_not_there_is_refused() {
     let mut session = measured(Method::Gouraud);
     let other = PointAt { line: 1, ..FIRST };
     go(&mut session, StudyCommand::Pick(other)).unwrap();

@@ -14,7 +14,7 @@ fn another_focus_keeps_the_place_and_the_way_back_brings_the_narration() {
     };
     let (here, step) = (place(&session), session.step());
     let (Some(x), Some(y), _) = here else {
-        panic!("a pixel tells its place")
+        panic!("a pixel has its place")
     };
     for focus in [
         Focus::Pixel {

@@ -289,11 +289,11 @@ fn the_right_arrow_is_the_one_that_the_run_draws() {
             Answer::Arrow { name, .. } => (name, question.step),
             _ => panic!("an arrow is asked for"),
         };
-        let told = tips(&session, field);
+        let tip = tips(&session, field);
         session.start_at(step);
         let drawn = tips(&session, name);
-        let (told, drawn) = (told[0], drawn[0]);
-        assert!(told.distance(drawn) < 40.0, "{id}: {told}, drawn {drawn}");
+        let (tip, drawn) = (tip[0], drawn[0]);
+        assert!(tip.distance(drawn) < 40.0, "{id}: {tip}, drawn {drawn}");
     }
 }
 

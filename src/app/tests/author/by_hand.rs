@@ -8,12 +8,12 @@ impl Screen {
         self.harness.run_steps(3);
     }
 
-    pub(super) fn say(&self, message: Message) -> &'static str {
+    pub(super) fn localize(&self, message: Message) -> &'static str {
         self.session().localize(message)
     }
 
     pub(super) fn act(&mut self, message: Message) {
-        let label = self.say(message);
+        let label = self.localize(message);
         self.click_there(label);
     }
 
@@ -46,7 +46,11 @@ impl Screen {
 
     /// Puts a text in place of what stands in a field.
     pub(super) fn write(&mut self, message: Message, language: Language, text: &str) {
-        let label = format!("{}, {}", self.say(message), language.code().to_uppercase());
+        let label = format!(
+            "{}, {}",
+            self.localize(message),
+            language.code().to_uppercase()
+        );
         self.type_over(&label, text);
     }
 

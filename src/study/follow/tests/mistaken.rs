@@ -47,7 +47,7 @@ impl Case {
         Case { setup, run, focus }
     }
 
-    fn named(&self, trace: &[Told]) -> Vec<Mistake> {
+    fn named(&self, trace: &[TraceLine]) -> Vec<Mistake> {
         let followed = follow(self.run.walk(), trace, TOLERANCE).unwrap();
         let with = (TOLERANCE, &followed);
         explained_by(&self.setup, (&self.run, self.focus), trace, with)
@@ -76,19 +76,19 @@ impl Case {
         let otherwise = |step: usize| {
             let is_of_kind = walk.kind(step) == kind;
             let at = At { walk, step };
-            let value = ToldValue::from(wrong(self, is_of_kind.then_some(&at)?)?);
-            let ours = ToldValue::from(at.value(field)?);
+            let value = TraceValue::from(wrong(self, is_of_kind.then_some(&at)?)?);
+            let ours = TraceValue::from(at.value(field)?);
             (!value.agrees(&ours, 1e-3)).then_some((step, value))
         };
         let found = (0..walk.len()).find_map(otherwise);
         let (step, value) = found.unwrap_or_else(|| panic!("{}: {kind}", mistake.name()));
         let mut trace = trace(walk);
         trace.truncate(step + 1);
-        let told = trace[step]
+        let traced = trace[step]
             .values
             .iter_mut()
             .find(|(name, _)| name == field);
-        told.unwrap().1 = value;
+        traced.unwrap().1 = value;
         let named = self.named(&trace);
         let followed = follow(walk, &trace, TOLERANCE).unwrap().difference;
         assert!(
@@ -99,7 +99,7 @@ impl Case {
     }
 }
 
-/// The values that are known at a step: of itself, of the scopes around it, or told last before it.
+/// The values that are known at a step: of itself, of the scopes around it, or recorded last before it.
 struct At<'a> {
     walk: &'a dyn Walk,
     step: usize,
@@ -156,7 +156,7 @@ fn mistakes_that_a_wrong_input_makes_are_named_first() {
         let wrong = Run::record(Arc::new(wrong), METHOD, FOCUS, RecordingLimit::default());
         let trace = trace(wrong.walk());
         let followed = follow(case.run.walk(), &trace, TOLERANCE).unwrap();
-        // One level too many tells what the run does not reach, and another depth nothing else here.
+        // One level too many records what the run does not reach, and another depth nothing else here.
         if followed.difference.is_none() {
             continue;
         }
@@ -233,7 +233,7 @@ fn mistakes_of_the_illumination_model_are_named_for_the_value_that_differs() {
             Some(Value::Rgb(k_d * light * (at.number("f_att")? * factor)))
         }
     };
-    // Wherever L and N·L are not told.
+    // Wherever L and N·L are not traced.
     case.is_named(
         Mistake::CosNotClamped,
         "Diffuse",

@@ -73,14 +73,14 @@ fn a_value_of_the_document_is_changed_undone_and_done_again() {
 }
 
 #[test]
-fn what_does_not_happen_is_told_where_it_would_follow() {
+fn what_does_not_happen_is_reported_where_it_would_follow() {
     let mut session = Session::new(pane()).unwrap();
     assert_eq!(session.explanations(), 3);
     session.update(by_path(2, PathValue::Option(1))).unwrap();
     assert_eq!(session.explanations(), 2);
     assert!(!session.is_silent());
-    let told: Vec<_> = session.not_happening_here();
-    assert_eq!(told, [(Some("Into the glass"), Some("The ray ends."))]);
+    let notes: Vec<_> = session.not_happening_here();
+    assert_eq!(notes, [(Some("Into the glass"), Some("The ray ends."))]);
     session.update(Command::NextNarrated).unwrap();
     assert_eq!(session.walk().kind(session.step()), "PixelColored");
     assert!(session.not_happening_here().is_empty());
