@@ -17,7 +17,7 @@
 //! | [`figure`] | what panels and studies are made of: scales, plots, legends, colour strips, cells, arrows, labels, views; knows no algorithm |
 //! | [`record`] | recorders of an algorithm's events, and the tree of scopes over them; knows no algorithm |
 //! | [`scene`] | scene files and their checks, camera, lights, materials, meshes, division into polygons; where rays meet them ([`scene::primitives`]), what a scene needs, and the patches of radiosity ([`scene::patches`]) |
-//! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud, Phong, Fast Phong, textures, ray casting, ray tracing; [`algorithms::form_factor`] and [`algorithms::radiosity`] with a file a method or solver |
+//! | [`algorithms`] | one file an algorithm: illumination, scan conversion, wireframe, flat, Gouraud, Phong, Fast Phong, textures, ray casting, ray tracing; [`algorithms::form_factor`], [`algorithms::radiosity`] and [`algorithms::hierarchical`] with a file a method, solver or procedure |
 //! | [`vocabulary`] | what each kind of event means, declared once: values with their symbols, pseudocode line, sentence, formulas |
 //! | [`methods`] | a method as one value: its name, its panels, what it needs, how it is drawn, recorded and counted; and a scene set up for all of them, with their settings |
 //! | [`render`] | a whole frame or a whole matrix of form factors, unrecorded, on all cores; frames all at once or coarse first; what panels show beside the steps of a run ([`render::Finished`]) |

@@ -18,6 +18,7 @@
 //! | [`ray_tracing`], [`ray_tree`] | shadows, reflection and refraction, and the tree of rays | Whitted 1980 |
 //! | [`form_factor`] | the share of light that one patch sends to another, one file per method | Cohen & Greenberg 1985, Baum et al. 1989 |
 //! | [`radiosity`] | solvers of the radiosity system: gathering, shooting, Chebyshev, conjugate gradients, LU | Goral et al. 1984, Cohen et al. 1988 |
+//! | [`hierarchical`] | links between the elements of quadtrees, in place of a matrix | Hanrahan et al. 1991 |
 //! | [`enclosure`], [`enclosure_needs`], [`enclosure_notes`], [`lamp_notes`], [`exchange`], [`accuracy`], [`patch_view`] | a scene's patches with their form factors and light, and the picture of it | Cohen & Greenberg 1985 |
 //!
 //! [`prepared_scene`] prepares a scene for its camera for all of them; [`focus`] selects the part of a frame that is drawn.
@@ -67,6 +68,7 @@ pub mod focus;
 pub mod form_factor;
 pub mod frame;
 pub mod gouraud;
+pub mod hierarchical;
 pub mod illumination;
 pub mod incidence;
 pub mod intensity;

@@ -15,6 +15,7 @@ mod follow;
 mod form_factors;
 mod frames;
 mod handout;
+mod hierarchy;
 mod interrupt;
 #[cfg(feature = "gui")]
 mod lesson_folder;

@@ -54,7 +54,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let has_camera = scene.camera.is_some();
     let solution = &arguments.solution;
     let radiosity = solution.or(settings.get(), arguments.limits)?;
-    if method == Method::Radiosity {
+    if method.family().exchanges_light() {
         form_factors::enclosure(&scene, path, radiosity)?;
     }
     let settings = Settings::from(arguments.rays.or(settings.get())).with(radiosity);

@@ -125,8 +125,16 @@ impl SystemArguments {
     /// Notes on the options given, where `method` has no use for them.
     pub fn notes(&self, tolerance: ToleranceArgument, method: methods::Method) -> Vec<Note> {
         let given = self.given().into_iter().chain(tolerance.given());
-        let has_use = |method| method == methods::Method::Radiosity;
-        notes::without_effect(given, method, has_use)
+        let of_matrix =
+            |option: &&str| ["--solver", "--form-factors", "--closure"].contains(option);
+        let (of_matrix, of_both): (Vec<_>, Vec<_>) = given.partition(of_matrix);
+        let solves = |method| method == methods::Method::Radiosity;
+        let finds_light = |method: methods::Method| method.family().exchanges_light();
+        [
+            notes::without_effect(of_matrix, method, solves),
+            notes::without_effect(of_both, method, finds_light),
+        ]
+        .concat()
     }
 
     /// The options given, and for the rest those of `unless`.

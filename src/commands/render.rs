@@ -5,13 +5,16 @@ use super::arguments::{
 };
 use super::failure::Failure;
 use super::form_factors::MemoryArgument;
+use super::hierarchy::HierarchyArguments;
 use super::progress::Progress;
 use super::radiosity::{SolutionArguments, light};
 use super::{files, needs, notes, output};
 use crate::algorithms::enclosure;
 use crate::color::{Rgb, pfm, png_rgb8};
+use crate::methods::hierarchical::{self, NoLight};
 use crate::methods::{Method, Settings, Setup};
 use crate::render::{RayCounts, render, render_counted};
+use std::convert::Infallible;
 use std::fmt::Display;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -52,6 +55,8 @@ pub struct Arguments {
     #[command(flatten)]
     solution: SolutionArguments,
     #[command(flatten)]
+    hierarchy: HierarchyArguments,
+    #[command(flatten)]
     memory: MemoryArgument,
     #[command(flatten)]
     limits: LimitArguments,
@@ -88,18 +93,27 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         smooth: arguments.smooth,
         ..solution.or(settings.get(), arguments.limits)?
     });
+    let settings = settings.with(arguments.hierarchy.or(Default::default())?);
     let prepared = files::prepared(scene, arguments.size, method, &arguments.scene.display())?;
     let setup = Setup::new(prepared, settings);
     let staged = start.elapsed();
-    let mut notes = [arguments.rays.notes(method), solution.notes(method)].concat();
+    let mut notes = [
+        arguments.rays.notes(method),
+        solution.notes(method),
+        arguments.hierarchy.notes(method),
+    ]
+    .concat();
     if arguments.smooth {
-        let has_use = |method| method == Method::Radiosity;
+        let has_use = |method: Method| method.family().exchanges_light();
         notes.extend(notes::without_effect(["--smooth"], method, has_use));
     }
     notes.extend(setup.notes(method));
     notes::print(&arguments.scene.display(), &notes);
-    if method == Method::Radiosity {
-        solve(&setup, &arguments)?;
+    let mut hierarchy = None;
+    match method {
+        Method::Radiosity => solve(&setup, &arguments)?,
+        Method::HierarchicalRadiosity => hierarchy = Some(linked(&setup, &arguments)?),
+        _ => {}
     }
     let solved = start.elapsed();
     let threads = match arguments.threads {
@@ -151,6 +165,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
                 "transmitted": rays.transmitted,
                 "total_internal_reflection": rays.total_internal_reflection,
             },
+            "hierarchy": hierarchy,
             "left_out": skipped,
             "notes": notes,
         });
@@ -168,6 +183,31 @@ fn solve(setup: &Setup, arguments: &Arguments) -> Result<(), Failure> {
         return Err(wrong(&refusal));
     }
     light(&setup.prepared.scene, enclosure).map(drop)
+}
+
+/// The elements and links of the scene's room, or why there is no light.
+fn linked(setup: &Setup, arguments: &Arguments) -> Result<serde_json::Value, Failure> {
+    let progress = Progress::new("linking elements");
+    let go_on = || {
+        progress.show(0, 1);
+        Ok::<(), Infallible>(())
+    };
+    let Ok(solved) = hierarchical::light(setup, go_on);
+    drop(progress);
+    match solved {
+        Ok(light) => Ok(serde_json::json!({
+            "patches": light.radiosity.len(),
+            "elements": light.elements,
+            "leaves": light.leaves,
+            "links": light.links,
+            "gatherings": light.sweeps,
+        })),
+        Err(why @ NoLight::Patches(_)) => Err(files::wrong(&arguments.scene.display(), &why)),
+        Err(why @ NoLight::Unsettled(_)) => Err(Failure::Failed(format!(
+            "{}: {why}",
+            arguments.scene.display()
+        ))),
+    }
 }
 
 /// A method by the name that clap has already checked.

@@ -5,6 +5,7 @@ use super::arguments::{
 };
 use super::failure::{Failure, note};
 use super::files::{self, Document};
+use super::hierarchy::HierarchyArguments;
 use super::notes;
 use super::output;
 use super::progress::{self, Progress};
@@ -49,6 +50,8 @@ pub struct Recorded {
     focus: FocusArguments,
     #[command(flatten)]
     rays: RayArguments,
+    #[command(flatten)]
+    hierarchy: HierarchyArguments,
     #[command(flatten)]
     system: SystemArguments,
     #[command(flatten)]
@@ -171,7 +174,8 @@ impl Recorded {
     ) -> Result<Settings, Failure> {
         let rays = self.rays.or(unless.get());
         let radiosity = tolerance.or(self.system.or(unless.get(), self.limits)?)?;
-        Ok(unless.with(rays).with(radiosity))
+        let hierarchy = self.hierarchy.or(unless.get())?;
+        Ok(unless.with(rays).with(radiosity).with(hierarchy))
     }
 
     pub fn record(&self, tolerance: ToleranceArgument) -> Result<Recording, Failure> {
@@ -181,6 +185,7 @@ impl Recorded {
             let notes = [
                 self.rays.notes(method),
                 self.system.notes(tolerance, method),
+                self.hierarchy.notes(method),
             ];
             notes::print(&self.name, &notes.concat());
         };
@@ -191,6 +196,7 @@ impl Recorded {
                     && self.size.is_none()
                     && !self.rays.is_given()
                     && self.system.given().is_empty()
+                    && !self.hierarchy.is_given()
                     && tolerance.given().is_none() =>
             {
                 let open = lesson
@@ -244,7 +250,9 @@ fn record_on(setup: Setup, method: Method, focus: Focus, name: &str) -> Result<R
         Focus::FormFactor { .. } => "--form-factor",
     };
     if !method.records(focus) {
-        let does = if method.converts_polygons() {
+        let does = if method == Method::HierarchicalRadiosity {
+            "is recorded as a whole; choose no part of it"
+        } else if method.converts_polygons() {
             "goes polygon by polygon; choose --pixel, --scan-line or --polygon"
         } else if method.follows_rays() {
             "goes pixel by pixel; choose --pixel or --scan-line"

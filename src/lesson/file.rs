@@ -59,6 +59,9 @@ pub struct LessonFile {
     /// Of radiosity: how the light of the room is found.
     #[serde(default, deserialize_with = "present")]
     pub radiosity: Option<Keyed<RadiosityFile>>,
+    /// Of hierarchical radiosity: when links are refined.
+    #[serde(default, deserialize_with = "present")]
+    pub hierarchy: Option<Keyed<HierarchyFile>>,
     /// Two to six methods whose pictures are compared, the last one the reference.
     #[serde(default, deserialize_with = "present")]
     #[schemars(with = "Option<Vec<Method>>")]
@@ -97,6 +100,24 @@ pub struct RadiosityFile {
     pub max_iterations: Option<u32>,
     #[serde(default, deserialize_with = "present")]
     pub smooth: Option<bool>,
+}
+
+/// When links are refined. What is not given is as on the command line.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct HierarchyFile {
+    /// F_ε: how large an element may be, seen from the other, to be linked in the first pass.
+    #[serde(default, deserialize_with = "present")]
+    pub link_size: Option<f64>,
+    /// How much light a link may carry in the last pass, as a share of all that is emitted.
+    #[serde(default, deserialize_with = "present")]
+    pub link_light: Option<f64>,
+    /// A_ε: what is no larger is not divided.
+    #[serde(default, deserialize_with = "present")]
+    pub smallest_area: Option<f64>,
+    /// How many passes come after the first one.
+    #[serde(default, deserialize_with = "present")]
+    pub passes: Option<u32>,
 }
 
 /// Which part of the frame, or of the exchange of light, is recorded.

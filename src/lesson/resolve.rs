@@ -8,7 +8,7 @@ use super::file::{LessonFile, StepFile};
 use super::narrate::narrate;
 use super::narrated::Narrated;
 use super::parameters::{ByPath, Parameter, ParameterFile, Source, parameters};
-use super::settings::{compare, mapping, radiosity, rays};
+use super::settings::{compare, hierarchy, mapping, radiosity, rays};
 use super::text::Text;
 use super::translations;
 use crate::algorithms::focus::Focus;
@@ -127,6 +127,7 @@ impl Lesson {
         let focus = checks::focus(&file, method, &mut problems);
         let settings = Settings::from(rays(&file, &mut problems))
             .with(radiosity(&file, &mut problems))
+            .with(hierarchy(&file, &mut problems))
             .with(mapping(&file, &mut problems));
         let compare = compare(&file, &mut problems);
 

@@ -5,6 +5,7 @@ use super::error::problem;
 use super::file::LessonFile;
 use crate::algorithms::enclosure;
 use crate::algorithms::form_factor::Method;
+use crate::algorithms::hierarchical;
 use crate::algorithms::primary::Settings;
 use crate::algorithms::radiosity::Solver;
 use crate::algorithms::texture::Mapping;
@@ -133,6 +134,30 @@ pub fn radiosity(file: &LessonFile, problems: &mut Vec<Problem>) -> enclosure::S
                 "found 0; allowed are whole numbers of 1 or more".into(),
             );
         }
+    }
+    settings
+}
+
+/// When the links of hierarchical radiosity are to be refined.
+pub fn hierarchy(file: &LessonFile, problems: &mut Vec<Problem>) -> hierarchical::Settings {
+    let unless = hierarchical::Settings::default();
+    let Some(Keyed(file)) = &file.hierarchy else {
+        return unless;
+    };
+    let settings = hierarchical::Settings {
+        link_size: file.link_size.unwrap_or(unless.link_size),
+        link_light: file.link_light.unwrap_or(unless.link_light),
+        smallest_area: file.smallest_area.unwrap_or(unless.smallest_area),
+        passes: file.passes.unwrap_or(unless.passes),
+    };
+    if let Err(hierarchical::NotAllowed {
+        what,
+        found,
+        allowed,
+    }) = settings.check()
+    {
+        let message = format!("found {found}; allowed are {allowed}");
+        problems.push(problem(format!("hierarchy.{what}"), message));
     }
     settings
 }

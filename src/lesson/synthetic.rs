@@ -53,7 +53,7 @@ impl Lesson {
     /// Whether a parameter may be changed: those of the lesson, and in a walk through a scene the place of everything but of patches
     /// that exchange light.
     pub fn may_change(&self, parameter: Parameter) -> bool {
-        let is_free = || self.is_free_walk() && self.method.family() != Family::Exchange;
+        let is_free = || self.is_free_walk() && !self.method.family().exchanges_light();
         self.parameters.contains(&parameter)
             || matches!(parameter, Parameter::Place(_)) && is_free()
     }
@@ -62,7 +62,7 @@ impl Lesson {
     pub fn by_method(&self, method: Method) -> Lesson {
         let panels = method.family().panels_of_a_walk().into_iter();
         let parameters = match method.family() {
-            Family::Exchange => Vec::new(),
+            Family::Exchange | Family::Hierarchy => Vec::new(),
             Family::Polygons | Family::Rays => parameters(&self.scene),
         };
         Lesson {

@@ -1,10 +1,13 @@
 //! What a whole run of a method does, counted by kinds of events, of which none is kept.
 
-use super::{Draw, Method, RayMethod, Setup, ShadingMethod, Visitor, Wireframe, radiosity};
+use super::{
+    Draw, Method, RayMethod, Setup, ShadingMethod, Visitor, Wireframe, hierarchical, radiosity,
+};
 use crate::algorithms;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::visible::Bvh;
 use crate::record::Counter;
+use std::convert::Infallible;
 
 /// The events of a whole run.
 pub struct Counted {
@@ -61,6 +64,16 @@ impl Visitor for Count<'_> {
         Counted {
             events,
             event_size: size_of::<algorithms::radiosity::Event>(),
+        }
+    }
+
+    fn hierarchical(self) -> Counted {
+        let mut events = Counter::default();
+        // The events are counted whether there is light or not.
+        let Ok(_) = hierarchical::solve(self.setup, &mut events, || Ok::<(), Infallible>(()));
+        Counted {
+            events,
+            event_size: size_of::<algorithms::hierarchical::Event>(),
         }
     }
 }

@@ -5,6 +5,7 @@
 //! of shading methods in [`algorithms`](crate::algorithms), of ray methods in `rays`.
 
 mod count;
+pub mod hierarchical;
 mod look;
 mod notes;
 pub mod radiosity;
@@ -25,6 +26,7 @@ use crate::scene::{Needs, Part};
 use crate::vocabulary::Declared;
 
 pub use count::Counted;
+pub use hierarchical::HierarchicalRadiosity;
 pub use notes::notes_of;
 pub use radiosity::Radiosity;
 pub use rays::{RayCasting, RayTracing};
@@ -42,6 +44,8 @@ pub enum Family {
     Rays,
     /// Its patches exchange light.
     Exchange,
+    /// Its elements exchange light over links.
+    Hierarchy,
 }
 
 impl Family {
@@ -51,7 +55,7 @@ impl Family {
         match self {
             Family::Polygons => Focus::ScanLine(y),
             Family::Rays => Focus::Pixel { x, y },
-            Family::Exchange => Focus::Frame,
+            Family::Exchange | Family::Hierarchy => Focus::Frame,
         }
     }
 
@@ -61,6 +65,7 @@ impl Family {
             Family::Polygons => ["image", "scan-line", "inspector"],
             Family::Rays => ["image", "ray-tree", "space"],
             Family::Exchange => ["radiosity", "matrix", "convergence"],
+            Family::Hierarchy => ["radiosity", "image", "inspector"],
         }
     }
 
@@ -70,14 +75,20 @@ impl Family {
             Family::Polygons => ["image", "scan-line", "active-edges", "vertex", "space"],
             Family::Rays => ["image", "ray-tree", "vectors", "illumination", "space"],
             Family::Exchange => ["radiosity", "image", "matrix", "convergence", "space"],
+            Family::Hierarchy => ["radiosity", "image", "inspector", "profile", "space"],
         }
+    }
+
+    /// Whether it finds the light of a room by its patches, and draws no pixel by pixel.
+    pub fn exchanges_light(self) -> bool {
+        matches!(self, Family::Exchange | Family::Hierarchy)
     }
 
     fn records(self, focus: Focus) -> bool {
         match focus {
             Focus::Frame => true,
             Focus::Polygon(_) => self == Family::Polygons,
-            Focus::ScanLine(_) | Focus::Pixel { .. } => self != Family::Exchange,
+            Focus::ScanLine(_) | Focus::Pixel { .. } => !self.exchanges_light(),
             Focus::Iterations { .. } | Focus::Patch(_) | Focus::FormFactor { .. } => {
                 self == Family::Exchange
             }
@@ -140,6 +151,7 @@ pub trait Visitor: Sized {
     fn shading<M: ShadingMethod>(self) -> Self::Output;
     fn rays<M: RayMethod>(self) -> Self::Output;
     fn radiosity(self) -> Self::Output;
+    fn hierarchical(self) -> Self::Output;
 }
 
 /// Makes values of the types: of shading methods those that come from the list of `algorithms`, in their place among the others.
@@ -178,7 +190,7 @@ macro_rules! methods {
     };
 }
 
-with_shading_methods! { methods! { { Wireframe } { RayCasting RayTracing Radiosity } } }
+with_shading_methods! { methods! { { Wireframe } { RayCasting RayTracing Radiosity HierarchicalRadiosity } } }
 
 impl Method {
     /// By name: what a lesson shows that is made in the program.
@@ -198,7 +210,7 @@ impl Method {
 
     /// Whether its runs draw pixel by pixel.
     pub fn draws_pixels(self) -> bool {
-        self.family() != Family::Exchange
+        !self.family().exchanges_light()
     }
 
     /// Whether that part of a run can be recorded.

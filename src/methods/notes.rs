@@ -13,7 +13,7 @@ impl Setup {
         let scene = &self.prepared.scene;
         let mut notes = scene.notes.clone();
         match method.family() {
-            Family::Exchange => {
+            Family::Exchange | Family::Hierarchy => {
                 notes.extend(enclosure_notes::notes(scene));
                 if let Ok(enclosure) = self.enclosure() {
                     let (patches, primitives) = (&enclosure.patches, &enclosure.primitives);
@@ -35,7 +35,7 @@ impl Setup {
         let is_replaced = |shape: &Shape| {
             method.family() != Family::Rays || matches!(shape, Shape::Bezier { .. })
         };
-        let by_patches = method.family() == Family::Exchange;
+        let by_patches = method.family().exchanges_light();
         replaced(&self.prepared.scene, method.name(), by_patches, is_replaced)
     }
 }

@@ -1,5 +1,6 @@
 //! What a run starts from: a prepared scene with the settings of the methods.
 
+use super::hierarchical::{Linked, NoLight};
 use super::{Family, Method, Settings};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
@@ -20,6 +21,8 @@ pub struct Setup {
     forced: Parts,
     needs: OnceLock<Needs>,
     enclosure: OnceLock<Result<Enclosure, PatchError>>,
+    /// The light of hierarchical radiosity.
+    pub(super) linked: OnceLock<Result<Linked, NoLight>>,
     /// The patch in the middle of each pixel, row by row.
     seen: OnceLock<Vec<Option<u32>>>,
 }
@@ -41,6 +44,7 @@ impl Setup {
             forced: Parts::NONE,
             needs: OnceLock::new(),
             enclosure: OnceLock::new(),
+            linked: OnceLock::new(),
             seen: OnceLock::new(),
         }
     }
@@ -120,6 +124,7 @@ impl Setup {
             Family::Exchange => self
                 .enclosure()
                 .map_or(&[][..], |enclosure| enclosure.skipped()),
+            Family::Hierarchy => &[],
             Family::Polygons | Family::Rays => &self.needs().skipped,
         };
         let done = all
@@ -131,7 +136,7 @@ impl Setup {
     /// Whether `method` can run. Errors: of radiosity, what cannot be divided into patches.
     pub fn check_for(&self, method: Method) -> Result<(), &PatchError> {
         match method.family() {
-            Family::Exchange => self.enclosure().map(drop),
+            Family::Exchange | Family::Hierarchy => self.enclosure().map(drop),
             Family::Polygons | Family::Rays => Ok(()),
         }
     }

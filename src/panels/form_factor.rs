@@ -44,7 +44,9 @@ pub const PANEL: Properties = Properties::titled(Message("app-form-factor"));
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let (setup, replay) = match input.run {
         Run::FormFactor(setup, replay) => (setup, replay),
-        Run::Radiosity(..) => return message(NO_PAIR, input.language, size),
+        Run::Radiosity(..) | Run::Hierarchical(..) => {
+            return message(NO_PAIR, input.language, size);
+        }
         _ => return message(NO_PATCHES, input.language, size),
     };
     if input.run.walk().is_empty() {

@@ -100,7 +100,7 @@ fn marks<'a>(input: &PanelInput<'a>) -> Option<Marks<'a>> {
         Run::Wireframe(replay) => Some(Marks::of_wireframe(replay.state())),
         Run::Shading(_, replay) => Some(Marks::of_shading(replay.state())),
         Run::Rays(_, replay) => Some(Marks::of_rays(replay.state())),
-        Run::Radiosity(..) | Run::FormFactor(..) => None,
+        Run::Radiosity(..) | Run::FormFactor(..) | Run::Hierarchical(..) => None,
     }
 }
 

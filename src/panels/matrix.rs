@@ -77,7 +77,9 @@ pub const PANEL: Properties = Properties::titled(Message("app-matrix"));
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let (setup, replay) = match input.run {
         Run::Radiosity(setup, replay) => (setup, replay),
-        Run::FormFactor(..) => return message(NO_MATRIX, input.language, size),
+        Run::FormFactor(..) | Run::Hierarchical(..) => {
+            return message(NO_MATRIX, input.language, size);
+        }
         _ => return message(NO_PATCHES, input.language, size),
     };
     let state = replay.state();

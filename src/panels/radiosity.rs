@@ -33,7 +33,7 @@ const MOST_LINES: usize = 500;
 /// By how much patches reach under their neighbours, in points, so that nothing shows between them.
 const OVERLAP: f32 = 0.4;
 
-const RADIOSITY: Message = Message("radiosity-radiosity");
+pub(super) const RADIOSITY: Message = Message("radiosity-radiosity");
 const WITH_UNSHOT: Message = Message("radiosity-with-unshot");
 const UNSHOT: Message = Message("radiosity-unshot");
 const EMISSION: Message = Message("radiosity-emission");
@@ -45,7 +45,9 @@ const NO_ROOM: Message = Message("radiosity-no-room");
 pub const PANEL: Properties = Properties::titled(Message("app-radiosity"));
 
 pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
-    let (Run::Radiosity(setup, _) | Run::FormFactor(setup, _)) = input.run else {
+    let (Run::Radiosity(setup, _) | Run::FormFactor(setup, _) | Run::Hierarchical(setup, _)) =
+        input.run
+    else {
         return message(NO_PATCHES, input.language, size);
     };
     let prepared = &setup.prepared;
@@ -127,7 +129,7 @@ struct Scale {
 /// look like.
 fn coloring(input: &PanelInput, room: &Enclosure) -> Coloring {
     let localize = |strings: Message| strings.text(input.language);
-    let Run::Radiosity(_, replay) = input.run else {
+    let Some((light, exposure)) = input.run.light() else {
         return Coloring {
             title: localize(REFLECTANCE).to_string(),
             patches: room.reflectance.clone(),
@@ -135,9 +137,14 @@ fn coloring(input: &PanelInput, room: &Enclosure) -> Coloring {
             scale: None,
         };
     };
-    let state = replay.state();
-    let exposure = state.solved.as_ref().map_or(1.0, |solved| solved.exposure);
-    if let Some(unshot) = state.unshot(room).filter(|_| input.unshot) {
+    let (unshot, title) = match input.run {
+        Run::Radiosity(_, replay) => {
+            let state = replay.state();
+            (state.unshot(room), title(state, room, input.language))
+        }
+        _ => (None, localize(RADIOSITY).to_string()),
+    };
+    if let Some(unshot) = unshot.filter(|_| input.unshot) {
         let least = unshot.brightest * 10_f64.powi(-DECADES);
         let channel = names::word(unshot.channel, input.language);
         return Coloring {
@@ -154,12 +161,8 @@ fn coloring(input: &PanelInput, room: &Enclosure) -> Coloring {
         };
     }
     Coloring {
-        title: title(state, room, input.language),
-        patches: state
-            .light(room)
-            .into_iter()
-            .map(|b| b * exposure)
-            .collect(),
+        title,
+        patches: light.into_iter().map(|b| b * exposure).collect(),
         may_be_smooth: true,
         scale: Some(Scale {
             color: Rgb::splat,

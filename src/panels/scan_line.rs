@@ -34,7 +34,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
             }
             None => silent(input, NO_LINE, size),
         },
-        Run::Rays(..) | Run::Radiosity(..) | Run::FormFactor(..) => {
+        Run::Rays(..) | Run::Radiosity(..) | Run::FormFactor(..) | Run::Hierarchical(..) => {
             message(NO_POLYGONS, input.language, size)
         }
     }

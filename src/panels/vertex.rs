@@ -25,7 +25,7 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let mut picture = match input.run {
         Run::Shading(_, replay) => of_state(input, replay.state(), size),
         Run::Wireframe(_) => message(WIREFRAME, input.language, size),
-        Run::Rays(..) | Run::Radiosity(..) | Run::FormFactor(..) => {
+        Run::Rays(..) | Run::Radiosity(..) | Run::FormFactor(..) | Run::Hierarchical(..) => {
             message(NO_POLYGONS, input.language, size)
         }
     };

@@ -105,6 +105,10 @@ impl<E, P: FnMut(usize, usize) -> Result<(), E>> Visitor for Survey<'_, P> {
     fn radiosity(self) -> Self::Output {
         self.by::<RayCasting>(false)
     }
+
+    fn hierarchical(self) -> Self::Output {
+        self.by::<RayCasting>(false)
+    }
 }
 
 /// Listens to the rays of one pixel.

@@ -12,13 +12,14 @@ mod smooth;
 mod tally;
 mod thread_pool;
 
+use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::frame::Frame;
 use crate::algorithms::patch_view::PatchView;
 use crate::algorithms::primary;
 use crate::algorithms::visible::Bvh;
 use crate::color::Rgb;
-use crate::methods::{Draw, RayMethod, Setup, ShadingMethod, Visitor, Wireframe};
+use crate::methods::{Draw, RayMethod, Setup, ShadingMethod, Visitor, Wireframe, hierarchical};
 use crate::record::Unrecorded;
 use crate::scene::Needs;
 use std::convert::Infallible;
@@ -148,6 +149,20 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Paint<'_, '_, P> {
     }
 }
 
+/// Patches of that radiosity as the camera sees them; black where there is none.
+fn paint_patches<E: Send>(
+    setup: &Setup,
+    painter: Painter<impl Fn(usize, usize) -> Result<(), E> + Sync>,
+    light: Option<(&Enclosure, &[Rgb])>,
+) -> Result<Frame, E> {
+    let Some((enclosure, radiosity)) = light else {
+        return painter.pixels(|_, _| Rgb::BLACK);
+    };
+    let primary::Settings { samples, .. } = setup.settings.get();
+    let view = PatchView::new(&setup.prepared.view, samples, enclosure, radiosity);
+    painter.pixels(|x, y| view.pixel(x, y))
+}
+
 impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Visitor for Paint<'_, '_, P> {
     type Output = Result<Frame, E>;
 
@@ -172,14 +187,20 @@ impl<E: Send, P: Fn(usize, usize) -> Result<(), E> + Sync> Visitor for Paint<'_,
                 .map(|light| (enclosure, light)),
             Err(_) => None,
         };
-        match &light {
-            Some((enclosure, light)) => {
-                let primary::Settings { samples, .. } = setup.settings.get();
-                let view = &setup.prepared.view;
-                let view = PatchView::new(view, samples, enclosure, &light.radiosity);
-                painter.pixels(|x, y| view.pixel(x, y))
-            }
-            None => painter.pixels(|_, _| Rgb::BLACK),
-        }
+        paint_patches(
+            setup,
+            painter,
+            light.map(|(enclosure, light)| (enclosure, &*light.radiosity)),
+        )
+    }
+
+    /// As of radiosity: no light, where there is none to be found.
+    fn hierarchical(self) -> Self::Output {
+        let Paint { setup, painter, .. } = self;
+        let rows = setup.prepared.view.height as usize;
+        let go_on = || (painter.progress)(0, rows);
+        let light = hierarchical::light(setup, go_on)?.ok();
+        let light = light.and_then(|light| Some((setup.enclosure().ok()?, &*light.radiosity)));
+        paint_patches(setup, painter, light)
     }
 }

@@ -11,6 +11,7 @@ mod fan;
 pub mod form_factor;
 #[cfg(test)]
 mod generators;
+pub mod hierarchical;
 pub mod moves;
 pub mod query;
 pub mod radiosity;

@@ -7,6 +7,7 @@ mod solved;
 pub use light::Unshot;
 pub use read::used_form_factors;
 pub use solved::Solved;
+pub(super) use solved::exposure;
 
 use super::Fold;
 use super::cow_vec::CowVec;

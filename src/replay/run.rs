@@ -2,12 +2,15 @@
 
 use super::current::CurrentPoint;
 use super::radiosity::Solved;
-use super::{Fold, Replay, Timeline, Walk, form_factor, radiosity, rays, shading, wireframe};
+use super::{
+    Fold, Replay, Timeline, Walk, form_factor, hierarchical, radiosity, rays, shading, wireframe,
+};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::algorithms::shading::{Shading, ShadingEvent};
 use crate::algorithms::visible::BruteForce;
+use crate::color::Rgb;
 use crate::methods;
 use crate::methods::{Draw, Method, RayMethod, Setup, ShadingMethod, Visitor, Wireframe};
 use crate::record::{Event, Recording, RecordingLimit};
@@ -30,6 +33,10 @@ pub enum Run {
     FormFactor(
         Arc<Setup>,
         Box<Replay<crate::algorithms::form_factor::Event, form_factor::State>>,
+    ),
+    Hierarchical(
+        Arc<Setup>,
+        Box<Replay<crate::algorithms::hierarchical::Event, hierarchical::State>>,
     ),
 }
 
@@ -69,7 +76,9 @@ impl Run {
             Run::Wireframe(replay) => &replay.state().prepared,
             Run::Shading(_, replay) => &replay.state().prepared,
             Run::Rays(_, replay) => &replay.state().prepared,
-            Run::Radiosity(setup, _) | Run::FormFactor(setup, _) => &setup.prepared,
+            Run::Radiosity(setup, _) | Run::FormFactor(setup, _) | Run::Hierarchical(setup, _) => {
+                &setup.prepared
+            }
         }
     }
 
@@ -79,7 +88,7 @@ impl Run {
             Run::Wireframe(replay) => Some(&replay.state().canvas),
             Run::Shading(_, replay) => Some(&replay.state().canvas),
             Run::Rays(_, replay) => Some(&replay.state().canvas),
-            Run::Radiosity(..) | Run::FormFactor(..) => None,
+            Run::Radiosity(..) | Run::FormFactor(..) | Run::Hierarchical(..) => None,
         }
     }
 
@@ -95,16 +104,40 @@ impl Run {
                 let ray = state.ray().and_then(|ray| ray.lit.as_deref());
                 (Some(&*state.prepared), state.point.as_ref().or(ray))
             }
-            Run::Wireframe(_) | Run::Radiosity(..) | Run::FormFactor(..) => (None, None),
+            Run::Wireframe(_)
+            | Run::Radiosity(..)
+            | Run::FormFactor(..)
+            | Run::Hierarchical(..) => (None, None),
         }
     }
 
     /// The patches of the scene, where the run exchanges light between them.
     pub fn enclosure(&self) -> Option<&Enclosure> {
         match self {
-            Run::Radiosity(setup, _) | Run::FormFactor(setup, _) => setup.enclosure().ok(),
+            Run::Radiosity(setup, _) | Run::FormFactor(setup, _) | Run::Hierarchical(setup, _) => {
+                setup.enclosure().ok()
+            }
             _ => None,
         }
+    }
+
+    /// The light of every patch so far, and what it is multiplied by to be shown; none where the run exchanges none.
+    pub fn light(&self) -> Option<(Vec<Rgb>, f64)> {
+        let room = self.enclosure()?;
+        let (light, exposure) = match self {
+            Run::Radiosity(_, replay) => {
+                let solved = replay.state().solved.as_ref();
+                let exposure = solved.map(|solved| solved.exposure);
+                (replay.state().light(room), exposure)
+            }
+            Run::Hierarchical(_, replay) => {
+                let solved = replay.state().solved.as_ref();
+                let exposure = solved.map(|solved| solved.exposure);
+                (replay.state().light(room), exposure)
+            }
+            _ => return None,
+        };
+        Some((light, exposure.unwrap_or(1.0)))
     }
 
     /// The method that was recorded.
@@ -113,6 +146,7 @@ impl Run {
             Run::Wireframe(_) => Method::Wireframe,
             Run::Shading(method, _) | Run::Rays(method, _) => *method,
             Run::Radiosity(..) | Run::FormFactor(..) => Method::Radiosity,
+            Run::Hierarchical(..) => Method::HierarchicalRadiosity,
         }
     }
 
@@ -123,6 +157,7 @@ impl Run {
             Run::Rays(_, replay) => &**replay,
             Run::Radiosity(_, replay) => &**replay,
             Run::FormFactor(_, replay) => &**replay,
+            Run::Hierarchical(_, replay) => &**replay,
         }
     }
 
@@ -133,6 +168,7 @@ impl Run {
             Run::Rays(_, replay) => &mut **replay,
             Run::Radiosity(_, replay) => &mut **replay,
             Run::FormFactor(_, replay) => &mut **replay,
+            Run::Hierarchical(_, replay) => &mut **replay,
         }
     }
 }
@@ -196,6 +232,17 @@ impl Visitor for Record {
                 Run::Radiosity(setup, run)
             }
         }
+    }
+
+    fn hierarchical(self) -> Run {
+        let mut recording = Recording::new(self.limit);
+        let go_on = || Ok::<(), Infallible>(());
+        let Ok(solved) = methods::hierarchical::solve(&self.setup, &mut recording, go_on);
+        let solved = solved
+            .ok()
+            .map(|hierarchy| hierarchical::Solved::new(&hierarchy));
+        let replay = Replay::new(Timeline::new(recording, hierarchical::State::new(solved)));
+        Run::Hierarchical(self.setup, Box::new(replay))
     }
 }
 

@@ -295,7 +295,7 @@ impl Mistake {
             | Mistake::AmbientForgotten
             | Mistake::ExponentForgotten
             | Mistake::HighlightSwapped
-            | Mistake::NoAttenuation => family != Family::Exchange,
+            | Mistake::NoAttenuation => !family.exchanges_light(),
             Mistake::FovVertical
             | Mistake::FovHalfAngle
             | Mistake::FlipY

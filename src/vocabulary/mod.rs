@@ -7,6 +7,7 @@ mod entry;
 pub mod expression;
 mod fast_phong;
 mod form_factor;
+mod hierarchical;
 mod illumination;
 mod intersection;
 mod kind;
@@ -33,7 +34,7 @@ pub use quantity::{Quantity, Unit, counted, find, quantity};
 pub use scene_value::{Given, SceneValue};
 
 /// All declared kinds, a family after another.
-pub const FAMILIES: [&[Kind]; 16] = [
+pub const FAMILIES: [&[Kind]; 17] = [
     prepared_scene::KINDS,
     vertex_normal::KINDS,
     illumination::KINDS,
@@ -50,6 +51,7 @@ pub const FAMILIES: [&[Kind]; 16] = [
     ray_tree::KINDS,
     form_factor::KINDS,
     radiosity::KINDS,
+    hierarchical::KINDS,
 ];
 
 #[cfg(test)]

@@ -69,6 +69,10 @@ impl Visitor for Recorded<'_> {
     fn radiosity(self) -> Self::Output {
         unreachable!("radiosity draws no pixels")
     }
+
+    fn hierarchical(self) -> Self::Output {
+        unreachable!("radiosity draws no pixels")
+    }
 }
 
 /// A textured floor, and a textured ball, can and patch on it.

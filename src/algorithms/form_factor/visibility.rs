@@ -9,6 +9,7 @@ use super::closed::Closed;
 use super::coincident::{self, Exposed};
 use super::faces::{self, Face};
 use super::groups::{Group, facets, groups};
+use super::polygon::Polygon;
 use super::sample::Sample;
 use super::shaft::{Shaft, Sight};
 use super::sheet::Sheet;
@@ -205,19 +206,49 @@ impl Blockers {
                 if group.is_warped() && self.rises_from(i, j, group) {
                     continue;
                 }
-                for face in self.faces_of[number].clone() {
-                    match shaft.past(&self.faces[face], self.slack) {
-                        Sight::Free => {}
-                        Sight::Hidden => return Between::Everything,
-                        Sight::Unclear => between.push(face),
-                    }
+                if self.hides(number, &shaft, &mut between) {
+                    return Between::Everything;
                 }
             }
         }
-        match between.len() {
-            0 => Between::Nothing,
-            _ => Between::Faces(between),
+        Between::of(between)
+    }
+
+    /// What can stand between two polygons, which need not be patches.
+    pub(super) fn between_polygons(&self, a: &Polygon, b: &Polygon) -> Between {
+        if self.has_too_many {
+            return Between::TooMany;
         }
+        let shaft = Shaft::of(&a.corners, &b.corners);
+        let mut between = Vec::new();
+        for (number, group) in self.groups.iter().enumerate() {
+            let [bottom, top] = group.heights;
+            let sides = [a, b].map(|polygon| {
+                let heights = || polygon.corners.iter().map(|&corner| group.height(corner));
+                let is_in_front = heights().all(|height| height >= top - self.slack);
+                let is_behind = heights().all(|height| height <= bottom + self.slack);
+                [is_in_front, is_behind]
+            });
+            let [[front_a, back_a], [front_b, back_b]] = sides;
+            let cannot =
+                front_a && front_b || back_a && back_b || front_a && back_a || front_b && back_b;
+            if !cannot && self.hides(number, &shaft, &mut between) {
+                return Between::Everything;
+            }
+        }
+        Between::of(between)
+    }
+
+    /// Whether one face of a group hides all that the shaft joins. `between` takes the faces that may hide some of it.
+    fn hides(&self, group: usize, shaft: &Shaft, between: &mut Vec<usize>) -> bool {
+        for face in self.faces_of[group].clone() {
+            match shaft.past(&self.faces[face], self.slack) {
+                Sight::Free => {}
+                Sight::Hidden => return true,
+                Sight::Unclear => between.push(face),
+            }
+        }
+        false
     }
 
     /// Whether every ray between two patches, one of a warped group, is steeper than the group anywhere: such a ray leaves the group and does
@@ -264,4 +295,13 @@ pub(super) enum Between {
     Faces(Vec<usize>),
     /// More groups than are looked at one by one.
     TooMany,
+}
+
+impl Between {
+    fn of(faces: Vec<usize>) -> Between {
+        match faces.len() {
+            0 => Between::Nothing,
+            _ => Between::Faces(faces),
+        }
+    }
 }

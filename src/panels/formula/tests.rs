@@ -49,6 +49,7 @@ fn each_step(mut look: impl FnMut(&'static Kind, &mut Known, &PreparedScene)) {
             fixtures::hinge(),
             fixtures::crossing(),
             fixtures::crowded(),
+            fixtures::linked(),
             iterated(),
         ])
         .chain([Solver::GaussSeidel, Solver::OverRelaxation].map(of_one_patch));

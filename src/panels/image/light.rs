@@ -9,7 +9,6 @@ use crate::language::Message;
 use crate::panels::PanelInput;
 use crate::picture::Image;
 use crate::replay::Run;
-use crate::replay::radiosity::State;
 use glam::DVec3;
 
 const SURFACES: Message = Message("image-surfaces");
@@ -25,16 +24,15 @@ pub(super) struct Light {
 impl Light {
     /// None where the run does not find the light of a room.
     pub fn of(input: &PanelInput) -> Option<Self> {
-        let Run::Radiosity(setup, replay) = input.run else {
+        let (Run::Radiosity(setup, _) | Run::Hierarchical(setup, _)) = input.run else {
             return None;
         };
         let room = input.run.enclosure()?;
-        let state = replay.state();
         let view = &setup.prepared.view;
-        let (colors, exposure) = match has_begun(state) {
+        let (colors, exposure) = match has_begun(input.run) {
             false => (flat(setup.seen_patches(), &surfaces(room, view.eye)), 1.0),
             true => {
-                let light = state.light(room);
+                let (light, exposure) = input.run.light()?;
                 let all: Vec<usize> = (0..room.patches.len()).collect();
                 let whole = Region {
                     columns: 0..view.width,
@@ -42,7 +40,6 @@ impl Light {
                 };
                 let smooth = input.smooth;
                 let smooth = smooth.map(|draw| draw(room, &all, view, &whole, &light).color);
-                let exposure = state.solved.as_ref().map_or(1.0, |solved| solved.exposure);
                 (
                     smooth.unwrap_or_else(|| flat(setup.seen_patches(), &light)),
                     exposure,
@@ -76,19 +73,26 @@ impl Light {
 
 /// What the picture shows, in words; none where the run does not find the light of a room.
 pub(super) fn title(input: &PanelInput) -> Option<String> {
-    let Run::Radiosity(_, replay) = input.run else {
-        return None;
+    let title = match input.run {
+        Run::Radiosity(_, replay) => {
+            radiosity::title(replay.state(), input.run.enclosure()?, input.language)
+        }
+        Run::Hierarchical(..) => radiosity::RADIOSITY.text(input.language).to_string(),
+        _ => return None,
     };
-    let (room, state) = (input.run.enclosure()?, replay.state());
-    Some(match has_begun(state) {
+    Some(match has_begun(input.run) {
         false => SURFACES.text(input.language).to_string(),
-        true => radiosity::title(state, room, input.language),
+        true => title,
     })
 }
 
-/// Whether a channel is being solved, or was.
-fn has_begun(state: &State) -> bool {
-    !state.channels.is_empty()
+/// Whether light is being solved for, or was.
+fn has_begun(run: &Run) -> bool {
+    match run {
+        Run::Radiosity(_, replay) => !replay.state().channels.is_empty(),
+        Run::Hierarchical(_, replay) => replay.state().sweep.is_some(),
+        _ => false,
+    }
 }
 
 /// What the surfaces look like by a lamp at the eye, before there is any light of their own; what emits shines.
@@ -130,9 +134,9 @@ mod tests {
         open_room(settings, Focus::Frame)
     }
 
-    fn state<'a>(input: &PanelInput<'a>) -> (&'a Setup, &'a State) {
+    fn setup<'a>(input: &PanelInput<'a>) -> &'a Setup {
         match input.run {
-            Run::Radiosity(setup, replay) => (setup, replay.state()),
+            Run::Radiosity(setup, _) => setup,
             _ => panic!("a room"),
         }
     }
@@ -144,13 +148,12 @@ mod tests {
             for step in fixture.some_steps(37) {
                 fixture.seek(step);
                 let input = fixture.input();
-                let (setup, state) = state(&input);
-                let room = input.run.enclosure().expect("a room");
-                if !has_begun(state) {
+                let setup = setup(&input);
+                if !has_begun(input.run) {
                     continue;
                 }
                 let shown = Light::of(&input).expect("a room");
-                let light = state.light(room);
+                let (light, _) = input.run.light().expect("a room");
                 for (x, y) in (0..12).flat_map(|y| (0..16).map(move |x| (x, y))) {
                     let patch = setup.patch_at(x, y);
                     let expected = patch.map_or(Rgb::BLACK, |patch| light[patch]);
@@ -160,7 +163,7 @@ mod tests {
             let last = fixture.walk().len() - 1;
             fixture.seek(last);
             let input = fixture.input();
-            let (setup, _) = state(&input);
+            let setup = setup(&input);
             let finished = render(setup, Method::Radiosity, NonZeroUsize::MIN, &|_, _| {});
             let shown = Light::of(&input).expect("a room");
             let mut lit = 0;

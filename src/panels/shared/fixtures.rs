@@ -8,7 +8,7 @@ mod open_room;
 pub use legible::illegible;
 pub use legible::{all_views, assert_legible, assert_steps_are_legible, texts, views_in_turn};
 pub use open_room::{
-    FLOOR, LAMP, WALLS, crossing, crowded, form_factors, hinge, open_room, solvers,
+    FLOOR, LAMP, WALLS, crossing, crowded, form_factors, hinge, linked, open_room, solvers,
 };
 
 use super::fixture::Fixture;

@@ -55,7 +55,7 @@ impl PanelInput<'_> {
         let count = frame.color.len();
         let Some(canvas) = self.run.canvas() else {
             // A room is shown in its light so far, which is known.
-            let is_ahead = !matches!(self.run, Run::Radiosity(..));
+            let is_ahead = !matches!(self.run, Run::Radiosity(..) | Run::Hierarchical(..));
             return is_ahead.then(|| vec![true; count]);
         };
         // What is drawn so far may be covered by what is nearer.

@@ -35,6 +35,9 @@ pub fn patch_values(input: &PanelInput, patch: usize) -> Option<String> {
             lines.push(labelled(&symbol, &value, language));
         }
     }
+    if let Run::Hierarchical(_, replay) = input.run {
+        lines.push(colors("B", replay.state().light(room)[patch]));
+    }
     lines.push(colors("E", room.emission[patch]));
     lines.push(colors("ρ", room.reflectance[patch]));
     lines.push(format!(

@@ -34,8 +34,8 @@ impl Solved {
     }
 }
 
-/// Chosen by the patches that do not emit, as lamps may well be white.
-fn exposure(radiosity: &[Rgb], emission: &[Rgb]) -> f64 {
+/// What radiosity is multiplied by to be shown: chosen by the patches that do not emit, as lamps may well be white.
+pub fn exposure(radiosity: &[Rgb], emission: &[Rgb]) -> f64 {
     let lit = zip(radiosity, emission).filter(|(_, emission)| emission.max_channel() == 0.0);
     let lit = percentile(lit.map(|(b, _)| b.max_channel()).collect());
     let all = || percentile(radiosity.iter().map(|b| b.max_channel()).collect());

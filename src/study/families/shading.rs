@@ -83,9 +83,7 @@ fn sweeps(request: &Request) -> Result<Vec<Sweep>, String> {
 
 /// The methods that shade polygons.
 fn methods() -> impl Iterator<Item = Method> {
-    let shades = |method: &Method| {
-        !method.follows_rays() && !matches!(method, Method::Wireframe | Method::Radiosity)
-    };
+    let shades = |method: &Method| method.converts_polygons() && *method != Method::Wireframe;
     Method::ALL.into_iter().filter(shades)
 }
 

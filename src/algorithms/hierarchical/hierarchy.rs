@@ -1,0 +1,180 @@
+//! SolveSystem: passes from coarse to fine, each of which refines the links and gathers over them until the light has settled.
+
+use super::event::Event;
+use super::link::{Link, LinksOf};
+use super::oracle::Oracle;
+use super::settings::{COARSER, Settings};
+use super::tree::{Element, Tree};
+use crate::algorithms::enclosure::Enclosure;
+use crate::color::Rgb;
+use crate::record::Recorder;
+
+/// The change at which a pass ends that is not the last one: its light says only which links are refined next.
+const SETTLED_ENOUGH: f64 = 1e-2;
+
+/// Why there is no result.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "the light of the elements still changes by {change:e} of the largest radiosity after {sweeps} gatherings over all links"
+)]
+pub struct Unsettled {
+    pub sweeps: u32,
+    pub change: f64,
+}
+
+/// The elements of an enclosure, their links, and their light.
+#[derive(Clone, Debug)]
+pub struct Hierarchy<'a> {
+    pub enclosure: &'a Enclosure,
+    pub settings: Settings,
+    pub tree: Tree,
+    /// By number; none where a link was refined.
+    pub links: Vec<Option<Link>>,
+    pub(super) links_of: LinksOf,
+    /// By element: B, and what it has gathered over its own links.
+    pub b: Vec<Rgb>,
+    pub(super) b_g: Vec<Rgb>,
+    pub sweeps: u32,
+}
+
+impl<'a> Hierarchy<'a> {
+    /// The roots, which only emit, without any link.
+    pub fn new(enclosure: &'a Enclosure, settings: Settings) -> Self {
+        let tree = Tree::of(enclosure);
+        Hierarchy {
+            enclosure,
+            settings,
+            links: Vec::new(),
+            links_of: LinksOf::default(),
+            b: tree.elements.iter().map(|root| root.emission).collect(),
+            b_g: vec![Rgb::BLACK; tree.elements.len()],
+            tree,
+            sweeps: 0,
+        }
+    }
+
+    pub fn element(&self, number: u32) -> &Element {
+        &self.tree.elements[number as usize]
+    }
+
+    /// How many links there are now.
+    pub fn link_count(&self) -> u32 {
+        self.links.iter().flatten().count() as u32
+    }
+
+    /// B by patch: that of the leaf it lies in.
+    pub fn by_patch(&self) -> Vec<Rgb> {
+        self.tree
+            .by_patch(&self.enclosure.patches, Rgb::BLACK, |leaf| {
+                self.b[leaf as usize]
+            })
+    }
+
+    /// Σ A E, in the channel that has the most.
+    fn flux(&self) -> f64 {
+        let roots = self.tree.elements[..self.tree.roots as usize].iter();
+        let sum: Rgb = roots.map(|root| root.emission * root.area).sum();
+        sum.max_channel()
+    }
+
+    /// SolveSystem. `go_on` is asked now and then. Errors: its own; inside, why there is no result.
+    pub fn solve<R: Recorder<Event>, E>(
+        &mut self,
+        recorder: &mut R,
+        mut go_on: impl FnMut() -> Result<(), E>,
+    ) -> Result<Result<(), Unsettled>, E> {
+        let (roots, flux) = (self.tree.roots, self.flux());
+        recorder.enter(|| Event::Hierarchy {
+            roots,
+            patches: self.enclosure.patches.len() as u32,
+            flux,
+        });
+        let Settings {
+            passes,
+            link_light,
+            link_size,
+            ..
+        } = self.settings;
+        let mut settled = Ok(());
+        for pass in 0..=passes {
+            let coarser = COARSER.powi((passes - pass) as i32);
+            let oracle = match pass {
+                0 => Oracle::FormFactor(link_size),
+                _ => Oracle::Carried(link_light * coarser * flux),
+            };
+            let allowed = oracle.allowed();
+            recorder.enter(|| Event::Pass { pass, allowed });
+            if pass == 0 {
+                for p in 0..roots {
+                    go_on()?;
+                    (p + 1..roots).for_each(|q| self.refine(oracle, [p, q], None, recorder));
+                }
+            } else {
+                go_on()?;
+                self.refine_links(oracle, recorder);
+            }
+            self.links_of = LinksOf::of(self.tree.elements.len(), &self.links);
+            settled = self.settle(pass == passes, recorder, &mut go_on)?;
+            recorder.leave(|| Event::PassDone {
+                elements: self.tree.elements.len() as u32,
+                links: self.link_count(),
+            });
+        }
+        recorder.leave(|| Event::HierarchyDone {
+            elements: self.tree.elements.len() as u32,
+            leaves: self.tree.leaves().count() as u32,
+            links: self.link_count(),
+        });
+        Ok(settled)
+    }
+
+    /// Gathers, pushes and pulls until the light changes no more.
+    fn settle<R: Recorder<Event>, E>(
+        &mut self,
+        is_last: bool,
+        recorder: &mut R,
+        go_on: &mut impl FnMut() -> Result<(), E>,
+    ) -> Result<Result<(), Unsettled>, E> {
+        let stop = self.enclosure.settings.stop;
+        let enough = match is_last {
+            true => stop.tolerance,
+            false => SETTLED_ENOUGH.max(stop.tolerance),
+        };
+        loop {
+            go_on()?;
+            let change = self.sweep(recorder);
+            if change <= enough {
+                return Ok(Ok(()));
+            }
+            if self.sweeps >= stop.max_iterations {
+                return Ok(Err(Unsettled {
+                    sweeps: self.sweeps,
+                    change,
+                }));
+            }
+        }
+    }
+
+    /// One gathering over all links, and the push–pull after it. Returns the largest change of a leaf, as a share of the largest radiosity.
+    fn sweep<R: Recorder<Event>>(&mut self, recorder: &mut R) -> f64 {
+        let sweep = self.sweeps;
+        recorder.enter(|| Event::Sweep { sweep });
+        let before = self.b.clone();
+        (0..self.tree.roots).for_each(|root| self.gather(root, recorder));
+        for root in 0..self.tree.roots {
+            self.push_pull(root, Rgb::BLACK, recorder);
+        }
+        let (mut change, mut largest) = (0.0_f64, 0.0_f64);
+        for leaf in self.tree.leaves() {
+            let b = self.b[leaf as usize].channels();
+            for (b, old) in b.into_iter().zip(before[leaf as usize].channels()) {
+                change = change.max((b - old).abs());
+                largest = largest.max(b);
+            }
+        }
+        let change = if change == 0.0 { 0.0 } else { change / largest };
+        self.sweeps += 1;
+        recorder.leave(|| Event::SweepDone { change });
+        change
+    }
+}
