@@ -235,6 +235,11 @@ fn what_cannot_be_solved_is_said_and_leaves_no_file() {
             1,
             "after 2 iterations",
         ),
+        (
+            "radiosity furnace.json --tolerance 1e-30",
+            1,
+            "the residual no longer falls",
+        ),
         ("radiosity plane.json", 2, "objects[0]"),
         ("form-factors plane.json", 2, "\"sea\""),
         ("radiosity furnace.json --max-memory 0", 2, "--max-memory"),

@@ -95,6 +95,8 @@ fn weighted(w: &[f64], x: &[f64], y: &[f64]) -> f64 {
 }
 
 impl Method for ConjugateGradients<'_> {
+    const CARRIES_RESIDUAL: bool = true;
+
     fn iterate<R: Recorder<SolverEvent>>(
         &mut self,
         _: Followed,

@@ -4,6 +4,7 @@ use super::Solver;
 use super::event::{Event, SolverEvent};
 use super::outcome::{Solution, Stop, Unsolved};
 use super::record_filter::{Followed, RecordFilter};
+use super::stagnation::Stagnation;
 use super::system::Patches;
 use crate::record::{Recorder, Unrecorded};
 
@@ -20,7 +21,9 @@ pub(super) trait Method {
     fn radiosity(&self) -> &[f64];
     /// r = E − (I − ρF)B, as the method knows it.
     fn residual(&self) -> &[f64];
-    /// Computes the residual anew, where the method carries it along from iteration to iteration.
+    /// Whether the residual is carried along from iteration to iteration, so that it departs from that of B by rounding.
+    const CARRIES_RESIDUAL: bool = false;
+    /// Computes the residual anew, where it is carried along.
     fn confirm(&mut self) {}
     /// max_i ρ_i Σ_j F_ij, where it is known.
     fn gain(&self) -> Option<f64>;
@@ -60,8 +63,8 @@ impl<R: Recorder<Event>> Recorder<SolverEvent> for TaggingRecorder<'_, R> {
 }
 
 /// Runs `method` to its end. Watched or not, the iterations are the same.
-pub(super) fn run<R: Recorder<SolverEvent>>(
-    mut method: impl Method,
+pub(super) fn run<M: Method, R: Recorder<SolverEvent>>(
+    mut method: M,
     patches: &Patches,
     stop: Stop,
     filter: &RecordFilter,
@@ -75,6 +78,7 @@ pub(super) fn run<R: Recorder<SolverEvent>>(
     let relative = |method: &_| relative(method, emitted);
     let first = relative(&method);
     let (mut iterations, mut residual) = (0, first);
+    let mut stagnation = Stagnation::new(first);
     let mut watched = false;
     let outcome = loop {
         // Where watching begins, the values of every patch
@@ -88,9 +92,16 @@ pub(super) fn run<R: Recorder<SolverEvent>>(
             if residual <= stop.tolerance {
                 break Ok(());
             }
+            stagnation.confirmed(residual);
         }
         if residual.is_nan() || residual > DIVERGED * first.max(1.0) {
             break Err(Unsolved::Diverges {
+                iterations,
+                residual,
+            });
+        }
+        if stagnation.is_reached(M::CARRIES_RESIDUAL, patches, method.radiosity()) {
+            break Err(Unsolved::Stagnates {
                 iterations,
                 residual,
             });
@@ -114,6 +125,7 @@ pub(super) fn run<R: Recorder<SolverEvent>>(
         };
         iterations += 1;
         residual = relative(&method);
+        stagnation.iterated(residual);
         if let Err(unsolved) = done {
             break Err(unsolved);
         }

@@ -34,6 +34,7 @@ pub mod race;
 mod record_filter;
 pub mod shooting;
 mod singularity_check;
+mod stagnation;
 mod system;
 #[cfg(test)]
 mod tests;

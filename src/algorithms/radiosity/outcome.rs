@@ -72,6 +72,11 @@ pub enum Unsolved {
     NoInterval { gain: f64 },
     #[error("the residual is still {residual:e} after {iterations} iterations")]
     NotConverged { iterations: u32, residual: f64 },
+    #[error(
+        "the residual no longer falls: it is {residual:e} after {iterations} iterations, as large as the rounding of its own terms; a \
+         larger tolerance can be met"
+    )]
+    Stagnates { iterations: u32, residual: f64 },
     #[error("the iteration diverges: the residual is {residual:e} after {iterations} iterations")]
     Diverges { iterations: u32, residual: f64 },
 }

@@ -137,6 +137,8 @@ impl<'a, F: Rows> Shooter<'a, F> {
 }
 
 impl<F: Rows> Method for Shooter<'_, F> {
+    const CARRIES_RESIDUAL: bool = true;
+
     fn iterate<R: Recorder<SolverEvent>>(
         &mut self,
         followed: Followed,
