@@ -2,7 +2,7 @@
 
 use super::button::button;
 use super::lesson_card;
-use super::session::{Command, Listed, Session, StudyCommand, listed};
+use super::session::{Choice, Command, Listed, Session, StudyCommand, listed};
 use super::thumbnails::Thumbnails;
 use super::{strings, style};
 use crate::lesson::Chapter;
@@ -87,15 +87,18 @@ fn head(
 ) -> bool {
     if style::is_for_fingers(ui.ctx()) {
         resume(session, ui.available_width(), commands, ui);
+        open(session, commands, ui);
         return search(session, page, ui.available_width(), commands, ui);
     }
-    let search_width = 220.0;
+    let (search_width, open_width) = (220.0, 130.0);
     let row = ui.horizontal(|ui| {
-        let room = ui.available_width() - search_width - 30.0;
+        let room = ui.available_width() - search_width - open_width - 30.0;
         resume(session, room.max(100.0), commands, ui);
         let layout = egui::Layout::right_to_left(egui::Align::Center);
         ui.with_layout(layout, |ui| {
-            search(session, page, search_width, commands, ui)
+            let is_found = search(session, page, search_width, commands, ui);
+            open(session, commands, ui);
+            is_found
         })
     });
     row.inner.inner
@@ -120,6 +123,13 @@ fn resume(session: &Session, width: f32, commands: &mut Vec<Command>, ui: &mut U
         ui.set_max_width(width);
         button(session, resume, &text, Command::Home, commands, ui);
     });
+}
+
+/// A file of one's own.
+fn open(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let name = session.localize(strings::OPEN_FILE);
+    let choose = Command::Choose(Choice::File);
+    button(session, Button::new(name), name, choose, commands, ui);
 }
 
 /// The search; returns whether a lesson is found.

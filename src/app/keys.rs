@@ -2,7 +2,7 @@
 
 use super::binding::With::{Ctrl, Nothing, Shift, Sign};
 use super::binding::{Binding, bind};
-use super::session::{Command, Sheet, StudyCommand};
+use super::session::{Choice, Command, Sheet, StudyCommand};
 use egui::Key;
 
 pub const BINDINGS: &[Binding] = &[
@@ -151,6 +151,13 @@ pub const BINDINGS: &[Binding] = &[
         "keys-look-at-what-the-pointer",
     ),
     bind(Key::H, Nothing, "h", || Command::Home, "keys-all-lessons"),
+    bind(
+        Key::O,
+        Ctrl,
+        "Ctrl O",
+        || Command::Choose(Choice::File),
+        "keys-open",
+    ),
     bind(
         Key::O,
         Nothing,

@@ -77,4 +77,4 @@ pub use main_window::{NotOpened, Start, open};
 pub use opened::Readers;
 #[cfg(target_arch = "wasm32")]
 pub use page::start;
-pub use session::{Command, FolderOfLessons, LessonFromFile, Session};
+pub use session::{Choice, Command, FolderOfLessons, LessonFromFile, Session};

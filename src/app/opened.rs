@@ -1,7 +1,7 @@
 //! Files that were opened in the window: dropped on it or named on the command line. When one is saved again, it is read again, and
 //! so is a folder of lessons.
 
-use super::session::{FolderOfLessons, Session};
+use super::session::{Choice, FolderOfLessons, Session};
 use super::strings;
 use crate::color::StoredImage;
 use crate::language::Message;
@@ -28,6 +28,9 @@ pub struct Readers {
     /// Writes a file, whole or not at all.
     pub write: fn(&Path, &[u8]) -> Result<(), String>,
     pub picture: fn(&Path) -> Result<StoredImage, String>,
+    /// Asks for a file or folder, and waits for it. None where none is chosen; on a page, where what is chosen arrives like what is dropped.
+    /// Errors: why nobody can be asked.
+    pub choose: fn(Choice) -> Result<Option<PathBuf>, Message>,
 }
 
 /// How often it is looked whether something was saved.

@@ -4,7 +4,7 @@ use super::button::button;
 use super::layout::{BAR, TARGET};
 use super::prose::prose;
 use super::row_end::row_end;
-use super::session::{Command, Drawer, Session, Sheet, StudyCommand, TakeAway};
+use super::session::{Choice, Command, Drawer, Session, Sheet, StudyCommand, TakeAway};
 use super::{author_strings, strings, style};
 use crate::language::{Language, Message};
 use crate::methods::Method;
@@ -209,7 +209,21 @@ fn methods(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     response.on_hover_text(name);
 }
 
-/// Themes, text size, questions; what a narrow bar has no room for is in here too.
+/// Files and folders of one's own. A page has no folders.
+fn open(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
+    for (name, choice) in [
+        (strings::OPEN_FILE, Choice::File),
+        (strings::OPEN_FOLDER, Choice::Folder),
+    ] {
+        if choice == Choice::File || !cfg!(target_arch = "wasm32") {
+            let name = session.localize(name);
+            let choose = Command::Choose(choice);
+            button(session, Button::new(name), name, choose, commands, ui);
+        }
+    }
+}
+
+/// Files, themes, text size, questions; what a narrow bar has no room for is in here too.
 fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let for_fingers = style::is_for_fingers(ui.ctx());
     let menu = match for_fingers {
@@ -229,6 +243,8 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             });
             ui.separator();
         }
+        open(session, commands, ui);
+        ui.separator();
         ui.label(style::strong(session.localize(strings::THEME), 13.0));
         for (theme, name) in THEMES {
             if ui

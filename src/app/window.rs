@@ -30,6 +30,7 @@ pub fn ui(session: &mut Session, window: &mut Window, ui: &mut Ui) {
     close_menus(&ctx);
     window.play_on(session, &ctx);
     window.open_files(session, &ctx);
+    window.open_chosen(session, &ctx);
     session.take_picture();
     session.take_findings();
     session.take_comparison();
@@ -276,6 +277,30 @@ impl Window {
         match &mut self.opened {
             Some(opened) => opened.open(session, path),
             None => Ok(()),
+        }
+    }
+
+    /// Opens what is chosen in the system's dialog.
+    fn open_chosen(&mut self, session: &mut Session, ctx: &egui::Context) {
+        let readers = self.opened.as_ref().map(Opened::readers);
+        if let (Some(choice), Some(readers)) = (session.to_choose.take(), readers) {
+            self.choosing = Some(Work::begin("dialog", move |worker| {
+                worker.send((readers.choose)(choice));
+            }));
+        }
+        let Some(mut choosing) = self.choosing.take() else {
+            return;
+        };
+        for chosen in choosing.take() {
+            self.notice = match chosen {
+                Ok(Some(path)) => self.open_file(session, &path).err(),
+                Ok(None) => continue,
+                Err(why) => Some(session.localize(why).to_owned()),
+            };
+        }
+        if !choosing.is_done() {
+            self.choosing = Some(choosing);
+            ctx.request_repaint_after(LOOK_AGAIN);
         }
     }
 

@@ -12,9 +12,11 @@ use super::scene_page::ScenePage;
 use super::session::Session;
 use super::study_plot::StudyPlot;
 use super::take_away::NewFile;
+use crate::language::Message;
 use crate::panels::Panel;
 use crate::picture::Theme;
 use std::collections::HashMap;
+use std::path::PathBuf;
 
 /// What was decided about closing the window over changes that are not saved.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -49,6 +51,8 @@ pub struct Window {
     pub(super) opened: Option<Opened>,
     /// Whether it stands in a page of somebody else's, without its bar.
     pub(super) embedded: bool,
+    /// A file that is being asked for.
+    pub(super) choosing: Option<Work<Result<Option<PathBuf>, Message>>>,
     /// What is made to be taken away.
     pub(super) taking: Vec<Work<NewFile>>,
     pub(super) closing: Closing,

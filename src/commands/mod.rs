@@ -10,6 +10,8 @@ mod compare;
 mod compare_room;
 mod deck;
 mod failure;
+#[cfg(feature = "gui")]
+mod file_dialog;
 mod files;
 mod follow;
 mod form_factors;

@@ -23,7 +23,7 @@ const MISTAKES: &str = "mistakes";
 
 #[cfg(feature = "gui")]
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    use super::{files, lesson_folder, output};
+    use super::{file_dialog, files, lesson_folder, output};
     use crate::app::{self, FolderOfLessons, NotOpened, Readers, Start};
     use crate::color::{StoredImage, read_image};
     use crate::lesson::{Lesson, Link, builtin};
@@ -112,6 +112,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         link,
         folder,
         readers: Readers {
+            choose: file_dialog::choose,
             document,
             folder: folder_of_lessons,
             picture,
@@ -124,6 +125,7 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
             },
         },
     };
+    file_dialog::hear_errors();
     app::open(start).map_err(|why| match why {
         NotOpened::Link(why) => files::wrong(&address, &why),
         NotOpened::Window(why) => Failure::Failed(why),

@@ -66,6 +66,9 @@ app-continue = Continue: { $title }
 app-explanations = { $count } explanations
 app-explanation-of = explanation { $number } of { $count }
 app-start-again = Start again
+app-open-file = Open a file…
+app-open-folder = Open a folder of lessons…
+app-no-dialog = No file dialog answers on this system. Drop the file on the window, or run: lightwalk open FILE
 app-outline = outline
 app-outline-at = outline: { $place }
 app-finish = finish the lesson
@@ -602,6 +605,7 @@ keys-skip-the-question = skip the question
 keys-classic-mistakes = all classic mistakes
 keys-what-if = classic mistakes in this picture
 keys-error-against-run-time = error against run time
+keys-open = open a file
 keys-all-keys = all keys
 keys-all-lessons = all lessons
 

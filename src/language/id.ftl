@@ -66,6 +66,9 @@ app-continue = Lanjutkan: { $title }
 app-explanations = { $count } penjelasan
 app-explanation-of = penjelasan { $number } dari { $count }
 app-start-again = Mulai lagi
+app-open-file = Buka berkas…
+app-open-folder = Buka folder pelajaran…
+app-no-dialog = Tidak ada dialog berkas yang menjawab di sistem ini. Seret berkas ke jendela ini, atau jalankan: lightwalk open BERKAS
 app-outline = kerangka
 app-outline-at = kerangka: { $place }
 app-finish = selesaikan pelajaran
@@ -602,6 +605,7 @@ keys-skip-the-question = lewati pertanyaan
 keys-classic-mistakes = semua kesalahan klasik
 keys-what-if = kesalahan klasik di gambar ini
 keys-error-against-run-time = galat terhadap waktu eksekusi
+keys-open = buka berkas
 keys-all-keys = semua tombol
 keys-all-lessons = semua pelajaran
 

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::spawn_local;
-use web_sys::js_sys::{Array, Uint8Array};
+use web_sys::js_sys::{Array, Function, Reflect, Uint8Array};
 use web_sys::{Blob, HtmlAnchorElement, Url};
 
 thread_local! {
@@ -29,6 +29,14 @@ pub fn readers() -> Readers {
         lesson: |_, text| {
             let lesson = Lesson::read(text, &Limits::default(), &mut named);
             lesson.map_err(|error| error.problems)
+        },
+        choose: |_| {
+            let page = web_sys::window().map(JsValue::from).unwrap_or_default();
+            let choose = Reflect::get(&page, &"choose".into());
+            if let Some(choose) = choose.ok().as_ref().and_then(JsCast::dyn_ref::<Function>) {
+                drop(choose.call0(&page));
+            }
+            Ok(None)
         },
         write: |path, bytes| {
             keep(path, bytes.to_vec());

@@ -116,6 +116,8 @@ pub enum Command {
     NextTheme,
     /// Copies the command that opens this lesson at this step; the window takes it to the clipboard.
     Share,
+    /// Asks for a file or folder, and opens it.
+    Choose(Choice),
     /// Makes a file of the lesson.
     TakeAway(TakeAway),
     /// Presentation: the whole screen, larger and with more contrast.
@@ -202,6 +204,14 @@ impl From<Message> for Refused {
     fn from(strings: Message) -> Self {
         Refused::Because(strings)
     }
+}
+
+/// What one is asked to choose, to open it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    File,
+    /// Of lessons.
+    Folder,
 }
 
 /// What lies over the lesson.

@@ -37,7 +37,7 @@ mod what_if;
 mod tests;
 
 pub use against::Against;
-pub use command::{Command, PointAt, Refused, Sheet, StudyCommand};
+pub use command::{Choice, Command, PointAt, Refused, Sheet, StudyCommand};
 pub use kept::{Kept, Progress};
 pub use lessons::{Listed, listed};
 pub use look::Look;
@@ -154,6 +154,8 @@ pub struct Session {
     pub search_wanted: bool,
     /// A command line on its way to the clipboard; the window takes this.
     pub shared: Option<String>,
+    /// What the window is to ask for.
+    pub to_choose: Option<Choice>,
     /// What the window is to make a file of.
     pub wanted: Option<TakeAway>,
     studying: Studying,
@@ -202,6 +204,7 @@ impl Session {
             search: String::new(),
             search_wanted: false,
             shared: None,
+            to_choose: None,
             wanted: None,
             studying: Studying::new(),
             against: None,

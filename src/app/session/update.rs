@@ -122,6 +122,7 @@ impl Session {
             Command::Share => {
                 self.shared = Some(self.command_line()?);
             }
+            Command::Choose(choice) => self.to_choose = Some(choice),
             Command::TakeAway(what) => self.wanted = Some(what),
             command => return self.change_look(&command),
         }

@@ -53,6 +53,7 @@ const READERS: Readers = Readers {
     scene: |_, _| Err(Vec::new()),
     lesson,
     write: |path, bytes| fs::write(path, bytes).map_err(|error| error.to_string()),
+    choose: |_| Ok(None),
 };
 
 /// The window on a file of a folder.

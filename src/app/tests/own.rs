@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::app::opened::{Opened, Readers};
-use crate::app::session::{FolderOfLessons, LessonFromFile, Refused};
+use crate::app::session::{Choice, FolderOfLessons, LessonFromFile, Refused};
+use crate::language::Message;
 use crate::scene::Limits;
 use std::fs;
 use std::path::Path;
@@ -46,6 +47,7 @@ const READERS: Readers = Readers {
     scene: |_, _| Err(Vec::new()),
     lesson: |_, _| Err(Vec::new()),
     write: |_, _| Err("nothing is written".into()),
+    choose: |_| Ok(None),
 };
 
 /// Writes a file as if it had been saved so many seconds later.
@@ -118,6 +120,45 @@ fn lessons_of_a_folder_have_a_chapter_also_those_with_errors() {
         command,
         format!("lightwalk open {first} --step {}", session.step())
     );
+}
+
+/// What the system's dialog gives.
+#[test]
+fn a_file_that_is_chosen_is_opened_and_where_nobody_can_be_asked_that_is_said() {
+    let (_folder, mut screen) = own_lessons([1280, 800]);
+    let answer = |screen: &mut Screen, choose| {
+        let readers = Readers { choose, ..READERS };
+        screen.harness.state_mut().1.opened = Some(Opened::new(readers, None));
+        screen.harness.state_mut().1.notice = None;
+        screen.click("Open a file…");
+        for _ in 0..1000 {
+            screen.harness.step();
+            if screen.harness.state().1.choosing.is_none() {
+                break;
+            }
+            std::thread::yield_now();
+        }
+    };
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/lessons/04-gouraud-triangle.json"
+    );
+    let before = screen.session().recording();
+    answer(&mut screen, |_| Ok(None));
+    assert_eq!(screen.session().recording(), before);
+    assert_eq!(notice(&screen), "");
+    answer(&mut screen, |_| Err(Message("app-no-dialog")));
+    assert!(notice(&screen).contains("lightwalk open FILE"));
+    answer(&mut screen, |choice| {
+        assert_eq!(choice, Choice::File);
+        let path = concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/lessons/04-gouraud-triangle.json"
+        );
+        Ok(Some(path.into()))
+    });
+    assert_eq!(screen.session().file.as_deref(), Some(Path::new(path)));
+    assert!(!screen.session().look.home);
 }
 
 /// The one with an error lies between.

@@ -34,6 +34,7 @@ const READERS: Readers = Readers {
     scene: walk,
     lesson: walk,
     write: |path, bytes| fs::write(path, bytes).map_err(|error| error.to_string()),
+    choose: |_| Ok(None),
 };
 
 /// The page of a scene file.

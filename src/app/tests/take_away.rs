@@ -20,6 +20,7 @@ const READERS: Readers = Readers {
         written.push((path.to_owned(), bytes.to_vec()));
         Ok(())
     },
+    choose: |_| Ok(None),
 };
 
 #[test]
