@@ -33,6 +33,8 @@ const chromium = spawn(process.env.CHROMIUM ?? "chromium", [
 
 // Messages end with a zero byte.
 const waiting = new Map();
+// The last event of each kind.
+const heard = new Map();
 const problems = [];
 let [session, number, rest] = [undefined, 0, ""];
 chromium.stdio[4].on("data", (data) => {
@@ -40,6 +42,7 @@ chromium.stdio[4].on("data", (data) => {
   rest = parts.pop();
   for (const message of parts.map((part) => JSON.parse(part))) {
     const { id, result, error, method, params } = message;
+    heard.set(method, params);
     if (method === "Runtime.consoleAPICalled" && params.type === "error") problems.push(params.args.map(({ value, description }) => value ?? description).join(" "));
     if (method === "Runtime.exceptionThrown") problems.push(params.exceptionDetails.exception?.description ?? params.exceptionDetails.text);
     const [done, failed] = waiting.get(id) ?? [];
@@ -68,9 +71,9 @@ async function until(expression, what, seconds = 60) {
   const trouble = await evaluate("document.getElementById('trouble')?.textContent ?? ''");
   throw new Error(`failed: ${what}. The address is ${await evaluate("location.href")}. ${trouble} ${problems.join("; ")}`);
 }
-async function press(key, code) {
+async function press(key, code, modifiers = 0) {
   for (const type of ["keyDown", "keyUp"]) {
-    await send("Input.dispatchKeyEvent", { type, key, code: key, windowsVirtualKeyCode: code });
+    await send("Input.dispatchKeyEvent", { type, key, code: key, windowsVirtualKeyCode: code, modifiers });
   }
 }
 // Presses the mouse at the first place and lets it go at the last.
@@ -146,6 +149,17 @@ try {
   for (const type of ["dragEnter", "dragOver", "drop"]) await send("Input.dispatchDragEvent", { type, ...at_middle });
   await until(`document.title.includes("${basename(scene)}")`, "a scene that is dropped is walked through");
   await picture("page-scene");
+  // The same by the browser's dialog.
+  await open("#lesson=shadows&step=4");
+  await send("Page.setInterceptFileChooserDialog", { enabled: true });
+  await press("o", 79, 2);
+  for (let tries = 0; !heard.has("Page.fileChooserOpened"); tries++) {
+    if (tries === 100) throw new Error("failed: Ctrl+O asks for a file");
+    await later(100);
+  }
+  const { backendNodeId } = heard.get("Page.fileChooserOpened");
+  await send("DOM.setFileInputFiles", { files: [resolve(scene)], backendNodeId });
+  await until(`document.title.includes("${basename(scene)}")`, "a scene that is chosen is walked through");
   await until(at("scene="), "the address holds a scene of one's own");
   await open(await evaluate("location.hash"));
   await until("document.title.includes('Adegan yang dibagikan')", "a link to a scene opens it");
