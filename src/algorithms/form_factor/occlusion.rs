@@ -21,29 +21,16 @@ pub struct Passing {
     pub points: u32,
 }
 
-/// The error that is aimed at, as a share of what is seen; and where F, seen from the smaller patch, is so small that the error stays
-/// below [`OF_SMALL`].
-const RELATIVE: f64 = 1e-3;
-const RELATIVE_OF_SMALL: f64 = 3e-3;
-const OF_SMALL: f64 = 1e-6;
-/// The error of F that is of no account, and the one that is never allowed.
-const LEAST: f64 = 3e-8;
-const MOST: f64 = 3e-5;
-/// Many patches see next to nothing of each other: below this F, [`LEAST_OF_LEAST`] is of no account.
-const LEAST_SEEN: f64 = 4e-6;
-const LEAST_OF_LEAST: f64 = 1e-7;
+/// The error of F, seen from the smaller patch, that is aimed at: as a share of what is seen, the one that is of no account, and the one
+/// that is never allowed. The difference of two rules may miss what the visible shape does between their points, so that true errors
+/// are larger: with these, no F above 1e-5 is more than 0.8 % off in Cornell boxes of 99 and 684 patches, against a tenth of them.
+const RELATIVE: f64 = 4e-4;
+const LEAST: f64 = 5e-9;
+const MOST: f64 = 1e-5;
 
 /// How far ∫F may be off.
 fn tolerance(visible: f64, smaller_area: f64) -> f64 {
-    let f = visible / smaller_area;
-    let of_f = match f < LEAST_SEEN {
-        true => LEAST_OF_LEAST,
-        false => {
-            let of_small = OF_SMALL.min(RELATIVE_OF_SMALL * f);
-            of_small.max(RELATIVE * f).clamp(LEAST, MOST)
-        }
-    };
-    of_f * smaller_area
+    (RELATIVE * visible).clamp(LEAST * smaller_area, MOST * smaller_area)
 }
 
 /// The estimate that is reported, in units of the one that cells are divided by: true errors of rows reach twice that (in a Cornell box of 236

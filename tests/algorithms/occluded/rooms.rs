@@ -63,3 +63,21 @@ fn all_that_reaches_a_door_arrives_behind_it() {
         }
     }
 }
+
+/// Between the right and the left wall of the Cornell box stand both blocks. The reference comes from 4 million random pairs of points on the
+/// two patches, by a program of its own: 6.800e-4 with a standard error of 0.013e-4.
+#[test]
+fn two_walls_see_each_other_past_the_blocks_of_the_cornell_box() {
+    let text = include_bytes!("../../../lessons/scenes/cornell-box.json");
+    let scene = read(text, &Limits::default(), &mut |_| Err(String::new())).unwrap();
+    let patches = Patches::of(&scene, 1000).unwrap();
+    let blockers = Blockers::of(&scene, &patches);
+    let form_factors = FormFactors::new(&patches, METHOD, Some(&blockers));
+    assert_eq!(
+        scene.objects[patches[61].object as usize].name,
+        "right wall"
+    );
+    assert_eq!(scene.objects[patches[71].object as usize].name, "left wall");
+    let f = form_factors.pair(61, 71, &mut Unrecorded);
+    assert!((f / 6.800e-4 - 1.0).abs() < 8e-3, "{f}");
+}
