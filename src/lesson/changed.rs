@@ -112,18 +112,19 @@ fn other_words(lesson: &str, at: &str, walk: &dyn Walk, question: &Question) -> 
     }
 }
 
-/// The verdicts of a lesson after one change: how many questions have an answer; none where the change cannot be had. Wrong ones are
-/// faults.
-fn verdicts(lesson: &Lesson, change: Change, faults: &mut BTreeSet<String>) -> Option<usize> {
+/// The run of a lesson after one change; none where the change cannot be had.
+fn changed(lesson: &Lesson, change: Change) -> Option<Run> {
     let (scene, settings) = lesson.changed(&[change]).ok()?;
     let setup = Arc::new(lesson.setup(scene, settings)?);
     setup.check(lesson.focus).ok()?;
-    let run = Run::record(
-        setup,
-        lesson.method,
-        lesson.focus,
-        RecordingLimit::default(),
-    );
+    let limit = RecordingLimit::default();
+    Some(Run::record(setup, lesson.method, lesson.focus, limit))
+}
+
+/// The verdicts of a lesson after one change: how many questions have an answer; none where the change cannot be had. Wrong ones are
+/// faults.
+fn verdicts(lesson: &Lesson, change: Change, faults: &mut BTreeSet<String>) -> Option<usize> {
+    let run = changed(lesson, change)?;
     let narrated = lesson.narrate_changed(&run).ok()?;
     let mut decided = 0;
     for said in &narrated {
@@ -234,4 +235,56 @@ fn a_typed_limit_is_one_that_the_option_says() {
         }
     }
     assert_eq!(faults, BTreeSet::new());
+}
+
+/// The last value that a lesson records at such a step, with its first parameter at that number.
+fn recorded_with(lesson: &Lesson, number: f64, at: &str, field: &str) -> f64 {
+    let change = lesson.change(lesson.parameters[0], &[number]).unwrap();
+    let run = changed(lesson, change).unwrap();
+    let walk = run.walk();
+    let at = at.parse().unwrap();
+    let step = query::matches(walk, &at, 0..walk.len()).next_back();
+    number_of(&walk.fields(step.unwrap()), field).unwrap()
+}
+
+#[test]
+fn light_leaks_under_a_wall_less_the_finer_the_patches_as_the_lesson_says() {
+    let lesson = super::builtin("light-leak").unwrap().read().unwrap();
+    let leak = |patches| recorded_with(&lesson, patches, "Gathered i=5", "B_i");
+    let says = [
+        (1.0, 0.0515),
+        (3.0, 0.0247),
+        (5.0, 0.0162),
+        (9.0, 0.0096),
+        (15.0, 0.0060),
+    ];
+    for (patches, said) in says {
+        let leak = leak(patches);
+        assert!((leak - said).abs() <= 0.00005, "{patches}: {leak}");
+    }
+    // A border of the floor lies at the wall.
+    for patches in [2.0, 8.0] {
+        assert_eq!(leak(patches), 0.0);
+    }
+}
+
+#[test]
+fn a_turned_quadrilateral_changes_and_two_triangles_do_not() {
+    let lesson = super::builtin("turned-quadrilateral").unwrap();
+    let lesson = lesson.read().unwrap();
+    let middle = |degrees, at| recorded_with(&lesson, degrees, at, "I_P");
+    // Of the corners, whose intensities are 0.05 + 0.8 cos 0° and 0.05 + 0.8 cos 75°: of one pair, of all, of the other pair.
+    let (bright, dark) = (0.85, 0.05 + 0.8 * 75.0_f64.to_radians().cos());
+    let means = [(-45.0, bright), (0.0, 0.5 * (bright + dark)), (45.0, dark)];
+    for (degrees, mean) in means {
+        let quadrilateral = middle(degrees, "SpanInterpolated object=1 x=61");
+        assert!(
+            (quadrilateral - mean).abs() < 1e-5,
+            "{degrees}: {quadrilateral}"
+        );
+    }
+    for degrees in [-45.0, -20.0, 0.0, 33.0, 45.0] {
+        let triangles = middle(degrees, "SpanInterpolated object=3 x=143");
+        assert!((triangles - bright).abs() < 1e-5, "{degrees}: {triangles}");
+    }
 }
