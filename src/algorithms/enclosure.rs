@@ -19,6 +19,8 @@ use std::sync::OnceLock;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     pub form_factors: Method,
+    /// By which a form factor that is followed is found a second time.
+    pub then_by: Option<Method>,
     /// Whether what stands between two patches counts. What lies behind one of them never exchanges with it.
     pub visibility: bool,
     /// Whether the form factors of a closed scene are changed so that each row sums to 1.
@@ -35,6 +37,7 @@ impl Default for Settings {
     fn default() -> Self {
         Settings {
             form_factors: Method::Auto { tolerance: 1e-6 },
+            then_by: None,
             visibility: true,
             closure: true,
             solver: Solver::Auto,
@@ -120,7 +123,10 @@ impl Enclosure {
 
     /// By the pair, by the row, or all of them.
     pub fn form_factors(&self) -> FormFactors<'_> {
-        let method = self.settings.form_factors;
+        self.form_factors_by(self.settings.form_factors)
+    }
+
+    pub fn form_factors_by(&self, method: Method) -> FormFactors<'_> {
         FormFactors::new(&self.patches, method, self.visibility())
             .with_shortcuts(shortcuts(self.forced))
     }

@@ -92,6 +92,10 @@ pub struct RadiosityFile {
     #[serde(default, deserialize_with = "present")]
     #[schemars(with = "Option<form_factor::Method>")]
     pub form_factors: Option<String>,
+    /// A second method, by which a form factor that is followed is found once more.
+    #[serde(default, deserialize_with = "present")]
+    #[schemars(with = "Option<form_factor::Method>")]
+    pub then_by: Option<String>,
     #[serde(default, deserialize_with = "present")]
     pub visibility: Option<bool>,
     #[serde(default, deserialize_with = "present")]

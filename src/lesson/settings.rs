@@ -105,18 +105,18 @@ pub fn radiosity(file: &LessonFile, problems: &mut Vec<Problem>) -> enclosure::S
             }
         }
     }
-    if let Some(name) = &file.form_factors {
-        match Method::from_name(name) {
-            Some(method) => settings.form_factors = method,
-            None => {
-                let known = Method::ALL.map(Method::name).join(", ");
-                refuse(
-                    "form_factors",
-                    format!("found \"{name}\"; allowed are {known}"),
-                );
-            }
+    let mut method = |key: &str, name: &Option<String>| {
+        let name = name.as_ref()?;
+        let method = Method::from_name(name);
+        if method.is_none() {
+            let known = Method::ALL.map(Method::name).join(", ");
+            refuse(key, format!("found \"{name}\"; allowed are {known}"));
         }
-    }
+        method
+    };
+    let asked = method("form_factors", &file.form_factors);
+    settings.form_factors = asked.unwrap_or(settings.form_factors);
+    settings.then_by = method("then_by", &file.then_by);
     settings.visibility = file.visibility.unwrap_or(settings.visibility);
     settings.smooth = file.smooth.unwrap_or(settings.smooth);
     if let Some(tolerance) = file.tolerance {

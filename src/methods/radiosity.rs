@@ -62,7 +62,7 @@ fn reference(enclosure: &Enclosure, [i, j]: [usize; 2]) -> f64 {
     }
 }
 
-/// Finds the form factor from patch i to patch j, after the one that it is compared with.
+/// Finds the form factor from patch i to patch j, after the one that it is compared with; and once more, where the settings say by what.
 pub fn form_factor<R: Recorder<form_factor::Event>>(
     enclosure: &Enclosure,
     [i, j]: [u32; 2],
@@ -72,4 +72,7 @@ pub fn form_factor<R: Recorder<form_factor::Event>>(
     let f = reference(enclosure, [i, j]);
     recorder.step(|| form_factor::Event::Reference { f });
     enclosure.form_factors().pair(i, j, recorder);
+    if let Some(method) = enclosure.settings.then_by {
+        enclosure.form_factors_by(method).pair(i, j, recorder);
+    }
 }

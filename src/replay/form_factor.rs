@@ -122,7 +122,13 @@ impl Fold<Event> for State {
     fn apply(&mut self, step: usize, event: &Event) {
         match *event {
             Event::Reference { f } => self.reference = Some((f, step)),
-            Event::FormFactor { i, j, method } => self.pair = Some((i, j, method, step)),
+            Event::FormFactor { i, j, method } => {
+                *self = State {
+                    pair: Some((i, j, method, step)),
+                    reference: self.reference,
+                    ..State::default()
+                };
+            }
             Event::FacesAway
             | Event::Pieces { .. }
             | Event::Centers { .. }

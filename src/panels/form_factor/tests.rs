@@ -151,3 +151,33 @@ fn old_sight_lines_fade_and_what_stands_between_is_drawn_over_them() {
     });
     assert!(outline.expect("the screen") > last.0);
 }
+
+#[test]
+fn a_second_method_begins_anew_and_comes_near_the_first() {
+    let rays = 1024;
+    let settings = enclosure::Settings {
+        form_factors: Method::AreaToArea { points: 2 },
+        then_by: Some(Method::MonteCarlo { rays, seed: 0 }),
+        ..enclosure::Settings::default()
+    };
+    let mut fixture = open_room(settings, Focus::FormFactor { i: 0, j: 1 });
+    let found = |fixture: &Fixture| match fixture.run {
+        Run::FormFactor(_, ref replay) => replay.state().found.map(|(f, _)| f),
+        _ => None,
+    };
+    fixture.go_to("FormFactorFound", 0);
+    let first = found(&fixture).expect("a form factor");
+    fixture.go_to("Rays", 0);
+    assert_eq!(found(&fixture), None);
+    let picture = draw(&fixture.input(), Vec2::new(800.0, 500.0));
+    let printed = texts(&picture);
+    let has_value = printed.iter().any(|(text, _)| text.starts_with("F_i_j "));
+    assert!(!has_value, "{printed:?}");
+    fixture.go_to("FormFactorFound", 1);
+    let second = found(&fixture).expect("another");
+    let error = (first * (1.0 - first) / f64::from(rays)).sqrt();
+    assert!(
+        second != first && (second - first).abs() < 4.0 * error,
+        "{first} {second}"
+    );
+}
