@@ -1,5 +1,6 @@
 //! Two pictures of the same scene and their difference: a click on a pixel walks our run of it.
 
+use super::said_beside::said_beside;
 use super::session::{Command, Session};
 use super::tree_controls::looked_at;
 use super::{strings, style};
@@ -134,7 +135,8 @@ fn one(
         mine: of.mine.pixels[index],
         reference: of.found.reference[index],
     };
-    response.on_hover_text_at_pointer(values(&here, of.names, session.look.language));
+    let text = values(&here, of.names, session.look.language);
+    said_beside(&response, None, text);
 }
 
 fn pixels_of(found: &Comparison) -> Vec2 {

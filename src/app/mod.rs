@@ -49,6 +49,7 @@ mod question_card;
 mod results_drawer;
 mod room_controls;
 mod row_end;
+mod said_beside;
 mod scene_page;
 pub mod session;
 mod skipped;

@@ -88,7 +88,8 @@ fn regions(
             .request_discard("the words of this step take another height");
     }
     let width = column.formula.width() - 2.0 * MARGIN;
-    let [_, least_whole] = formula_heights(session, window, width);
+    // As above, for the picture that scrolls.
+    let least_whole = formula_heights(session, window, width)[1] + 1.0;
     let mut under = None;
     for (panel, region) in [(Panel::Code, column.code), (Panel::Formula, column.formula)] {
         rule(session, region, ui);

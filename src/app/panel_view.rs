@@ -4,6 +4,7 @@ use super::layout;
 use super::picture_place::Place;
 use super::picture_view::PictureView;
 use super::prose::prose;
+use super::said_beside::said_beside;
 use super::session::{Command, Session};
 use super::strings;
 use super::style;
@@ -30,6 +31,7 @@ pub struct Key {
     inspector: Option<InspectorView>,
     /// Of formulas alone.
     channel: Option<usize>,
+    presented: bool,
     /// Of the image alone.
     image: Option<ImageView>,
     /// Of the scene in space alone.
@@ -99,12 +101,12 @@ impl PanelView {
         };
         let response = ui.interact(place.rect, ui.scope_id().with(panel.name()), sense);
         let under = self.paint(place, session.localize(panel.title()), &response, ui);
-        let response = match under.and_then(|tag| meaning(session, panel, tag)) {
-            Some(meaning) => {
-                response.on_hover_text_at_pointer(prose(session, &meaning, 13.0, Ink::Text))
-            }
-            None => response,
-        };
+        if let Some(tag) = under
+            && let Some(meaning) = meaning(session, panel, tag)
+        {
+            let text = prose(session, &meaning, 13.0, Ink::Text);
+            said_beside(&response, self.bounds(tag, place), text);
+        }
         (response, under)
     }
 }
@@ -127,6 +129,7 @@ impl Key {
                 .panel_input()
                 .channel
                 .filter(|_| panel == Panel::Formula),
+            presented: panel == Panel::Formula && session.look.presenting,
             image: (panel == Panel::Image || panel.compares()).then(|| session.image()),
             space: (panel == Panel::Space).then(|| (session.space(), session.fan().version())),
             smooth: matches!(panel, Panel::Radiosity | Panel::Image) && session.look.smooth,

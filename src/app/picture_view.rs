@@ -109,6 +109,19 @@ impl<K: PartialEq> PictureView<K> {
     }
 }
 
+/// A picture with more in it than this part of its area is too large for something to stand beside it.
+const LARGE: f32 = 0.3;
+
+impl<K> PictureView<K> {
+    /// Where on the screen all that shows a tag lies; none where that is nothing, or a large part of the picture.
+    pub fn bounds(&self, tag: Tag, place: Place) -> Option<Rect> {
+        let bounds = self.picture.tagged_bounds(tag)?;
+        let [first, last] = [bounds.min(), bounds.max()].map(|point| place.on_screen(point));
+        let bounds = Rect::from_min_max(first, last);
+        (bounds.area() <= LARGE * place.rect.area()).then_some(bounds)
+    }
+}
+
 /// Whether a tag can be found in an image's pixels, which carry no tags of their own.
 fn is_place(tag: Tag) -> bool {
     matches!(tag, Tag::Pixel { .. } | Tag::ScanLine(_))

@@ -2,6 +2,7 @@
 
 use super::picture_place::Place;
 use super::picture_view::PictureView;
+use super::said_beside::said_beside;
 use super::session::{PointAt, Session};
 use super::{strings, study_words, tree_controls};
 use crate::figure::View;
@@ -94,7 +95,8 @@ impl StudyPlot {
         };
         let clicked = response.clicked();
         if let Some((_, line, point)) = studying.point(at) {
-            response.on_hover_text_at_pointer(study_words::recorded(session, line, point));
+            let text = study_words::recorded(session, line, point);
+            said_beside(&response, None, text);
         }
         Pointed {
             at: Some(at),

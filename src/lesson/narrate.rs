@@ -4,7 +4,7 @@ use super::answer::{Answer, arrow, order, pick};
 use super::error::{LessonError, problem};
 use super::file::{AnswerFile, QuestionFile, StepFile};
 use super::narrated::{Narrated, Question};
-use super::template::{fill, types_numbers};
+use super::template::{fill, names, types_numbers};
 use super::text::Text;
 use crate::language::Language;
 use crate::panels::{Hidden, Panel, named_by};
@@ -80,6 +80,7 @@ impl Search<'_> {
             step: at,
             title: step.title.clone(),
             key: step.key.as_deref().and_then(Panel::called),
+            values: names(step.say.in_language(Language::English)),
             types_numbers: types_numbers(step.say.in_language(Language::English)),
             say: self.fill(&step.say, at, &format!("{place}.say")),
             slide: slide.map(|slide| self.fill(slide, at, &format!("{place}.slide"))),

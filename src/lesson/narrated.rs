@@ -19,6 +19,8 @@ pub struct Narrated {
     /// By language, with the values of the run filled in.
     pub(super) say: [String; 2],
     pub(super) slide: Option<[String; 2]>,
+    /// The values that the text shows, by their names.
+    pub values: Vec<String>,
     /// Whether the text has numbers that were typed, which need not hold after a change.
     pub types_numbers: bool,
     pub question: Option<Question>,

@@ -53,6 +53,16 @@ fn field(inside: &str) -> Result<Piece<'_>, String> {
     }
 }
 
+/// The names of the values that a text shows.
+pub fn names(text: &str) -> Vec<String> {
+    let pieces = pieces(text).unwrap_or_default().into_iter();
+    let names = pieces.filter_map(|piece| match piece {
+        Piece::Field(name, _) => Some(name.to_owned()),
+        Piece::Plain(_) | Piece::Name(_) => None,
+    });
+    names.collect()
+}
+
 /// Whether a text has numbers of its own, which are not those of the run: digits that are no part of a name.
 pub fn types_numbers(text: &str) -> bool {
     let pieces = pieces(text).unwrap_or_default();

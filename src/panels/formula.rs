@@ -39,7 +39,10 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     let Some(entry) = entry(walk.declared(walk.position()), &known) else {
         return message(NO_FORMULA, input.language, size);
     };
-    let formulas = formulas(entry, &mut known);
+    let mut formulas = formulas(entry, &mut known);
+    if let Some(presented) = input.presented {
+        formulas.sort_by_key(|formula| !is_about(formula, presented));
+    }
     let says = filled(entry.sentence, &known, prepared, input.language);
     let values = Values {
         known: &known,
@@ -48,10 +51,15 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     };
 
     let mut picture = Picture::new(size.x, size.y);
+    // From which formula on only their number is said.
+    let counted_from = |count: usize| match input.presented {
+        Some(_) => formulas.len(),
+        None => count,
+    };
     let layout = |detail: &Detail, count: usize, text: f32| {
         Layout::new(
             &says,
-            [&formulas[..count], &formulas[count..]],
+            [&formulas[..count], &formulas[counted_from(count)..]],
             values,
             size.x,
             text,
@@ -236,6 +244,12 @@ fn formulas(entry: &'static Entry, known: &mut Known) -> Vec<&'static Formula> {
         }
     }
     found
+}
+
+/// Whether one of these values stands on the formula's left side.
+fn is_about(formula: &Formula, names: &[String]) -> bool {
+    let subject = formula.equation().subject();
+    subject.is_some_and(|subject| names.iter().any(|name| name == subject.name))
 }
 
 /// The value that the formula is about, where it is no comparison.

@@ -135,6 +135,9 @@ pub struct PanelInput<'a> {
     pub pinned: Option<&'a State>,
     /// Which values the inspector shows.
     pub inspector: &'a InspectorView,
+    /// In the presentation, the names of the values that the explanation shows: their formulas come first, and those that have no room are
+    /// not announced, as nobody can enlarge the panel; none outside the presentation.
+    pub presented: Option<&'a [String]>,
     /// The channel that formulas are worked out in; none where it is the largest of their results.
     pub channel: Option<usize>,
     /// Which part of the picture is shown, and what of its pixels.
@@ -172,6 +175,7 @@ impl<'a> PanelInput<'a> {
             tree: TreeView::whole(),
             pinned: None,
             inspector: InspectorView::whole(),
+            presented: None,
             channel: None,
             image: ImageView::WHOLE,
             space: SpaceView::default(),

@@ -89,6 +89,13 @@ impl Session {
         self.filled || self.look.presenting
     }
 
+    /// In the presentation, the values that the explanation at this step shows.
+    pub(super) fn presented(&self) -> Option<&[String]> {
+        let said = self.narration_here();
+        let values = said.map_or(&[][..], |said| &said.values);
+        self.look.presenting.then_some(values)
+    }
+
     /// Ends what covers the window's bar and drawers.
     pub(super) fn show_window(&mut self) {
         self.filled = false;

@@ -341,6 +341,7 @@ impl Session {
             tree: &self.tree,
             pinned: self.pinned.as_ref(),
             inspector: &self.inspector,
+            presented: self.presented(),
             channel: self.channel,
             image: self.image,
             space: self.space,

@@ -349,3 +349,33 @@ fn a_broken_formula_is_seen() {
         assert!(seen, "{broken}");
     }
 }
+
+/// In a presentation nobody can enlarge the panel.
+#[test]
+fn what_is_presented_is_what_the_explanation_speaks_of_and_nothing_is_announced() {
+    let mut fixture = Fixture::rays(Method::RayTracing, fixture::BALL, 5);
+    fixture.go_to("ToLight", 0);
+    let spoken = ["N_dot_L".to_string()];
+    // One formula with its numbers, and a line.
+    let height = least_height(&fixture.input(), 300.0) + 20.0;
+    let printed = |presented| {
+        let input = PanelInput {
+            presented,
+            ..fixture.input()
+        };
+        let picture = draw(&input, Vec2::new(300.0, height));
+        let texts = texts(&picture).into_iter().map(|(text, _)| text);
+        texts.collect::<Vec<_>>().join(" ")
+    };
+    let usual = printed(None);
+    assert!(usual.contains(" more below"), "{usual}");
+    for spoken in [&spoken[..], &[]] {
+        let presented = printed(Some(spoken));
+        assert!(!presented.contains(" more below"), "{presented}");
+        assert_eq!(
+            presented.starts_with("N·L"),
+            !spoken.is_empty(),
+            "{presented}"
+        );
+    }
+}
