@@ -21,8 +21,17 @@ pub struct Worker<T> {
 /// A piece of work. In a page it holds up a frame, so it should be small; where it is cancelled, it ends within milliseconds.
 pub type Job<T> = Box<dyn FnOnce(&Worker<T>) + Send>;
 
-/// A job as it is done; whether it was not cancelled before.
-type Step = Box<dyn FnOnce() -> bool + Send>;
+/// A job as it is done, a step at a time.
+type Step = Box<dyn FnMut() -> Stage + Send>;
+
+/// What a step has left.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Stage {
+    Unfinished,
+    Done,
+    /// Nothing was done: it is not wanted any more.
+    Cancelled,
+}
 
 /// What both sides share.
 #[derive(Default)]
@@ -43,16 +52,32 @@ impl<T: Send + 'static> Work<T> {
         let worker = Arc::new(worker);
         let jobs = jobs.into_iter().map(|job| {
             let worker = worker.clone();
-            let step: Step = Box::new(move || {
-                let goes_on = worker.go_on().is_ok();
-                if goes_on {
+            let mut job = Some(job);
+            let step: Step = Box::new(move || match (worker.go_on(), job.take()) {
+                (Ok(()), Some(job)) => {
                     job(&worker);
+                    Stage::Done
                 }
-                goes_on
+                _ => Stage::Cancelled,
             });
             step
         });
         in_background(name, jobs.collect());
+        work
+    }
+
+    /// Does `step` again and again for as long as it says that there is more to do; in a page, once a frame.
+    pub fn begin_in_steps(
+        name: &str,
+        mut step: impl FnMut(&Worker<T>) -> bool + Send + 'static,
+    ) -> Self {
+        let (work, worker) = Work::pair();
+        let job: Step = Box::new(move || match worker.go_on() {
+            Err(Cancelled) => Stage::Cancelled,
+            Ok(()) if step(&worker) => Stage::Unfinished,
+            Ok(()) => Stage::Done,
+        });
+        in_background(name, vec![job]);
         work
     }
 }
@@ -141,8 +166,8 @@ fn in_background(name: &str, jobs: Vec<Step>) {
         let jobs = jobs.clone();
         move || {
             let jobs = std::mem::take(&mut *jobs.lock().unwrap_or_else(PoisonError::into_inner));
-            for job in jobs {
-                job();
+            for mut job in jobs {
+                while job() == Stage::Unfinished {}
             }
         }
     };
@@ -161,7 +186,7 @@ pub use page::do_next;
 
 #[cfg(target_arch = "wasm32")]
 mod page {
-    use super::Step;
+    use super::{Stage, Step};
     use std::cell::RefCell;
     use std::collections::VecDeque;
 
@@ -174,10 +199,19 @@ mod page {
         JOBS.with_borrow_mut(|all| all.extend(jobs));
     }
 
-    /// Does the next job that is not cancelled, and says whether there was one.
+    /// Does a step of the next job that is not cancelled, and says whether there was one. Jobs of many steps take turns.
     pub fn do_next() -> bool {
-        let mut next = std::iter::from_fn(|| JOBS.with_borrow_mut(VecDeque::pop_front));
-        next.any(|job| job())
+        while let Some(mut job) = JOBS.with_borrow_mut(VecDeque::pop_front) {
+            match job() {
+                Stage::Cancelled => {}
+                Stage::Done => return true,
+                Stage::Unfinished => {
+                    JOBS.with_borrow_mut(|all| all.push_back(job));
+                    return true;
+                }
+            }
+        }
+        false
     }
 }
 
@@ -198,6 +232,17 @@ mod tests {
         let mut work = Work::begin_all("test", jobs.collect());
         assert_eq!(work.wait(), [1, 2, 3]);
         assert!(work.is_done() && work.take().is_empty());
+    }
+
+    #[test]
+    fn work_in_steps_goes_on_until_there_is_no_more_to_do() {
+        let mut left = 3;
+        let mut work = Work::begin_in_steps("test", move |worker| {
+            worker.send(left);
+            left -= 1;
+            left > 0
+        });
+        assert_eq!(work.wait(), [3, 2, 1]);
     }
 
     #[test]

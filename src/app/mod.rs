@@ -60,6 +60,7 @@ mod study_view;
 mod study_words;
 mod style;
 mod take_away;
+mod take_away_menu;
 mod thumbnails;
 mod top_bar;
 mod transport;

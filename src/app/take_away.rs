@@ -1,85 +1,95 @@
-//! What one takes away of a lesson, as a file: a page saves it as a download, the window in the folder where it was started.
+//! What one takes away of what is shown: made beside the window, a part at a time, then saved. A page saves it as a download, the window
+//! in the folder where it was started.
 
-use super::background::Work;
+use super::background::{Work, Worker};
 use super::opened::Readers;
-use super::session::{Session, TakeAway};
-use crate::export::{Contents, ExportedLesson, deck, handout};
-use crate::language::Language;
-use crate::lesson::Lesson;
-use crate::panels::{Panel, draw};
-use crate::picture::{rasterize, to_png};
-use glam::Vec2;
-use std::num::NonZeroUsize;
+use super::session::{Session, Source};
+use crate::export::{Making, TakeAway};
+use crate::picture::{RasterError, rasterize};
+use egui::{Color32, ColorImage};
+use std::mem;
 use std::path::PathBuf;
+use web_time::{Duration, Instant};
 
-/// Points of a picture, and pixels of each.
-const PICTURE: Vec2 = Vec2::new(960.0, 600.0);
+/// How long is worked on a file before it is looked whether it is still wanted; in a page, before the next frame.
+const SLICE: Duration = Duration::from_millis(8);
+
+/// Pixels to a point of a picture that is copied.
 const SCALE: f32 = 2.0;
 
-/// A file, before it is written: its name, and what is in it. An error says why there is none.
-pub type NewFile = Result<(String, Vec<u8>), String>;
+/// What is in a file, before it is written, or why there is none.
+type NewFile = Result<Vec<u8>, String>;
 
-/// Begins to make it. A page does so between two frames.
-pub fn begin(session: &Session, what: TakeAway) -> Work<NewFile> {
-    let lesson = session.lesson().clone();
-    let look = session.look;
-    match what {
-        TakeAway::Picture => {
-            let made = picture(session);
-            Work::begin("picture", move |worker| worker.send(made))
+/// A file in the making. Dropped, its work ends.
+pub struct Taking {
+    /// Of the file.
+    pub name: String,
+    pub work: Work<NewFile>,
+}
+
+/// Begins to make a file of what is shown. Its work can be cancelled between two parts.
+pub fn begin(session: &Session, what: TakeAway, ending: &'static str) -> Taking {
+    let mut state = State::Prepared(Box::new(session.source(what)));
+    let mut bytes = Vec::new();
+    let step = move |worker: &Worker<NewFile>| {
+        let stepped = state.go_on(what, ending, &mut bytes);
+        match stepped {
+            Ok(Some((done, all))) => worker.progress(done, all).is_ok(),
+            Ok(None) => {
+                worker.send(Ok(mem::take(&mut bytes)));
+                false
+            }
+            Err(why) => {
+                worker.send(Err(why));
+                false
+            }
         }
-        TakeAway::Handout => Work::begin("handout", move |worker| {
-            worker.send(document(
-                lesson,
-                look.language,
-                "handout",
-                |shown, steps| {
-                    let contents = Contents {
-                        steps,
-                        answers: true,
-                    };
-                    handout(shown, &contents, &|_| ())
-                },
-            ));
-        }),
-        TakeAway::Deck => Work::begin("slides", move |worker| {
-            worker.send(document(lesson, look.language, "slides", |shown, steps| {
-                deck(shown, steps, look.theme, &|_| ())
-            }));
-        }),
+    };
+    Taking {
+        name: session.file_name(what, ending),
+        work: Work::begin_in_steps(what.name(), step),
     }
 }
 
-/// The key panel at this step.
-fn picture(session: &Session) -> NewFile {
-    let panel = session.key_panel().unwrap_or(Panel::Image);
-    let drawn = draw(panel, &session.panel_input(), PICTURE);
-    let pixels = rasterize(&drawn, session.look.theme, SCALE).map_err(|error| error.to_string())?;
-    let (id, step) = (&session.lesson().id, session.step());
-    Ok((format!("{id}-{}-{step}.png", panel.name()), to_png(&pixels)))
+enum State {
+    Prepared(Box<Source>),
+    Making(Making<'static>),
+    Ended,
 }
 
-/// The explanations of a lesson, put down by `write`.
-fn document(
-    lesson: Lesson,
-    language: Language,
-    kind: &str,
-    write: impl FnOnce(&mut ExportedLesson, &[usize]) -> String,
-) -> NewFile {
-    let open = lesson.open().map_err(|error| error.to_string())?;
-    let panels = open.lesson.panels.clone();
-    let name = format!("{}-{kind}-{}.html", open.lesson.id, language.code());
-    // Another thread renders what the window shows.
-    let mut shown =
-        ExportedLesson::new(open, &panels, language, NonZeroUsize::MIN, &|_, _| ()).asking();
-    let steps = shown.narrated().to_vec();
-    Ok((name, write(&mut shown, &steps).into_bytes()))
+impl State {
+    /// Works for a while. Returns how many parts are done of how many, or nothing at the end.
+    fn go_on(
+        &mut self,
+        what: TakeAway,
+        ending: &str,
+        bytes: &mut Vec<u8>,
+    ) -> Result<Option<(usize, usize)>, String> {
+        *self = match mem::replace(self, State::Ended) {
+            State::Prepared(source) => {
+                let (shown, wish) = source.run();
+                State::Making(what.make(ending, shown, wish)?)
+            }
+            state => state,
+        };
+        let State::Making(making) = self else {
+            return Ok(None);
+        };
+        let start = Instant::now();
+        while start.elapsed() < SLICE {
+            let went_on = making.write_next(bytes);
+            if !went_on.map_err(|error| error.to_string())? {
+                return Ok(None);
+            }
+        }
+        Ok(Some(making.progress()))
+    }
 }
 
 /// Writes it beside what is there. Returns the name under which it was saved.
-pub fn save(made: NewFile, readers: Readers) -> Result<String, String> {
-    let (name, bytes) = made?;
-    let path = free(&name);
+pub fn save(name: &str, made: NewFile, readers: Readers) -> Result<String, String> {
+    let bytes = made?;
+    let path = free(name);
     (readers.write)(&path, &bytes)?;
     Ok(path.display().to_string())
 }
@@ -97,4 +107,15 @@ fn free(name: &str) -> PathBuf {
             others.find(|path| !path.exists()).unwrap_or(first)
         }
     }
+}
+
+/// The key panel as pixels, for the clipboard.
+pub fn copied(session: &Session) -> Result<ColorImage, RasterError> {
+    let (_, picture) = session.seen();
+    let pixmap = rasterize(&picture, session.look.theme, SCALE)?;
+    let size = [pixmap.width() as usize, pixmap.height() as usize];
+    let pixels = pixmap.pixels().iter();
+    // It is opaque: the ground is part of the picture.
+    let colors = pixels.map(|pixel| Color32::from_rgb(pixel.red(), pixel.green(), pixel.blue()));
+    Ok(ColorImage::new(size, colors.collect()))
 }

@@ -4,8 +4,8 @@ use super::button::button;
 use super::layout::{BAR, TARGET};
 use super::prose::prose;
 use super::row_end::row_end;
-use super::session::{Choice, Command, Drawer, Session, Sheet, StudyCommand, TakeAway};
-use super::{author_strings, strings, style};
+use super::session::{Choice, Command, Drawer, Session, Sheet, StudyCommand};
+use super::{author_strings, strings, style, take_away_menu};
 use crate::language::{Language, Message};
 use crate::methods::Method;
 use crate::panels::method_name;
@@ -276,13 +276,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         }
         ui.separator();
         if !session.is_on_page() {
-            ui.menu_button(session.localize(strings::TAKE_AWAY), |ui| {
-                for what in TakeAway::ALL {
-                    let name = session.localize(what.name());
-                    let take = Command::TakeAway(what);
-                    button(session, Button::new(name), name, take, commands, ui);
-                }
-            });
+            take_away_menu::show(session, commands, ui);
             ui.separator();
         }
         let studies = session.localize(strings::STUDIES);

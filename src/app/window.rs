@@ -1,6 +1,5 @@
 //! The whole window, in a function of `&mut Ui`: it needs no screen, and tests show it as the screen would.
 
-use super::background::Work;
 use super::cards::inside;
 use super::layout::{self, GAP, Layout, TRANSPORT, Wishes, column_widths, is_narrow, layout};
 use super::opened::{self, Opened};
@@ -15,6 +14,7 @@ use super::{
 use crate::panels::{Panel, time_line_heights};
 use crate::picture::Tag;
 use egui::{CursorIcon, Popup, Pos2, Rect, Sense, Stroke, Ui, Vec2, ViewportCommand};
+use std::mem;
 use std::path::Path;
 use std::time::Duration;
 
@@ -257,16 +257,22 @@ impl Window {
         let Some(opened) = &self.opened else {
             return;
         };
-        let made: Vec<_> = self.taking.iter_mut().flat_map(Work::take).collect();
-        for made in made {
-            let saved = take_away::save(made, opened.readers());
-            let language = session.look.language;
-            self.notice = Some(match saved {
-                Ok(name) => strings::TAKEN.format(language, &[("name", &name)]),
-                Err(why) => why,
-            });
-        }
-        self.taking.retain(|work| !work.is_done());
+        let language = session.look.language;
+        let mut notice = None;
+        self.taking.retain_mut(|taking| {
+            let made = taking.work.take().pop();
+            let has_ended = made.is_some() || taking.work.is_done();
+            if has_ended {
+                let saved = made.map(|made| take_away::save(&taking.name, made, opened.readers()));
+                notice = Some(match saved {
+                    Some(Ok(path)) => strings::TAKEN.format(language, &[("name", &path)]),
+                    Some(Err(why)) => why,
+                    None => strings::NOT_TAKEN.format(language, &[("name", &taking.name)]),
+                });
+            }
+            !has_ended
+        });
+        self.notice = notice.or(self.notice.take());
         if !self.taking.is_empty() {
             ctx.request_repaint_after(LOOK_AGAIN);
         }
@@ -348,10 +354,26 @@ impl Window {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
         }
-        if let Some(what) = session.wanted.take() {
-            self.notice = Some(session.localize(strings::TAKING).to_owned());
-            self.taking.push(take_away::begin(session, what));
-            ctx.request_repaint();
+        match session.awaits_picture() {
+            true if !session.wanted.is_empty() => {
+                self.notice = Some(session.localize(strings::TAKING).to_owned());
+            }
+            true => {}
+            false => {
+                for (what, ending) in mem::take(&mut session.wanted) {
+                    self.taking.push(take_away::begin(session, what, ending));
+                    ctx.request_repaint();
+                }
+            }
+        }
+        if mem::take(&mut session.copies) {
+            self.notice = Some(match take_away::copied(session) {
+                Ok(image) => {
+                    ctx.copy_image(image);
+                    session.localize(strings::COPIED).to_owned()
+                }
+                Err(why) => why.to_string(),
+            });
         }
         if let Some(command) = session.shared.take() {
             let shared = match &self.address {

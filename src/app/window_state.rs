@@ -1,7 +1,6 @@
 //! What the window remembers from frame to frame.
 
 use super::author::Author;
-use super::background::Work;
 use super::borders::Borders;
 use super::home::HomePage;
 use super::keeper::{BUSY, Keeper, Saved, State};
@@ -11,7 +10,7 @@ use super::panel_view::{Key, PanelView};
 use super::scene_page::ScenePage;
 use super::session::Session;
 use super::study_plot::StudyPlot;
-use super::take_away::NewFile;
+use super::take_away::Taking;
 use crate::language::Message;
 use crate::panels::Panel;
 use crate::picture::Theme;
@@ -54,7 +53,7 @@ pub struct Window {
     /// A file that is being asked for.
     pub(super) choosing: Option<Work<Result<Option<PathBuf>, Message>>>,
     /// What is made to be taken away.
-    pub(super) taking: Vec<Work<NewFile>>,
+    pub(super) taking: Vec<Taking>,
     pub(super) closing: Closing,
     /// Where progress is kept; nowhere in tests.
     pub(super) keeper: Option<Keeper>,

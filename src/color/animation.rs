@@ -12,28 +12,28 @@ pub enum AnimationFormat {
 }
 
 /// A file that is being written, and begins again when it has been shown.
-pub struct Animation<'a> {
-    file: File<'a>,
+pub struct Animation<W: Write> {
+    file: File<W>,
     width: usize,
     /// The pixels of the frame before, RGB row by row; none before the first.
     before: Vec<u8>,
 }
 
-enum File<'a> {
-    Png(png::Writer<&'a mut dyn Write>),
-    Gif(gif::Encoder<&'a mut dyn Write>),
+enum File<W: Write> {
+    Png(png::Writer<W>),
+    Gif(gif::Encoder<W>),
 }
 
 /// From 1, fast, to 30, the best: how carefully 256 colours are chosen.
 const GIF_CARE: i32 = 10;
 
-impl<'a> Animation<'a> {
+impl<W: Write> Animation<W> {
     /// Of so many frames, one or more.
     pub fn new(
         format: AnimationFormat,
         [width, height]: [u32; 2],
         frames: u32,
-        out: &'a mut dyn Write,
+        out: W,
     ) -> io::Result<Self> {
         let file = match format {
             AnimationFormat::Png => {

@@ -4,23 +4,16 @@ use super::arguments::{panel_names, parse_number, parse_size};
 use super::failure::Failure;
 use super::of_lesson::{LessonArguments, ThemeArgument};
 use super::output;
-use super::progress::Progress;
-use crate::color::{Animation, AnimationFormat};
-use crate::export::{ExportedLesson, SMALLEST_CARD, card, reading_seconds};
+use crate::export::{Film, SMALLEST_CARD, TakeAway, animation};
 use crate::lesson::OpenLesson;
 use crate::panels::Panel;
-use crate::picture::{raster_size, rasterize, to_rgb8};
+use crate::picture::raster_size;
 use crate::replay::{Query, query};
 use glam::Vec2;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Of all frames together: 3700 frames of 960×600.
 const MAX_PIXELS: u64 = 1 << 31;
-/// Frames a second where nothing is read.
-const FPS: f64 = 5.0;
-/// How long the last frame is shown at least, in seconds, before the first comes again.
-const LAST: f64 = 2.0;
 
 #[derive(clap::Args)]
 pub struct Arguments {
@@ -84,8 +77,9 @@ impl Arguments {
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    let format = format(&arguments.out)?;
-    output::check_output(&arguments.out)?;
+    let out = &arguments.out;
+    output::check_ending("--out", out, TakeAway::Explanations.endings())?;
+    output::check_output(out)?;
     let theme = arguments.theme.theme();
     let scale = theme.text_scale();
     let [width, height] = arguments.size;
@@ -114,56 +108,15 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         Some(panel) => vec![panel],
         None => open.lesson.panels.clone(),
     };
-    let mut shown = arguments.lesson.show(open, &panels);
-    let progress = Progress::new("drawing");
-    output::write_whole(&arguments.out, |out| {
-        let size_in_pixels = arguments.size;
-        let count = steps.len() as u32;
-        let mut animation = Animation::new(format, size_in_pixels, count, out)?;
-        for (done, &step) in steps.iter().enumerate() {
-            let place = [done, steps.len()];
-            let (picture, seconds) = frame(&mut shown, &arguments, chosen, step, place, size);
-            let pixmap = rasterize(&picture, theme, scale).map_err(io::Error::other)?;
-            animation.frame(to_rgb8(&pixmap), seconds)?;
-            progress.show(done + 1, steps.len());
-        }
-        animation.finish()
-    })
-}
-
-/// The picture of a step, and how long it is shown.
-fn frame(
-    shown: &mut ExportedLesson,
-    arguments: &Arguments,
-    chosen: Option<Panel>,
-    step: usize,
-    place: [usize; 2],
-    size: Vec2,
-) -> (crate::picture::Picture, f64) {
-    let mut page = shown.page(step);
-    let (picture, seconds) = match arguments.explains() {
-        true => {
-            page.panel = chosen.unwrap_or(page.panel);
-            (card(shown, &page, place, size), reading_seconds(&page))
-        }
-        false => {
-            let panel = chosen.unwrap_or(shown.open.lesson.panels[0]);
-            (shown.draw(panel, step, size), 1.0 / FPS)
-        }
+    let film = Film {
+        panel: chosen,
+        size: arguments.size,
+        theme,
+        seconds: arguments.fps.map(|fps| 1.0 / fps),
+        explains: arguments.explains(),
     };
-    let seconds = arguments.fps.map_or(seconds, |fps| 1.0 / fps);
-    match place[0] + 1 == place[1] {
-        true => (picture, seconds.max(LAST)),
-        false => (picture, seconds),
-    }
-}
-
-fn format(out: &Path) -> Result<AnimationFormat, Failure> {
-    output::check_ending("--out", out, &["png", "gif"])?;
-    Ok(
-        match out.extension().is_some_and(|ending| ending == "gif") {
-            true => AnimationFormat::Gif,
-            false => AnimationFormat::Png,
-        },
-    )
+    let shown = arguments.lesson.show(open, &panels);
+    let ending = out.extension().and_then(|ending| ending.to_str());
+    let film = animation(shown, steps, film, ending.unwrap_or_default())?;
+    output::write_made(out, "drawing", film)
 }

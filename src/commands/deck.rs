@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::of_lesson::{LessonArguments, ThemeArgument};
-use crate::export::deck;
+use crate::export::{TakeAway, deck};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
@@ -18,8 +18,7 @@ pub struct Arguments {
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let theme = arguments.theme.theme();
+    let write = |shown, steps| deck(shown, steps, theme);
     let lesson = arguments.lesson;
-    lesson.write_document(&arguments.out, |shown, steps, progress| {
-        deck(shown, steps, theme, progress)
-    })
+    lesson.write_document(TakeAway::Slides, &arguments.out, write)
 }

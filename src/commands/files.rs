@@ -78,6 +78,13 @@ pub fn to_walk(name: &str) -> Result<(Lesson, Option<PathBuf>), Failure> {
     Ok((lesson, Some(path.to_owned())))
 }
 
+/// A walk through a scene, which is called as its file is.
+pub fn walk(scene: Scene, name: &str) -> Result<Lesson, Failure> {
+    let prepared = PreparedScene::of_size(scene, Lesson::SIZE_OF_A_WALK);
+    let prepared = prepared.map_err(|error| wrong(&name, &error))?;
+    Ok(Lesson::of_scene(&title(Path::new(name)), prepared))
+}
+
 /// A walk through a scene whose text may not be in its file yet.
 #[cfg(feature = "gui")]
 pub fn edited_scene(path: &Path, text: &[u8]) -> Result<Lesson, Vec<document::Problem>> {
@@ -86,7 +93,6 @@ pub fn edited_scene(path: &Path, text: &[u8]) -> Result<Lesson, Vec<document::Pr
     Lesson::of_scene_text(&title(path), text, &mut read_file)
 }
 
-#[cfg(feature = "gui")]
 fn title(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default();
     name.to_string_lossy().into_owned()

@@ -7,9 +7,9 @@ use super::matrix_difference::{compare_matrix, read_matrix};
 use super::notes;
 use super::output;
 use super::progress::{Progress, named};
-use super::tables::Table;
 use crate::algorithms::enclosure::{Enclosure, Settings};
 use crate::algorithms::form_factor::{Method, Report};
+use crate::export::Table;
 use crate::render;
 use crate::scene::Parts;
 use crate::scene::Scene;
@@ -160,8 +160,8 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         match Table::of(out) {
             Some(table) => {
                 let n = enclosure.patches.len();
-                let matrix = matrix.iter().copied();
-                output::write_whole(out, |out| table.write(out, &[n, n], matrix))?;
+                let rows = table.array(&[n, n], |i| matrix[i * n..(i + 1) * n].to_vec());
+                output::write_made(out, "writing the matrix", rows)?;
             }
             None => write(out, &scene, &enclosure, matrix, seconds)?,
         }

@@ -6,8 +6,9 @@ use super::files;
 use super::of_lesson::{LessonArguments, ThemeArgument};
 use super::output;
 use super::progress::Progress;
+use crate::export;
 use crate::panels::Panel;
-use crate::picture::{raster_size, rasterize, to_png, to_svg};
+use crate::picture::raster_size;
 use glam::Vec2;
 use std::path::PathBuf;
 
@@ -59,20 +60,12 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     for (done, &step) in steps.iter().enumerate() {
         for &panel in &panels {
             let picture = shown.draw(panel, step, size);
-            let (ending, bytes) = match arguments.svg {
-                true => {
-                    let title = panel.title().text(shown.language);
-                    ("svg", to_svg(&picture, title, theme).into_bytes())
-                }
-                false => {
-                    let pixmap = rasterize(&picture, theme, scale)
-                        .map_err(|error| Failure::Wrong(format!("--size: {error}")))?;
-                    ("png", to_png(&pixmap))
-                }
-            };
+            let title = panel.title().text(shown.language);
+            let ending = if arguments.svg { "svg" } else { "png" };
+            let made = export::panel(&picture, title, theme, ending, scale)?;
             let name = format!("step-{step:06}-{}.{ending}", panel.name());
             let path = arguments.out.join(name);
-            output::write_whole(&path, |writer| writer.write_all(&bytes))?;
+            output::write_whole(&path, |out| made.write_all(out, &|_, _| ()))?;
         }
         progress.show(done + 1, steps.len());
     }

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::of_lesson::LessonArguments;
-use crate::export::{Contents, handout};
+use crate::export::{TakeAway, handout};
 use std::path::PathBuf;
 
 #[derive(clap::Args)]
@@ -18,9 +18,9 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    let answers = arguments.answers;
-    let lesson = arguments.lesson;
-    lesson.write_document(&arguments.out, |shown, steps, progress| {
-        handout(shown, &Contents { steps, answers }, progress)
-    })
+    let (out, answers) = (&arguments.out, arguments.answers);
+    let write = |shown, steps| handout(shown, steps, answers);
+    arguments
+        .lesson
+        .write_document(TakeAway::Handout, out, write)
 }

@@ -30,14 +30,11 @@ mod open;
 mod output;
 mod progress;
 mod radiosity;
-mod radiosity_table;
 mod render;
 mod schema;
 mod steps;
-mod steps_table;
 mod stress;
 mod study;
-mod tables;
 
 use clap::{Parser, Subcommand};
 use failure::note;

@@ -1,12 +1,14 @@
 //! What commands share that draw the steps of a lesson.
 
-use super::arguments::{LimitArguments, languages, parse_range, parse_whole, theme_names};
+use super::arguments::{
+    LimitArguments, languages, method, method_names, parse_range, parse_whole, theme_names,
+};
 use super::failure::Failure;
 use super::files::{self, Document};
 use super::notes;
 use super::output;
 use super::progress::{Progress, named};
-use crate::export::ExportedLesson;
+use crate::export::{ExportedLesson, Making, TakeAway};
 use crate::language::Language;
 use crate::lesson::OpenLesson;
 use crate::panels::Panel;
@@ -20,8 +22,12 @@ use std::thread::available_parallelism;
 /// Which lesson, in which language, and which of its steps.
 #[derive(Args)]
 pub struct LessonArguments {
-    /// The id of a lesson, or a lesson file
+    /// The id of a lesson, or a lesson file; or a scene file, which is walked through as in the window
+    #[arg(value_name = "LESSON_OR_SCENE")]
     lesson: String,
+    /// How to draw a scene; a lesson has its own method
+    #[arg(long, value_name = "METHOD", value_parser = method_names())]
+    method: Option<String>,
     /// Of all words and numbers
     #[arg(long, value_name = "LANGUAGE", default_value = "en", value_parser = languages())]
     language: Language,
@@ -38,11 +44,17 @@ impl LessonArguments {
     /// The lesson, run.
     pub fn open(&self) -> Result<OpenLesson, Failure> {
         let limits = self.limits.into();
-        let Document::Lesson(lesson) = files::lesson_or_scene(&self.lesson, &limits)? else {
-            return Err(Failure::Wrong(format!(
-                "{}: is a scene; what is wanted here is a lesson",
-                self.lesson
-            )));
+        let method = self.method.as_deref().map(method).transpose()?;
+        let lesson = match (files::lesson_or_scene(&self.lesson, &limits)?, method) {
+            (Document::Lesson(lesson), None) => *lesson,
+            (Document::Lesson(_), Some(_)) => {
+                let why = "is a lesson, which has its own method; --method is for scenes";
+                return Err(files::wrong(&self.lesson, &why));
+            }
+            (Document::Scene(scene), method) => {
+                let walk = files::walk(*scene, &self.lesson)?;
+                method.map_or(walk.clone(), |method| walk.by_method(method))
+            }
         };
         let open = named("running the lesson", || lesson.open())
             .map_err(|error| files::wrong(&self.lesson, &error))?;
@@ -59,14 +71,14 @@ impl LessonArguments {
         })
     }
 
-    /// Writes what `make` makes of the steps: it gets the lesson, the steps, and what it calls with how many of them are done. The
-    /// document is in memory before it is written.
+    /// Writes what `make` makes of the lesson and the steps.
     pub fn write_document(
         &self,
+        what: TakeAway,
         out: &Path,
-        make: impl FnOnce(&mut ExportedLesson, &[usize], &dyn Fn(usize)) -> String,
+        make: impl FnOnce(ExportedLesson, Vec<usize>) -> Making<'static>,
     ) -> Result<(), Failure> {
-        output::check_ending("--out", out, &["html"])?;
+        output::check_ending("--out", out, what.endings())?;
         output::check_output(out)?;
         let open = self.open()?;
         let steps = self.steps.of(&open)?;
@@ -77,10 +89,8 @@ impl LessonArguments {
             )));
         }
         let panels = open.lesson.panels.clone();
-        let mut shown = self.show(open, &panels).asking();
-        let progress = Progress::new("drawing");
-        let document = make(&mut shown, &steps, &|done| progress.show(done, steps.len()));
-        output::write_whole(out, |out| out.write_all(document.as_bytes()))
+        let shown = self.show(open, &panels).asking();
+        output::write_made(out, "drawing", make(shown, steps))
     }
 }
 

@@ -3,6 +3,8 @@
 use super::failure::{Failure, unwritable};
 use super::files::folder_of;
 use super::interrupt;
+use super::progress::Progress;
+use crate::export::Making;
 use std::fs;
 use std::io::{BufWriter, Write};
 use std::path::Path;
@@ -101,6 +103,14 @@ pub fn write_whole(
                 .map_err(|error| failed(error.error))
         },
     )
+}
+
+/// Writes what is made part by part, and says what that is where it takes long.
+pub fn write_made(path: &Path, what: &'static str, making: Making) -> Result<(), Failure> {
+    let progress = Progress::new(what);
+    write_whole(path, |out| {
+        making.write_all(out, &|done, all| progress.show(done, all))
+    })
 }
 
 /// Makes a file in the folder, and takes it away again.

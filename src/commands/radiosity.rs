@@ -8,12 +8,11 @@ use super::form_factors::{MemoryArgument, VisibilityArgument, enclosure, matrix_
 use super::notes;
 use super::output;
 use super::progress::named;
-use super::radiosity_table::{write_radiosities, write_system};
-use super::tables::Table;
 use crate::algorithms::enclosure::{Enclosure, Light, Settings};
 use crate::algorithms::form_factor::Method;
 use crate::algorithms::radiosity::{ChannelUnsolved, RecordFilter, Solver, Unsolved};
 use crate::algorithms::{enclosure_notes, lamp_notes};
+use crate::export::{Table, TakeAway, radiosities, system};
 use crate::methods;
 use crate::record::Unrecorded;
 use crate::scene::{Note, Scene};
@@ -154,10 +153,11 @@ impl SystemArguments {
 }
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
-    output::check_known_ending("--out", &arguments.out, &["json", "csv", "npy"])?;
+    let endings = [&["json"], TakeAway::Radiosities.endings()].concat();
+    output::check_known_ending("--out", &arguments.out, &endings)?;
     output::check_output(&arguments.out)?;
     if let Some(path) = &arguments.matrix {
-        output::check_ending("--matrix", path, &["npy", "csv"])?;
+        output::check_ending("--matrix", path, TakeAway::System.endings())?;
         output::check_output(path)?;
     }
     let (scene, unless) = files::scene(&arguments.scene, &arguments.limits.into())?;
@@ -194,10 +194,13 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         accuracy::report_excess(&scene, &enclosure, accuracy);
     }
     if let Some(path) = &arguments.matrix {
-        write_system(path, &enclosure)?;
+        let table = Table::of(path).unwrap_or(Table::Npy);
+        let rows = system(table, &enclosure, matrix_of(&enclosure));
+        output::write_made(path, "writing the matrix", rows)?;
     }
     if let Some(table) = Table::of(&arguments.out) {
-        return write_radiosities(table, &arguments.out, &scene, &enclosure, light);
+        let rows = radiosities(table, &scene, &enclosure, light);
+        return output::write_made(&arguments.out, "writing the light", rows);
     }
     let solutions = &light.solutions;
     let mut result = json!({

@@ -10,14 +10,14 @@ use super::progress::Progress;
 use super::radiosity::{SolutionArguments, light};
 use super::{files, needs, notes, output};
 use crate::algorithms::enclosure;
-use crate::color::{Rgb, pfm, png_rgb8};
+use crate::export::{TakeAway, whole_picture};
 use crate::methods::hierarchical::{self, NoLight};
 use crate::methods::{Method, Settings, Setup};
 use crate::render::{RayCounts, render, render_counted};
 use std::convert::Infallible;
 use std::fmt::Display;
 use std::num::NonZeroUsize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use web_time::Instant;
 
 #[derive(clap::Args)]
@@ -62,13 +62,6 @@ pub struct Arguments {
     limits: LimitArguments,
 }
 
-/// The methods that are built, for the command line's help and errors.
-#[derive(Clone, Copy)]
-enum Format {
-    Png,
-    Pfm,
-}
-
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     let Arguments {
         size: [width, height],
@@ -77,7 +70,9 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         ..
     } = &arguments;
     let method = method(&arguments.method)?;
-    let format = format(out)?;
+    output::check_ending("--out", out, TakeAway::Picture.endings())?;
+    let ending = out.extension().and_then(|ending| ending.to_str());
+    let ending = ending.unwrap_or_default();
     if !(-64.0..=64.0).contains(exposure) {
         return Err(Failure::Wrong(format!(
             "--exposure {exposure:?}: allowed are numbers from -64 to 64"
@@ -128,19 +123,8 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
     };
     drop(progress);
     let rendered = start.elapsed();
-    let bytes = match format {
-        Format::Pfm => pfm(*width, *height, &frame.color),
-        Format::Png => {
-            let factor = exposure.exp2();
-            let pixels: Vec<u8> = frame
-                .color
-                .iter()
-                .flat_map(|&color: &Rgb| (color * factor).to_srgb8())
-                .collect();
-            png_rgb8(*width, *height, &pixels)
-        }
-    };
-    output::write_whole(out, |writer| writer.write_all(&bytes))?;
+    let picture = whole_picture(&frame, ending, exposure.exp2());
+    output::write_whole(out, |writer| picture.write_all(writer, &|_, _| ()))?;
     let written = start.elapsed();
 
     if arguments.stats {
@@ -206,18 +190,6 @@ fn linked(setup: &Setup, arguments: &Arguments) -> Result<serde_json::Value, Fai
         Err(why @ NoLight::Unsettled(_)) => Err(Failure::Failed(format!(
             "{}: {why}",
             arguments.scene.display()
-        ))),
-    }
-}
-
-/// A method by the name that clap has already checked.
-fn format(out: &Path) -> Result<Format, Failure> {
-    match out.extension().and_then(|extension| extension.to_str()) {
-        Some("png") => Ok(Format::Png),
-        Some("pfm") => Ok(Format::Pfm),
-        _ => Err(Failure::Wrong(format!(
-            "--out {}: the name of a picture ends in .png or .pfm",
-            out.display()
         ))),
     }
 }

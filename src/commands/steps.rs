@@ -10,14 +10,11 @@ use super::notes;
 use super::output;
 use super::progress::{self, Progress};
 use super::radiosity::{SystemArguments, ToleranceArgument};
-use super::steps_table::{self, latest};
-use super::tables::Table;
 use crate::algorithms::focus::Focus;
+use crate::export::{Table, TakeAway, steps_in_lines, steps_in_table};
 use crate::methods::{Method, Settings, Setup};
-use crate::record::{RecordingLimit, Value};
-use crate::replay::{Run, Walk};
-use serde::ser::{Serialize, SerializeMap, Serializer};
-use serde_json::{Value as Json, json};
+use crate::record::RecordingLimit;
+use crate::replay::Run;
 use std::io::{BufWriter, Write};
 use std::ops::Range;
 use std::path::PathBuf;
@@ -135,7 +132,8 @@ pub const TRUNCATED: &str = "the recording met its memory limit, and holds only 
 
 pub fn run(arguments: Arguments) -> Result<(), Failure> {
     if let Some(out) = &arguments.out {
-        output::check_known_ending("--out", out, &["jsonl", "json", "csv"])?;
+        let endings = [TakeAway::Steps.endings(), &["json"]].concat();
+        output::check_known_ending("--out", out, &endings)?;
         output::check_output(out)?;
     }
     let Recording { run, .. } = arguments.recorded.record(arguments.tolerance)?;
@@ -146,14 +144,17 @@ pub fn run(arguments: Arguments) -> Result<(), Failure> {
         }
         note(format_args!("lightwalk: {TRUNCATED}"));
     }
+    let table = arguments.out.as_deref().and_then(Table::of);
+    let steps = match table {
+        Some(Table::Csv) => steps_in_table(run),
+        _ => steps_in_lines(run),
+    };
     match &arguments.out {
-        Some(path) => output::write_whole(path, |writer| match Table::of(path) {
-            Some(Table::Csv) => steps_table::write(run.walk(), writer),
-            _ => write_steps(run.walk(), writer),
-        }),
+        Some(path) => output::write_made(path, "writing steps", steps),
         None => {
             let mut out = BufWriter::new(std::io::stdout().lock());
-            write_steps(run.walk(), &mut out)?;
+            let progress = Progress::new("writing steps");
+            steps.write_all(&mut out, &|done, all| progress.show(done, all))?;
             Ok(out.flush()?)
         }
     }
@@ -273,47 +274,4 @@ fn record_on(setup: Setup, method: Method, focus: Focus, name: &str) -> Result<R
         Run::record(setup.clone(), method, focus, RecordingLimit::default())
     });
     Ok(Recording { run, setup, focus })
-}
-
-fn write_steps(walk: &dyn Walk, out: &mut dyn Write) -> std::io::Result<()> {
-    let progress = Progress::new("writing steps");
-    for step in 0..walk.len() {
-        if step % 4096 == 0 {
-            progress.show(step, walk.len());
-        }
-        serde_json::to_writer(&mut *out, &Line { walk, step })?;
-        writeln!(out)?;
-    }
-    Ok(())
-}
-
-/// A step as one JSON object: `step`, `depth`, `kind`, then all values known there, an inner scope's before an outer one's.
-struct Line<'a> {
-    walk: &'a dyn Walk,
-    step: usize,
-}
-
-impl Serialize for Line<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut object = serializer.serialize_map(None)?;
-        object.serialize_entry("step", &self.step)?;
-        object.serialize_entry("depth", &self.walk.outline().depth(self.step))?;
-        object.serialize_entry("kind", self.walk.kind(self.step))?;
-        for field in latest(&self.walk.fields(self.step)) {
-            object.serialize_entry(field.name, &json_of(field.value))?;
-        }
-        object.end()
-    }
-}
-
-/// A number that is not finite becomes null: JSON has none.
-fn json_of(value: Value) -> Json {
-    match value {
-        Value::Number(number) => json!(number),
-        Value::Integer(integer) => json!(integer),
-        Value::Rgb(color) => json!(color.channels()),
-        Value::Vector(vector) => json!(vector.to_array()),
-        Value::Truth(truth) => json!(truth),
-        Value::Word(word) => json!(word),
-    }
 }

@@ -1,6 +1,7 @@
 //! Slides: sections of HTML for reveal.js, to be put into a deck of one's own.
 
 use super::html::{code, figure, words};
+use super::making::Making;
 use super::question::{answered, asked};
 use super::{ExportedLesson, Page};
 use crate::language::Message;
@@ -15,46 +16,62 @@ const FORMULA: Vec2 = Vec2::new(920.0, 200.0);
 /// How much larger formulas are than in the window.
 const GROWN: f32 = 1.25;
 
-/// The sections, with the style that they need. `progress` hears how many steps are done.
-pub fn deck(
-    shown: &mut ExportedLesson,
-    steps: &[usize],
-    theme: Theme,
-    progress: &dyn Fn(usize),
-) -> String {
-    let language = shown.language;
+/// The sections, with the style that they need.
+pub fn deck(mut shown: ExportedLesson, steps: Vec<usize>, theme: Theme) -> Making<'static> {
+    Making::new(steps.len() + 2, move |part, out| {
+        let text = match part.checked_sub(1) {
+            None => head(&shown),
+            Some(number) => match steps.get(number) {
+                Some(&step) => slides(&mut shown, step, theme),
+                None => recap(&shown),
+            },
+        };
+        out.write_all(text.as_bytes())
+    })
+}
+
+/// A slide of that class.
+fn section(shown: &ExportedLesson, class: &str, title: &str, contents: &str) -> String {
+    let level = if class == "title" { 1 } else { 2 };
+    let lang = shown.language.code();
+    format!(
+        "<section class=\"lightwalk {class}\" lang=\"{lang}\">\n<h{level}>{title}</h{level}>\n{contents}</section>\n"
+    )
+}
+
+fn head(shown: &ExportedLesson) -> String {
     let lesson = &shown.open.lesson;
-    let id = lesson.id.clone();
-    let lang = language.code();
-    let section = |class: &str, contents: &str| {
-        format!("<section class=\"lightwalk {class}\" lang=\"{lang}\">\n{contents}</section>\n")
-    };
-    let titled =
-        |level: u8, title: &str, rest: &str| format!("<h{level}>{title}</h{level}>\n{rest}");
-    let summary = format!("<p>{}</p>\n", words(lesson.summary.in_language(language)));
-    let title = words(lesson.title.in_language(language));
-    let recap = lesson.recap.as_ref().map(|recap| {
-        let recap = format!("<p>{}</p>\n", words(recap.in_language(language)));
-        titled(2, Message("app-learned").text(language), &recap)
-    });
-    let mut deck = format!("<style>\n{STYLE}</style>\n");
-    deck += &section("title", &titled(1, &title, &summary));
-    for (number, &step) in steps.iter().enumerate() {
-        let page = shown.page(step);
-        let id = format!("{id}-{step}");
-        let said = said(shown, &page, theme, &id);
-        deck += &section("step", &titled(2, &words(&page.title), &said));
-        if let Some(question) = &page.question {
-            let picture = picture(shown, &page, theme, &format!("{id}q-"));
-            let asked = asked(question, language);
-            let answer = answered(question, language);
-            let both = format!("{asked}<div class=\"fragment\">\n{answer}</div>\n");
-            let title = Message("app-before-you-go-on").text(language);
-            deck += &section("question", &titled(2, title, &beside(&picture, &both)));
-        }
-        progress(number + 1);
+    let summary = words(lesson.summary.in_language(shown.language));
+    let title = words(lesson.title.in_language(shown.language));
+    let slide = section(shown, "title", &title, &format!("<p>{summary}</p>\n"));
+    format!("<style>\n{STYLE}</style>\n{slide}")
+}
+
+/// A step; and what is asked there, with the answer.
+fn slides(shown: &mut ExportedLesson, step: usize, theme: Theme) -> String {
+    let language = shown.language;
+    let page = shown.page(step);
+    let id = format!("{}-{step}", shown.open.lesson.id);
+    let said = said(shown, &page, theme, &id);
+    let mut slides = section(shown, "step", &words(&page.title), &said);
+    if let Some(question) = &page.question {
+        let picture = picture(shown, &page, theme, &format!("{id}q-"));
+        let asked = asked(question, language);
+        let answer = answered(question, language);
+        let both = format!("{asked}<div class=\"fragment\">\n{answer}</div>\n");
+        let title = Message("app-before-you-go-on").text(language);
+        slides += &section(shown, "question", title, &beside(&picture, &both));
     }
-    deck + &recap.map_or(String::new(), |recap| section("recap", &recap))
+    slides
+}
+
+fn recap(shown: &ExportedLesson) -> String {
+    let recap = shown.open.lesson.recap.as_ref().map(|recap| {
+        let recap = words(recap.in_language(shown.language));
+        let title = Message("app-learned").text(shown.language);
+        section(shown, "recap", title, &format!("<p>{recap}</p>\n"))
+    });
+    recap.unwrap_or_default()
 }
 
 /// The picture of a step, with what is said there beside it and the formulas below.

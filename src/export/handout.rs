@@ -2,6 +2,7 @@
 //! formulas with their numbers; the questions with room for the answer.
 
 use super::html::{code, escaped, figure, words};
+use super::making::Making;
 use super::question::{answered, asked, room};
 use super::{ExportedLesson, Page};
 use crate::language::Message;
@@ -15,63 +16,70 @@ const PICTURE: Vec2 = Vec2::new(360.0, 240.0);
 /// The width of the formulas: that of the page.
 const FORMULA: f32 = 680.0;
 
-/// What a handout is made of.
-pub struct Contents<'a> {
-    pub steps: &'a [usize],
-    /// Whether the answers stand on a last page.
-    pub answers: bool,
+/// The whole file; with `answers`, those stand on a last page.
+pub fn handout(mut shown: ExportedLesson, steps: Vec<usize>, answers: bool) -> Making<'static> {
+    let mut asked = Vec::new();
+    Making::new(steps.len() + 2, move |part, out| {
+        let text = match part.checked_sub(1) {
+            None => head(&shown),
+            Some(number) => match steps.get(number) {
+                Some(&step) => explained(&mut shown, step, number + 1, &mut asked),
+                None => end(&shown, asked.concat(), answers),
+            },
+        };
+        out.write_all(text.as_bytes())
+    })
 }
 
-/// The whole file. `progress` hears how many steps are done.
-pub fn handout(
-    shown: &mut ExportedLesson,
-    contents: &Contents,
-    progress: &dyn Fn(usize),
-) -> String {
-    let language = shown.language;
-    let mut body = String::new();
-    let mut answers = String::new();
-    let mut questions = 0;
-    for (number, &step) in contents.steps.iter().enumerate() {
-        let page = shown.page(step);
-        body += &section(shown, &page, number + 1);
-        if let Some(question) = &page.question {
-            questions += 1;
-            let title =
-                Message("export-question").format(language, &[("number", &questions.to_string())]);
-            body += &format!(
-                "<div class=\"question\">\n<h3>{title}</h3>\n{}{}</div>\n",
-                asked(question, language),
-                room(question, language)
-            );
-            answers += &format!("<h3>{title}</h3>\n{}", answered(question, language));
-        }
-        body += "</section>\n";
-        progress(number + 1);
-    }
+fn head(shown: &ExportedLesson) -> String {
     let lesson = &shown.open.lesson;
-    if let Some(recap) = &lesson.recap {
-        body += &last(
-            "recap",
-            "app-learned",
-            words(recap.in_language(language)),
-            shown,
-        );
-    }
-    if contents.answers && !answers.is_empty() {
-        body += &last("answers", "export-answers", answers, shown);
-    }
-    let title = lesson.title.in_language(language);
+    let title = lesson.title.in_language(shown.language);
     format!(
         "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n<p>{}</p>\n</header>\n\
-         <main>\n{body}</main>\n</body>\n</html>\n",
-        language.code(),
+         <title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<header>\n<h1>{}</h1>\n<p>{}</p>\n</header>\n<main>\n",
+        shown.language.code(),
         escaped(&plain(title)),
         words(title),
-        words(lesson.summary.in_language(language)),
+        words(lesson.summary.in_language(shown.language)),
     )
+}
+
+/// A step with its question, whose answer is added to `answers`.
+fn explained(
+    shown: &mut ExportedLesson,
+    step: usize,
+    number: usize,
+    answers: &mut Vec<String>,
+) -> String {
+    let language = shown.language;
+    let page = shown.page(step);
+    let mut section = section(shown, &page, number);
+    if let Some(question) = &page.question {
+        let number = (answers.len() + 1).to_string();
+        let title = Message("export-question").format(language, &[("number", &number)]);
+        section += &format!(
+            "<div class=\"question\">\n<h3>{title}</h3>\n{}{}</div>\n",
+            asked(question, language),
+            room(question, language)
+        );
+        let answer = answered(question, language);
+        answers.push(format!("<h3>{title}</h3>\n{answer}"));
+    }
+    section + "</section>\n"
+}
+
+/// What was learned, the answers where they are wanted, and the end of the file.
+fn end(shown: &ExportedLesson, answers: String, with_answers: bool) -> String {
+    let mut end = String::new();
+    if let Some(recap) = &shown.open.lesson.recap {
+        let recap = words(recap.in_language(shown.language));
+        end += &last("recap", "app-learned", recap, shown);
+    }
+    if with_answers && !answers.is_empty() {
+        end += &last("answers", "export-answers", answers, shown);
+    }
+    end + "</main>\n</body>\n</html>\n"
 }
 
 /// A step up to its question; it is left open.

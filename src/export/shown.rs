@@ -2,6 +2,8 @@
 
 use super::page::Page;
 use crate::algorithms::enclosure;
+use crate::algorithms::focus::Focus;
+use crate::algorithms::frame::Frame;
 use crate::language::{Language, Message};
 use crate::lesson::{Narrated, OpenLesson, Question};
 use crate::panels::{
@@ -21,11 +23,25 @@ pub struct ExportedLesson {
     /// Whether the lesson's questions wait at their steps, and hide what lies ahead.
     asks: bool,
     finished: Finished,
+    /// The part of the picture that was recorded.
+    focus: Focus,
     /// Ascending.
     narrated: Vec<usize>,
 }
 
 impl ExportedLesson {
+    /// With what its panels show beside the steps. What is said belongs to the steps of `focus`, which was recorded.
+    pub fn of(open: OpenLesson, focus: Focus, finished: Finished, language: Language) -> Self {
+        ExportedLesson {
+            narrated: open.narrated.iter().map(|said| said.step).collect(),
+            open,
+            language,
+            asks: false,
+            finished,
+            focus,
+        }
+    }
+
     /// Renders what `panels` show beside the steps. `progress` hears how much of that is done.
     pub fn new(
         open: OpenLesson,
@@ -55,19 +71,18 @@ impl ExportedLesson {
             let Ok(race) = race(&open.setup, || Ok::<(), Infallible>(()));
             finished.race = race;
         }
-        let narrated = open.narrated.iter().map(|said| said.step).collect();
-        ExportedLesson {
-            open,
-            language,
-            asks: false,
-            finished,
-            narrated,
-        }
+        let focus = open.lesson.focus;
+        ExportedLesson::of(open, focus, finished, language)
     }
 
     /// As somebody sees it who has answered no question yet.
     pub fn asking(self) -> Self {
         ExportedLesson { asks: true, ..self }
+    }
+
+    /// The whole picture.
+    pub fn picture(&self) -> &Frame {
+        &self.finished.picture
     }
 
     /// The steps at which the lesson says something, ascending.
@@ -149,12 +164,7 @@ impl ExportedLesson {
             smooth: radiosity.smooth.then_some(smooth_patches),
             pending: self.question(step).map(|question| &question.hide[..]),
             waiting: ahead.copied().find(|&step| self.question(step).is_some()),
-            ..PanelInput::of(
-                &self.open.run,
-                &self.finished,
-                self.open.lesson.focus,
-                self.language,
-            )
+            ..PanelInput::of(&self.open.run, &self.finished, self.focus, self.language)
         }
     }
 

@@ -28,11 +28,12 @@ app-present = Present
 app-share = Share step
 app-shared = Copied; it opens this step: { $command }
 app-take-away = Take away
-app-handout = Handout, to print (HTML)
-app-deck = Slides for reveal.js (HTML)
-app-picture = Picture of the large panel (PNG)
-app-taking = The file is being made …
+app-copy-picture = Copy the large panel as a picture
+app-copied = The picture is copied.
+app-take-pinned = Where steps have breakpoints, handout, slides and explanations are about those.
+app-taking = The file is made once the picture is finished.
 app-taken = Saved: { $name }
+app-not-taken = Cancelled: { $name } was not written.
 app-theme = Theme
 app-theme-light = light
 app-theme-dark = dark
@@ -2109,6 +2110,19 @@ mistake-about-channels-swapped = Red and blue were written in the wrong order, B
 
 ## export
 
+export-handout = Handout, to print
+export-slides = Slides for reveal.js
+export-explanations = Explanations, animated
+export-convergence = Radiosity converging, animated
+export-panel = The large panel
+export-picture = The finished picture
+export-steps = All steps
+export-radiosities = The light B of every patch
+export-system = The matrix I − ρF
+export-of-radiosity = Only radiosity has this.
+export-nothing-explained = With these values nothing of the lesson is explained, so there is nothing to put into the file. Set breakpoints, or take the lesson’s values.
+export-too-many-steps = These are too many steps for one file. Choose a pixel, a scan line, a polygon or a patch, and take its steps.
+export-too-many-patches = The matrix of so many patches is too large to be made here. On the command line, “lightwalk radiosity --matrix” writes it.
 export-question = Question { $number }
 export-answers = Answers
 export-answer = Answer:

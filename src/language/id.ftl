@@ -28,11 +28,12 @@ app-present = Presentasi
 app-share = Bagikan langkah
 app-shared = Disalin; ini membuka langkah ini: { $command }
 app-take-away = Bawa pulang
-app-handout = Lembar untuk dicetak (HTML)
-app-deck = Slide untuk reveal.js (HTML)
-app-picture = Gambar panel besar (PNG)
-app-taking = Berkas sedang dibuat …
+app-copy-picture = Salin panel besar sebagai gambar
+app-copied = Gambar telah disalin.
+app-take-pinned = Jika ada langkah dengan titik henti, lembar cetak, slide, dan penjelasan berisi langkah-langkah itu.
+app-taking = Berkas dibuat setelah gambar selesai.
 app-taken = Tersimpan: { $name }
+app-not-taken = Dibatalkan: { $name } tidak ditulis.
 app-theme = Tema
 app-theme-light = terang
 app-theme-dark = gelap
@@ -2100,6 +2101,19 @@ mistake-about-channels-swapped = Merah dan biru ditulis dalam urutan yang salah,
 
 ## export
 
+export-handout = Lembar untuk dicetak
+export-slides = Slide untuk reveal.js
+export-explanations = Penjelasan sebagai animasi
+export-convergence = Radiositas menuju konvergen sebagai animasi
+export-panel = Panel besar
+export-picture = Gambar yang sudah jadi
+export-steps = Semua langkah
+export-radiosities = Cahaya B setiap patch
+export-system = Matriks I − ρF
+export-of-radiosity = Ini hanya ada pada radiositas.
+export-nothing-explained = Dengan nilai-nilai ini tidak ada bagian pelajaran yang dijelaskan, sehingga berkas tidak punya isi. Pasang titik henti, atau pakai nilai dari pelajaran.
+export-too-many-steps = Langkahnya terlalu banyak untuk satu berkas. Pilih sebuah piksel, garis scan, poligon, atau patch, lalu ambil langkah-langkahnya.
+export-too-many-patches = Matriks untuk patch sebanyak ini terlalu besar untuk dibuat di sini. Di baris perintah, “lightwalk radiosity --matrix” menuliskannya.
 export-question = Pertanyaan { $number }
 export-answers = Jawaban
 export-answer = Jawaban:

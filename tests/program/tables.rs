@@ -135,7 +135,7 @@ fn a_matrix_that_cannot_be_written_is_refused() {
     for (arguments, said) in [
         (
             "--matrix k.json --out b.json",
-            "--matrix k.json: the name ends in .npy or .csv",
+            "--matrix k.json: the name ends in .csv or .npy",
         ),
         (
             "--matrix none/k.npy --out b.json",

@@ -1,7 +1,7 @@
 //! What a user can ask of a session, and why it may be refused.
 
-use super::take_away::TakeAway;
 use crate::algorithms::focus::Focus;
+use crate::export::TakeAway;
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Guess};
 use crate::methods::Method;
@@ -118,8 +118,10 @@ pub enum Command {
     Share,
     /// Asks for a file or folder, and opens it.
     Choose(Choice),
-    /// Makes a file of the lesson.
-    TakeAway(TakeAway),
+    /// Makes a file of what is shown; its name ends so.
+    TakeAway(TakeAway, &'static str),
+    /// Copies the key panel as a picture; the window takes it to the clipboard.
+    CopyPicture,
     /// Presentation: the whole screen, larger and with more contrast.
     Present,
     /// Ends what fills the window, or the presentation.

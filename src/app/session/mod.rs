@@ -47,11 +47,12 @@ pub use playing::Direction;
 pub use question::Standing;
 pub use results::Results;
 pub use study::{Outcome, Studying, name_of_point};
-pub use take_away::TakeAway;
+pub use take_away::Source;
 
 use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
+use crate::export::TakeAway;
 use crate::language::Message;
 use crate::lesson::{Guess, Lesson, LessonError, Narrated, OpenLesson};
 use crate::methods::Setup;
@@ -156,8 +157,10 @@ pub struct Session {
     pub shared: Option<String>,
     /// What the window is to ask for.
     pub to_choose: Option<Choice>,
-    /// What the window is to make a file of.
-    pub wanted: Option<TakeAway>,
+    /// What the window is to make files of, with the endings of their names.
+    pub wanted: Vec<(TakeAway, &'static str)>,
+    /// Whether the window is to copy the key panel.
+    pub copies: bool,
     studying: Studying,
     /// The picture that is compared with ours.
     against: Option<Against>,
@@ -205,7 +208,8 @@ impl Session {
             search_wanted: false,
             shared: None,
             to_choose: None,
-            wanted: None,
+            wanted: Vec::new(),
+            copies: false,
             studying: Studying::new(),
             against: None,
             what_if: Default::default(),

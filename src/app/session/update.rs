@@ -123,7 +123,11 @@ impl Session {
                 self.shared = Some(self.command_line()?);
             }
             Command::Choose(choice) => self.to_choose = Some(choice),
-            Command::TakeAway(what) => self.wanted = Some(what),
+            Command::TakeAway(what, ending) => match self.cannot_take(what) {
+                Some(why) => return Err(why.into()),
+                None => self.wanted.push((what, ending)),
+            },
+            Command::CopyPicture => self.copies = true,
             command => return self.change_look(&command),
         }
         Ok(())
@@ -151,6 +155,7 @@ impl Session {
             Command::ViewTree(ref view) if *view == self.tree => Some(strings::TREE_AS_IT_IS),
             Command::Method(method) => self.cannot_choose(method),
             Command::Pin => self.cannot_pin(),
+            Command::TakeAway(what, _) => self.cannot_take(what),
             Command::Share => self.command_line().err(),
             Command::NextLesson => self.neighbour(Neighbour::Next).err(),
             Command::PreviousLesson => self.neighbour(Neighbour::Previous).err(),

@@ -1,5 +1,6 @@
 //! Tables for other programs: CSV (RFC 4180), and the `.npy` of NumPy.
 
+use super::making::Making;
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -13,36 +14,40 @@ pub enum Table {
 impl Table {
     /// That of a file's name, where it ends in `.csv` or `.npy`.
     pub fn of(path: &Path) -> Option<Table> {
-        match path.extension()?.to_str()? {
+        Table::with_ending(path.extension()?.to_str()?)
+    }
+
+    pub fn with_ending(ending: &str) -> Option<Table> {
+        match ending {
             "csv" => Some(Table::Csv),
             "npy" => Some(Table::Npy),
             _ => None,
         }
     }
 
-    /// An array of this shape, the last index running fastest. In a CSV the last index runs along a line, and there is no header.
-    pub fn write(
+    /// An array of this shape, the last index running fastest; `row` gives all its rows in turn, by their number. In a CSV the last
+    /// index runs along a line, and there is no header.
+    pub fn array<'a>(
         self,
-        out: &mut dyn Write,
         shape: &[usize],
-        values: impl IntoIterator<Item = f64>,
-    ) -> io::Result<()> {
-        if self == Table::Npy {
-            out.write_all(&npy_header(shape))?;
-            return values
-                .into_iter()
-                .try_for_each(|value| out.write_all(&value.to_le_bytes()));
-        }
-        let columns = shape.last().copied().unwrap_or(1);
-        for (number, value) in values.into_iter().enumerate() {
-            let end = if (number + 1) % columns == 0 {
-                "\n"
-            } else {
-                ","
-            };
-            write!(out, "{value:?}{end}")?;
-        }
-        Ok(())
+        mut row: impl FnMut(usize) -> Vec<f64> + Send + 'a,
+    ) -> Making<'a> {
+        let header = npy_header(shape);
+        let rows: usize = shape[..shape.len() - 1].iter().product();
+        Making::new(1 + rows, move |part, out| {
+            match (self, part.checked_sub(1)) {
+                (Table::Npy, None) => out.write_all(&header),
+                (Table::Csv, None) => Ok(()),
+                (Table::Npy, Some(number)) => {
+                    let numbers = row(number).into_iter();
+                    let bytes: Vec<u8> = numbers.flat_map(f64::to_le_bytes).collect();
+                    out.write_all(&bytes)
+                }
+                (Table::Csv, Some(number)) => {
+                    write_line(out, row(number).iter().map(|value| format!("{value:?}")))
+                }
+            }
+        })
     }
 }
 
@@ -83,7 +88,8 @@ mod tests {
     fn written(table: Table, shape: &[usize]) -> Vec<u8> {
         let mut file = Vec::new();
         let values = [1.0, 0.5, -2.0, 1e-300, 0.1, f64::NAN];
-        table.write(&mut file, shape, values).unwrap();
+        let rows = table.array(shape, |row| values.chunks(3).nth(row).unwrap().to_vec());
+        rows.write_all(&mut file, &|_, _| ()).unwrap();
         file
     }
 
