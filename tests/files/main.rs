@@ -7,3 +7,4 @@ mod broken_scenes;
 mod lessons;
 mod typed_numbers;
 mod typography;
+mod workflow;
