@@ -22,7 +22,7 @@ impl App {
     #[cfg(target_arch = "wasm32")]
     pub fn open(&mut self, dropped: Result<PathBuf, String>) {
         let outcome = dropped.and_then(|path| self.window.open_file(&mut self.session, &path));
-        self.window.notice = outcome.err();
+        self.window.notice = outcome.unwrap_or_else(Some);
     }
 }
 

@@ -60,6 +60,7 @@ pub fn show(
                     cards(session, page, &lessons, opened, commands, ui);
                 }
             }
+            own_scenes(session, &page.search, commands, ui);
             for (chapter, title) in strings::CHAPTERS {
                 let lessons = listed().iter().filter(found);
                 let lessons = lessons.filter(|listed| listed.chapter == Some(chapter));
@@ -183,6 +184,33 @@ fn heading(
         }
     });
     ui.add_space(6.0);
+}
+
+/// The scenes of one's own that were walked through, where there are some.
+fn own_scenes(session: &Session, search: &str, commands: &mut Vec<Command>, ui: &mut Ui) {
+    let search = search.to_lowercase();
+    let found = |name: &&str| name.to_lowercase().contains(search.trim());
+    let names: Vec<&str> = session.own_scenes().filter(found).collect();
+    if names.is_empty() {
+        return;
+    }
+    heading(
+        session,
+        None,
+        session.localize(strings::OWN_SCENES),
+        commands,
+        ui,
+    );
+    ui.horizontal_wrapped(|ui| {
+        for name in names {
+            let open = Command::OpenOwn(name.to_owned());
+            button(session, Button::new(name), name, open, commands, ui);
+            let forget = Command::ForgetOwn(name.to_owned());
+            let said = strings::FORGET_SCENE.format(session.look.language, &[("name", name)]);
+            button(session, Button::new("×"), &said, forget, commands, ui);
+            ui.add_space(8.0);
+        }
+    });
 }
 
 /// The cards of a chapter, in rows. When the page is opened, the keyboard goes to the lesson that was open.

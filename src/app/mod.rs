@@ -69,6 +69,7 @@ mod unsaved;
 mod what_if_drawer;
 mod whereabouts;
 pub mod window;
+mod window_files;
 mod window_state;
 
 #[cfg(test)]

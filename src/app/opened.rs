@@ -1,7 +1,7 @@
 //! Files that were opened in the window: dropped on it or named on the command line. When one is saved again, it is read again, and
 //! so is a folder of lessons.
 
-use super::session::{Choice, FolderOfLessons, Session};
+use super::session::{Choice, FolderOfLessons, Session, is_progress};
 use super::strings;
 use crate::color::StoredImage;
 use crate::language::Message;
@@ -71,25 +71,34 @@ impl Opened {
         self.file.is_some() || self.picture.is_some() || self.folder.is_some()
     }
 
-    /// Opens a file in place of what is shown, a folder in place of the one that is listed, or a picture beside what is shown. Errors:
-    /// what is wrong with it; nothing has changed then.
-    pub fn open(&mut self, session: &mut Session, path: &Path) -> Result<(), String> {
+    /// Opens a file in place of what is shown, a folder in place of the one that is listed, or a picture beside what is shown; progress is
+    /// merged with that here, and what is returned tells of it. Errors: what is wrong with it; nothing has changed then.
+    pub fn open(&mut self, session: &mut Session, path: &Path) -> Result<Option<String>, String> {
         if path.is_dir() {
             let files = files(path);
             session.show_folder((self.readers.folder)(path)?);
             session.look.home = true;
             self.folder = Some((path.to_owned(), files));
-            return Ok(());
+            return Ok(None);
         }
         if is_picture(path) {
             self.picture = Some((path.to_owned(), saved(path)));
-            return self.compare(session, path);
+            return self.compare(session, path).map(|()| None);
+        }
+        if let Some(text) = (self.readers.text)(path)
+            .ok()
+            .filter(|text| is_progress(text))
+        {
+            let loaded = session.load_progress(&text);
+            return loaded
+                .map(Some)
+                .map_err(|why| format!("{}: {why}", path.display()));
         }
         let saved = saved(path);
         let lesson = (self.readers.document)(path)?;
         session.open_document(lesson, Some(path.to_owned()))?;
         self.file = Some((path.to_owned(), saved));
-        Ok(())
+        Ok(None)
     }
 
     fn compare(&self, session: &mut Session, path: &Path) -> Result<(), String> {

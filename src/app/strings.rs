@@ -153,6 +153,13 @@ pub const FORGET: Message = Message("app-forget");
 pub const FORGET_WHAT: Message = Message("app-forget-what");
 pub const FORGET_IT: Message = Message("app-forget-it");
 pub const KEEP_IT: Message = Message("app-keep-it");
+pub const SAVE_PROGRESS: Message = Message("app-save-progress");
+pub const LOAD_PROGRESS: Message = Message("app-load-progress");
+pub const PROGRESS_LOADED: Message = Message("app-progress-loaded");
+pub const PROGRESS_DAMAGED: Message = Message("app-progress-damaged");
+pub const PROGRESS_FOREIGN: Message = Message("app-progress-foreign");
+pub const OWN_SCENES: Message = Message("app-own-scenes");
+pub const FORGET_SCENE: Message = Message("app-forget-scene");
 pub const KEPT_SET_ASIDE: Message = Message("app-kept-set-aside");
 pub const NOT_KEPT: Message = Message("app-not-kept");
 

@@ -4,18 +4,23 @@ use super::button::button;
 use super::session::{Command, Session};
 use super::strings;
 use crate::export::TakeAway;
-use egui::{Button, Grid, Label, RichText, ScrollArea, Ui};
+use egui::{Align, Button, Grid, Label, Layout, RichText, ScrollArea, Ui};
 
 /// Of the hint under the rows.
 const WIDTH: f32 = 330.0;
 
 pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     ui.menu_button(session.localize(strings::TAKE_AWAY), |ui| {
+        // As the buttons of the rest of the window look.
+        ui.set_style(ui.ctx().global_style());
         let room = ui.ctx().content_rect();
         ui.set_max_width(WIDTH.min(room.width() - 24.0));
         ScrollArea::vertical()
             .max_height(room.height() - 80.0)
-            .show(ui, |ui| entries(session, commands, ui));
+            .show(ui, |ui| {
+                let layout = Layout::top_down(Align::Min);
+                ui.with_layout(layout, |ui| entries(session, commands, ui));
+            });
     });
 }
 
@@ -24,7 +29,7 @@ fn entries(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
     let command = Command::CopyPicture;
     button(session, Button::new(copy), copy, command, commands, ui);
     ui.separator();
-    Grid::new("take away").num_columns(2).show(ui, |ui| {
+    Grid::new("take_away").num_columns(2).show(ui, |ui| {
         for what in TakeAway::ALL {
             let title = session.localize(what.title());
             ui.add(Label::new(title));

@@ -289,6 +289,8 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             (strings::LEFT_OUT, Command::Skipped),
             (strings::MISTAKES, Command::Mistakes),
             (strings::COMPARE, Command::Against),
+            (strings::SAVE_PROGRESS, Command::SaveProgress),
+            (strings::LOAD_PROGRESS, Command::Choose(Choice::File)),
             (strings::FORGET, Command::Sheet(Sheet::Forget)),
         ] {
             let strings = session.localize(strings);

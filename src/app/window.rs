@@ -2,20 +2,16 @@
 
 use super::cards::inside;
 use super::layout::{self, GAP, Layout, TRANSPORT, Wishes, column_widths, is_narrow, layout};
-use super::opened::{self, Opened};
 use super::panel_on::panel_on;
 use super::session::{Command, Drawer, Session, Sheet};
 use super::window_state::Window;
 use super::{
     cards, finished, forget, home, key_sheet, mistakes_page, narration, narrow, notice, outline,
-    presentation, pressed, skipped, strings, study_view, style, take_away, top_bar, transport,
-    unsaved,
+    presentation, pressed, skipped, strings, study_view, style, top_bar, transport, unsaved,
 };
 use crate::panels::{Panel, time_line_heights};
 use crate::picture::Tag;
 use egui::{CursorIcon, Popup, Pos2, Rect, Sense, Stroke, Ui, Vec2, ViewportCommand};
-use std::mem;
-use std::path::Path;
 use std::time::Duration;
 
 /// How long to wait before looking whether more of the whole picture has come in.
@@ -252,86 +248,6 @@ impl Window {
         }
     }
 
-    /// Saves what was made to be taken away, and says where.
-    fn save_what_is_made(&mut self, session: &Session, ctx: &egui::Context) {
-        let Some(opened) = &self.opened else {
-            return;
-        };
-        let language = session.look.language;
-        let mut notice = None;
-        self.taking.retain_mut(|taking| {
-            let made = taking.work.take().pop();
-            let has_ended = made.is_some() || taking.work.is_done();
-            if has_ended {
-                let saved = made.map(|made| take_away::save(&taking.name, made, opened.readers()));
-                notice = Some(match saved {
-                    Some(Ok(path)) => strings::TAKEN.format(language, &[("name", &path)]),
-                    Some(Err(why)) => why,
-                    None => strings::NOT_TAKEN.format(language, &[("name", &taking.name)]),
-                });
-            }
-            !has_ended
-        });
-        self.notice = notice.or(self.notice.take());
-        if !self.taking.is_empty() {
-            ctx.request_repaint_after(LOOK_AGAIN);
-        }
-    }
-
-    /// Opens a file in place of what is shown. Errors: what is wrong with it.
-    pub(super) fn open_file(&mut self, session: &mut Session, path: &Path) -> Result<(), String> {
-        match &mut self.opened {
-            Some(opened) => opened.open(session, path),
-            None => Ok(()),
-        }
-    }
-
-    /// Opens what is chosen in the system's dialog.
-    fn open_chosen(&mut self, session: &mut Session, ctx: &egui::Context) {
-        let readers = self.opened.as_ref().map(Opened::readers);
-        if let (Some(choice), Some(readers)) = (session.to_choose.take(), readers) {
-            self.choosing = Some(Work::begin("dialog", move |worker| {
-                worker.send((readers.choose)(choice));
-            }));
-        }
-        let Some(mut choosing) = self.choosing.take() else {
-            return;
-        };
-        for chosen in choosing.take() {
-            self.notice = match chosen {
-                Ok(Some(path)) => self.open_file(session, &path).err(),
-                Ok(None) => continue,
-                Err(why) => Some(session.localize(why).to_owned()),
-            };
-        }
-        if !choosing.is_done() {
-            self.choosing = Some(choosing);
-            ctx.request_repaint_after(LOOK_AGAIN);
-        }
-    }
-
-    /// Opens what is dropped on the window, and reads again what was saved.
-    fn open_files(&mut self, session: &mut Session, ctx: &egui::Context) {
-        let dropped = ctx.input(|input| input.raw.dropped_files.first().cloned());
-        let outcome = match dropped {
-            Some(file) => Some(self.open_file(session, file.path()).map(|()| None)),
-            None => {
-                let opened = self.opened.as_mut();
-                let read = opened.and_then(|opened| opened.look(session));
-                read.map(|read| read.map(Some))
-            }
-        };
-        if let Some(outcome) = outcome {
-            self.notice = match outcome {
-                Ok(said) => said.map(|said| session.localize(said).to_owned()),
-                Err(why) => Some(why),
-            };
-        }
-        if self.opened.as_ref().is_some_and(Opened::has_file) {
-            ctx.request_repaint_after(opened::LOOK);
-        }
-    }
-
     /// Tells egui and the system what has changed in the session.
     fn keep_up(&mut self, session: &mut Session, ctx: &egui::Context) {
         let look = session.look;
@@ -354,27 +270,7 @@ impl Window {
             ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
             self.title = title;
         }
-        match session.awaits_picture() {
-            true if !session.wanted.is_empty() => {
-                self.notice = Some(session.localize(strings::TAKING).to_owned());
-            }
-            true => {}
-            false => {
-                for (what, ending) in mem::take(&mut session.wanted) {
-                    self.taking.push(take_away::begin(session, what, ending));
-                    ctx.request_repaint();
-                }
-            }
-        }
-        if mem::take(&mut session.copies) {
-            self.notice = Some(match take_away::copied(session) {
-                Ok(image) => {
-                    ctx.copy_image(image);
-                    session.localize(strings::COPIED).to_owned()
-                }
-                Err(why) => why.to_string(),
-            });
-        }
+        self.serve_wishes(session, ctx);
         if let Some(command) = session.shared.take() {
             let shared = match &self.address {
                 Some(address) if session.has_link() => format!("{address}#{}", session.link()),

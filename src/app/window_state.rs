@@ -1,6 +1,7 @@
 //! What the window remembers from frame to frame.
 
 use super::author::Author;
+use super::background::Work;
 use super::borders::Borders;
 use super::home::HomePage;
 use super::keeper::{BUSY, Keeper, Saved, State};

@@ -18,6 +18,7 @@ mod no_room;
 mod notes;
 mod radiosity;
 mod rays;
+mod same_files;
 mod schemas;
 mod stress;
 mod study;

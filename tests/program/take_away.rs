@@ -2,10 +2,9 @@
 
 use crate::markup::elements;
 use crate::{command, files, folder, lightwalk, refused, succeeded};
-use lightwalk::export::{ExportedLesson, SIZE, TakeAway, Wish};
+use lightwalk::export::ExportedLesson;
 use lightwalk::language::Language;
 use lightwalk::lesson::{OpenLesson, builtin};
-use lightwalk::panels::Panel;
 use lightwalk::picture::{Shape, Theme, to_svg};
 use std::collections::BTreeSet;
 use std::fs;
@@ -105,7 +104,7 @@ fn frames_come_in_languages_themes_and_sizes() {
 }
 
 /// What a page of HTML may refer to stands in the page.
-fn refers_only_to_itself(page: &str) {
+pub fn refers_only_to_itself(page: &str) {
     for outside in ["://", "src=", "<link", "<script", "@import"] {
         assert!(!page.contains(outside), "{outside}");
     }
@@ -294,166 +293,11 @@ fn a_range_of_steps_and_iterations_are_animated() {
     assert_eq!(frames, iterations.count());
 }
 
-/// What the window makes of a lesson, with that panel large at step 0.
-fn made(lesson: &str, panel: Panel, what: TakeAway, ending: &str) -> Vec<u8> {
-    let open = open(lesson);
-    let panels = open.lesson.panels.clone();
-    let mut shown = ExportedLesson::new(
-        open,
-        &panels,
-        Language::English,
-        NonZeroUsize::MIN,
-        &|_, _| {},
-    );
-    let wish = Wish {
-        steps: None,
-        panel,
-        seen: shown.draw(panel, 0, glam::Vec2::from(SIZE.map(|side| side as f32))),
-        theme: Theme::Light,
-    };
-    let mut bytes = Vec::new();
-    let making = what.make(ending, shown, wish).unwrap();
-    making.write_all(&mut bytes, &|_, _| {}).unwrap();
-    bytes
-}
-
-#[test]
-fn the_command_line_and_the_window_make_the_same_files() {
-    let folder = folder();
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons/21-gathering.json");
-    fs::copy(source, folder.path().join("gathering.json")).unwrap();
-    let lesson = open("gathering").lesson;
-    let [width, height] = lesson.size;
-    let frames = "frames gathering --step 0 --panel radiosity --size 960x600";
-    let solved = "radiosity gathering.json --out";
-    let picture = format!("render gathering.json --method radiosity --size {width}x{height} --out");
-    for (what, ending, arguments, file) in [
-        (
-            TakeAway::Handout,
-            "html",
-            "handout gathering --answers --out a.html",
-            "a.html",
-        ),
-        (
-            TakeAway::Slides,
-            "html",
-            "deck gathering --out b.html",
-            "b.html",
-        ),
-        (
-            TakeAway::Explanations,
-            "png",
-            "animate gathering --out c.png",
-            "c.png",
-        ),
-        (
-            TakeAway::Convergence,
-            "gif",
-            "animate gathering --at Iteration --panel radiosity --out d.gif",
-            "d.gif",
-        ),
-        (
-            TakeAway::Panel,
-            "png",
-            &format!("{frames} --scale 2 --out e"),
-            "e/step-000000-radiosity.png",
-        ),
-        (
-            TakeAway::Panel,
-            "svg",
-            &format!("{frames} --svg --out f"),
-            "f/step-000000-radiosity.svg",
-        ),
-        (
-            TakeAway::Picture,
-            "png",
-            &format!("{picture} g.png"),
-            "g.png",
-        ),
-        (
-            TakeAway::Picture,
-            "pfm",
-            &format!("{picture} h.pfm"),
-            "h.pfm",
-        ),
-        (
-            TakeAway::Steps,
-            "jsonl",
-            "steps gathering --out i.jsonl",
-            "i.jsonl",
-        ),
-        (
-            TakeAway::Steps,
-            "csv",
-            "steps gathering --out j.csv",
-            "j.csv",
-        ),
-        (
-            TakeAway::Radiosities,
-            "csv",
-            &format!("{solved} k.csv"),
-            "k.csv",
-        ),
-        (
-            TakeAway::Radiosities,
-            "npy",
-            &format!("{solved} l.npy"),
-            "l.npy",
-        ),
-        (
-            TakeAway::System,
-            "csv",
-            &format!("{solved} m.json --matrix m.csv"),
-            "m.csv",
-        ),
-        (
-            TakeAway::System,
-            "npy",
-            &format!("{solved} n.json --matrix n.npy"),
-            "n.npy",
-        ),
-    ] {
-        succeeded(folder.path(), arguments);
-        let of_command = fs::read(folder.path().join(file)).unwrap();
-        let of_window = made("gathering", Panel::Radiosity, what, ending);
-        assert!(of_command == of_window, "{arguments}");
-    }
-}
-
-#[test]
-fn a_scene_of_ones_own_is_taken_away_by_the_method_that_is_named() {
-    let folder = folder();
-    let handout = "handout scene.json --language en --step 3";
-    succeeded(folder.path(), &format!("{handout} --out rays.html"));
-    succeeded(
-        folder.path(),
-        &format!("{handout} --method gouraud --out gouraud.html"),
-    );
-    let [rays, gouraud] = ["rays.html", "gouraud.html"].map(|name| read(folder.path(), name));
-    for page in [&rays, &gouraud] {
-        refers_only_to_itself(page);
-        assert!(page.contains("<h1>scene.json</h1>") && page.contains("step 3 of"));
-    }
-    assert!(rays != gouraud);
-    succeeded(
-        folder.path(),
-        "animate scene.json --steps 0..3 --panel image --size 200x150 --out a.gif",
-    );
-    assert!(
-        fs::read(folder.path().join("a.gif"))
-            .unwrap()
-            .starts_with(b"GIF89a")
-    );
-}
-
 #[test]
 fn what_cannot_be_taken_away_is_reported() {
     let folder = folder();
     for (arguments, said) in [
-        (
-            "handout refraction --method phong --out h.html",
-            "which has its own method",
-        ),
+        ("deck refraction --method flat --out d.html", "own method"),
         (
             "handout refractoin --out h.html",
             "did you mean refraction?",

@@ -104,6 +104,12 @@ pub enum Command {
     Open(String),
     NextLesson,
     PreviousLesson,
+    /// A scene of one's own that was kept, by its name.
+    OpenOwn(String),
+    /// Keeps it no longer.
+    ForgetOwn(String),
+    /// Saves all progress in a file.
+    SaveProgress,
     /// The page of all lessons, or back from it.
     Home,
     /// The page of classic mistakes, or from there to that of all lessons.

@@ -20,6 +20,8 @@ pub struct Kept {
     pub lesson: Option<String>,
     /// By the lessons' ids.
     pub lessons: BTreeMap<String, Progress>,
+    /// Scenes of one's own, by the names of their files.
+    scenes: BTreeMap<String, String>,
 }
 
 /// How far a lesson has come.
@@ -66,6 +68,7 @@ impl Session {
     /// What to keep of this session, with its latest step and answers.
     pub fn keep(&mut self) -> Kept {
         self.note_progress();
+        self.note_scene();
         let theme = match self.look.presenting {
             true => self.look.before_presenting,
             false => self.look.theme,
@@ -76,6 +79,7 @@ impl Session {
             text_size: Some(percent(self.look.text)),
             lesson: self.kept_lesson.clone(),
             lessons: self.progress.clone(),
+            scenes: self.scenes.clone(),
         }
     }
 
@@ -92,6 +96,7 @@ impl Session {
             look.text = nearest.unwrap_or(look.text);
         }
         self.progress = kept.lessons;
+        self.scenes = kept.scenes;
         self.kept_lesson = kept.lesson;
         self.resume();
     }

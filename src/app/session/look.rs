@@ -1,11 +1,26 @@
 //! How things are shown: language, theme, size, and what is open.
 
-use super::{Drawer, Sheet};
+use super::Sheet;
 use crate::language::Language;
 use crate::picture::Theme;
 
 /// Text sizes, relative to the normal one.
 pub(super) const TEXT_SIZES: [f32; 8] = [0.8, 0.9, 1.0, 1.15, 1.3, 1.5, 1.75, 2.0];
+
+/// What opens beside the key panel, in place of the other panels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Drawer {
+    Inspector,
+    Parameters,
+    /// A picture of the user's own beside ours.
+    Against,
+    /// Classic mistakes beside ours.
+    WhatIf,
+    /// What a search has found.
+    Results,
+    /// The lesson as its file has it, to be written.
+    Author,
+}
 
 /// How things are shown.
 #[derive(Clone, Copy, Debug, PartialEq)]

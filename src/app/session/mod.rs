@@ -21,6 +21,7 @@ mod pin;
 mod play;
 mod playing;
 mod preview;
+mod progress_file;
 mod question;
 mod results;
 mod search;
@@ -40,19 +41,19 @@ pub use against::Against;
 pub use command::{Choice, Command, PointAt, Refused, Sheet, StudyCommand};
 pub use kept::{Kept, Progress};
 pub use lessons::{Listed, listed};
-pub use look::Look;
+pub use look::{Drawer, Look};
 pub use outline::Entry;
 pub use own::{FolderOfLessons, LessonFromFile};
 pub use playing::Direction;
+pub use progress_file::is_progress;
 pub use question::Standing;
 pub use results::Results;
 pub use study::{Outcome, Studying, name_of_point};
-pub use take_away::Source;
+pub use take_away::{Source, Wanted};
 
 use crate::algorithms::enclosure;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
-use crate::export::TakeAway;
 use crate::language::Message;
 use crate::lesson::{Guess, Lesson, LessonError, Narrated, OpenLesson};
 use crate::methods::Setup;
@@ -74,21 +75,6 @@ fn methods(open: &OpenLesson) -> Methods {
         picture: open.lesson.method,
         compared: open.lesson.compare.clone(),
     }
-}
-
-/// What opens beside the key panel, in place of the other panels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Drawer {
-    Inspector,
-    Parameters,
-    /// A picture of the user's own beside ours.
-    Against,
-    /// Classic mistakes beside ours.
-    WhatIf,
-    /// What a search has found.
-    Results,
-    /// The lesson as its file has it, to be written.
-    Author,
 }
 
 /// A lesson that is walked through.
@@ -115,6 +101,8 @@ pub struct Session {
     turned: Option<((u64, usize), f64)>,
     /// How far each lesson has come, by its id.
     progress: BTreeMap<String, Progress>,
+    /// The scenes of one's own that were walked through, packed as in an address, by the names of their files.
+    scenes: BTreeMap<String, String>,
     /// The last lesson whose progress was noted, by its id.
     kept_lesson: Option<String>,
     preview: Preview,
@@ -155,12 +143,8 @@ pub struct Session {
     pub search_wanted: bool,
     /// A command line on its way to the clipboard; the window takes this.
     pub shared: Option<String>,
-    /// What the window is to ask for.
-    pub to_choose: Option<Choice>,
-    /// What the window is to make files of, with the endings of their names.
-    pub wanted: Vec<(TakeAway, &'static str)>,
-    /// Whether the window is to copy the key panel.
-    pub copies: bool,
+    /// What the window is to save, load or copy.
+    pub wanted: Wanted,
     studying: Studying,
     /// The picture that is compared with ours.
     against: Option<Against>,
@@ -182,6 +166,7 @@ impl Session {
             changes: Default::default(),
             turned: None,
             progress: BTreeMap::new(),
+            scenes: BTreeMap::new(),
             kept_lesson: None,
             preview: Preview::new(open.setup.clone(), methods(&open)),
             pictures: 0,
@@ -207,9 +192,7 @@ impl Session {
             search: String::new(),
             search_wanted: false,
             shared: None,
-            to_choose: None,
-            wanted: Vec::new(),
-            copies: false,
+            wanted: Wanted::default(),
             studying: Studying::new(),
             against: None,
             what_if: Default::default(),

@@ -1,6 +1,6 @@
 //! What is shown, as files are made of it.
 
-use super::Session;
+use super::{Choice, Refused, Session};
 use crate::algorithms::focus::Focus;
 use crate::export::{ExportedLesson, SIZE, TakeAway, Wish};
 use crate::language::{Language, Message};
@@ -22,6 +22,19 @@ pub struct Source {
     finished: Finished,
     language: Language,
     wish: Wish,
+}
+
+/// What the window is to save, open or copy.
+#[derive(Default)]
+pub struct Wanted {
+    /// Files of what is shown, with the endings of their names.
+    pub files: Vec<(TakeAway, &'static str)>,
+    /// Whether all progress is to be saved as a file.
+    pub progress: bool,
+    /// What the user is to be asked for.
+    pub choice: Option<Choice>,
+    /// Whether the key panel is to be copied.
+    pub copy: bool,
 }
 
 impl Source {
@@ -99,6 +112,18 @@ impl Session {
             }
             _ => format!("{of}-{name}.{ending}"),
         }
+    }
+
+    pub(super) fn take_away(
+        &mut self,
+        what: TakeAway,
+        ending: &'static str,
+    ) -> Result<(), Refused> {
+        if let Some(why) = self.cannot_take(what) {
+            return Err(why.into());
+        }
+        self.wanted.files.push((what, ending));
+        Ok(())
     }
 
     /// Why there is no such file of what is shown, if there is none.

@@ -122,12 +122,12 @@ impl Session {
             Command::Share => {
                 self.shared = Some(self.command_line()?);
             }
-            Command::Choose(choice) => self.to_choose = Some(choice),
-            Command::TakeAway(what, ending) => match self.cannot_take(what) {
-                Some(why) => return Err(why.into()),
-                None => self.wanted.push((what, ending)),
-            },
-            Command::CopyPicture => self.copies = true,
+            Command::Choose(choice) => self.wanted.choice = Some(choice),
+            Command::TakeAway(what, ending) => self.take_away(what, ending)?,
+            Command::CopyPicture => self.wanted.copy = true,
+            Command::OpenOwn(name) => self.open_own_scene(&name).map_err(Refused::Error)?,
+            Command::ForgetOwn(name) => drop(self.scenes.remove(&name)),
+            Command::SaveProgress => self.wanted.progress = true,
             command => return self.change_look(&command),
         }
         Ok(())

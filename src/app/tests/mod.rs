@@ -16,6 +16,7 @@ mod painter;
 mod parameters;
 mod phone;
 mod pictures;
+mod progress_file;
 mod questions;
 mod ray_tree;
 mod reading;

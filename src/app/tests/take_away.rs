@@ -152,18 +152,18 @@ fn handouts_are_about_the_steps_with_breakpoints_where_there_are_some() {
         screen.session_mut().update(Command::Seek(step)).unwrap();
         screen.session_mut().update(Command::Breakpoint).unwrap();
     }
-    let told = |screen: &mut Screen| {
+    let places = |screen: &mut Screen| {
         screen.take(TakeAway::Handout, "html");
         let (_, bytes) = WRITTEN.with_borrow_mut(Vec::pop).unwrap();
         let text = String::from_utf8(bytes).unwrap();
-        let places = text.split("class=\"place\">").skip(1);
-        let places = places.map(|place| place.split(" of").next().unwrap().to_owned());
+        let parts = text.split("class=\"place\">").skip(1);
+        let places = parts.map(|place| place.split(" of").next().unwrap().to_owned());
         places.collect::<Vec<_>>()
     };
-    assert_eq!(told(&mut screen), ["step 7", "step 20"]);
+    assert_eq!(places(&mut screen), ["step 7", "step 20"]);
     // In a scene of one's own there is no other explanation than the step that is shown.
     let mut screen = with_files(screen_of(own_scene(), [1280, 800], 1.0, [Command::Seek(5)]));
-    assert_eq!(told(&mut screen), ["step 5"]);
+    assert_eq!(places(&mut screen), ["step 5"]);
 }
 
 #[test]
@@ -190,8 +190,8 @@ fn values_that_were_changed_are_those_of_the_file() {
     drop(coefficients);
     session.update(Command::Change(change)).unwrap();
     session.wait_for_picture();
-    let told = screen.take(TakeAway::Steps, "jsonl");
-    let (_, after) = WRITTEN.with_borrow_mut(Vec::pop).expect(&told);
+    let notice = screen.take(TakeAway::Steps, "jsonl");
+    let (_, after) = WRITTEN.with_borrow_mut(Vec::pop).expect(&notice);
     let walk = screen.session().walk();
     assert_eq!(
         after.iter().filter(|&&byte| byte == b'\n').count(),
