@@ -229,10 +229,9 @@ impl Blockers {
                 let is_behind = heights().all(|height| height <= bottom + self.slack);
                 [is_in_front, is_behind]
             });
-            let [[front_a, back_a], [front_b, back_b]] = sides;
-            let cannot =
-                front_a && front_b || back_a && back_b || front_a && back_a || front_b && back_b;
-            if !cannot && self.hides(number, &shaft, &mut between) {
+            let on_one_side = (0..2).any(|side| sides.iter().all(|of| of[side]));
+            let lies_in_it = sides.contains(&[true, true]);
+            if !on_one_side && !lies_in_it && self.hides(number, &shaft, &mut between) {
                 return Between::Everything;
             }
         }
