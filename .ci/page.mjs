@@ -136,7 +136,7 @@ try {
   await drag([1130, 94], [1150, 94]);
   await until(at("change=0:"), "a slider changes a value");
   await send("Page.setDownloadBehavior", { behavior: "allow", downloadPath: resolve(out) });
-  for (const place of [[1215, 20], [1085, 291], [806, 335]]) await drag(place);
+  for (const place of [[1215, 20], [1085, 309], [780, 180]]) await drag(place);
   const there = async () => (await readdir(out)).some((name) => name.endsWith("-handout-id.html"));
   for (let tries = 0; !(await there()); tries++) {
     if (tries === 100) throw new Error("failed: a handout comes");

@@ -230,7 +230,8 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         true => MenuButton::from_button(Button::new("☰").min_size(Vec2::splat(TARGET))),
         false => MenuButton::new("☰"),
     };
-    let room = ui.ctx().content_rect().height() - 2.0 * TARGET;
+    let around = if for_fingers { 2.0 * TARGET } else { 16.0 };
+    let room = ui.ctx().content_rect().height() - around;
     let mut entries = |ui: &mut Ui| {
         undress(ui);
         ui.set_min_width(200.0);
@@ -304,14 +305,9 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
             );
         }
     };
-    let (response, _) = menu.ui(ui, |ui| match for_fingers {
-        true => {
-            ScrollArea::vertical()
-                .max_height(room)
-                .show(ui, entries)
-                .inner
-        }
-        false => entries(ui),
+    let (response, _) = menu.ui(ui, |ui| {
+        let scrolls = ScrollArea::vertical().max_height(room);
+        scrolls.show(ui, |ui| entries(ui)).inner
     });
     response.widget_info(|| {
         egui::WidgetInfo::labeled(egui::Role::Button, true, session.localize(strings::MENU))
