@@ -26,7 +26,7 @@ pub struct Estimate {
 const TOLERANCE: f64 = 1e-4;
 
 impl Estimate {
-    /// Where nothing stands between two elements it is exact to [`TOLERANCE`]; else the exchange is, and the share that passes is what
+    /// Where nothing stands between two elements it is exact to `TOLERANCE`; else the exchange is, and the share that passes is what
     /// is seen from a few points.
     pub fn of(enclosure: &Enclosure, tree: &Tree, p: u32, q: u32) -> Estimate {
         let patches = &enclosure.patches;

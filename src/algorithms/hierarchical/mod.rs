@@ -5,10 +5,10 @@
 //! | --- | --- | --- |
 //! | [`tree`] | each surface as a quadtree of elements | `Quadnode`, `Subdiv` |
 //! | [`link`] | the exchange of two elements as one number | `Linknode`, `FormFactorEstimate`, `VisibilityEstimate` |
-//! | [`oracle`] | the error that a link may have | `OracleF`, `OracleBF` |
-//! | [`refine`] | a pair is linked, or the larger one divided | `Refine`, `RefineLink` |
-//! | [`gather`] | light over the links, at the level of each | `GatherRad` |
-//! | [`push_pull`] | the light of all levels put together | `PushPullRad` |
+//! | `oracle` | the error that a link may have | `OracleF`, `OracleBF` |
+//! | `refine` | a pair is linked, or the larger one divided | `Refine`, `RefineLink` |
+//! | `gather` | light over the links, at the level of each | `GatherRad` |
+//! | `push_pull` | the light of all levels put together | `PushPullRad` |
 //! | [`hierarchy`] | passes from coarse to fine (multigridding) | `SolveSystem`, `Bs`, `Bg` |
 //!
 //! A link that is allowed no light at all leads to the finest patches, where the result is that of the full matrix.

@@ -9,7 +9,7 @@ pub struct Settings {
     pub link_light: f64,
     /// A_ε: what is no larger is not divided, whatever its links carry.
     pub smallest_area: f64,
-    /// How many passes come after the first one. Each allows [`COARSER`] times as much as the next.
+    /// How many passes come after the first one. Each allows `COARSER` times as much as the next.
     pub passes: u32,
 }
 
