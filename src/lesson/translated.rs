@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 const SYMBOLS: &str = "alpha beta delta DeltaB eta Gamma omega rho theta arccos cos fov max min sin tan NearestT SOR TIR unshot";
 
 /// Functions and variables of the pseudocode, as it has them in every language, and subscripts, which are texts of their own there.
-const PSEUDOCODE: &str = "NearestObject areaToArea blocked contour elementToPolygon formFactor hemicube illumination level \
+const PSEUDOCODE: &str = "NearestObject areaToArea blocked contour elementToPolygon formFactor hemicube hits illumination level \
     monteCarlo pixel table trace visible att light sum";
 
 /// What stands outside of the marks, without subscripts. A message that is broken into lines goes on in the next text.
