@@ -166,7 +166,6 @@ fn wrong_arguments_say_what_is_allowed() {
             "radiosity scene.json --tolerance small --out x",
             "allowed are numbers, such as 0.5",
         ),
-        ("frames scene.json --out x", "is a scene"),
         (
             "form-factors scene.json --out f.foo",
             "--out f.foo: the name ends in .json or .csv or .npy",

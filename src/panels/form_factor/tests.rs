@@ -160,7 +160,8 @@ fn a_second_method_begins_anew_and_comes_near_the_first() {
         then_by: Some(Method::MonteCarlo { rays, seed: 0 }),
         ..enclosure::Settings::default()
     };
-    let mut fixture = open_room(settings, Focus::FormFactor { i: 0, j: 1 });
+    let [i, j] = WALLS;
+    let mut fixture = open_room(settings, Focus::FormFactor { i, j });
     let found = |fixture: &Fixture| match fixture.run {
         Run::FormFactor(_, ref replay) => replay.state().found.map(|(f, _)| f),
         _ => None,
