@@ -970,7 +970,6 @@ event-pass-first = The first pass: a pair is linked as soon as neither is larger
 event-pass = Pass { $pass }: a link may carry no more light than BFA_ε. Those that carry more are refined.
 event-pass-done = Pass { $pass } is over: { $links } links between { $elements } elements.
 event-refining-by-form-factor = Are elements { $p } and { $q } small enough for one link? The larger of F_{"{"}pq{"}"} and F_{"{"}qp{"}"} decides.
-event-refining-link = The link between elements { $p } and { $q } carries more than it may: it is taken away, and the pair is refined.
 event-refining = How much light would a link between elements { $p } and { $q } carry? B·F·A decides.
 event-unlinked = No light passes between elements { $p } and { $q }: they need no link.
 event-divided = Element { $divided } is divided into { $parts } children at level { $level }, numbered from { $first } on.

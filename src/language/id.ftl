@@ -967,7 +967,6 @@ event-pass-first = Tahap pertama: pasangan ditautkan begitu tidak satu pun meleb
 event-pass = Tahap { $pass }: sebuah tautan boleh membawa cahaya paling banyak BFA_ε. Yang membawa lebih diperhalus.
 event-pass-done = Tahap { $pass } selesai: { $links } tautan di antara { $elements } elemen.
 event-refining-by-form-factor = Apakah elemen { $p } dan { $q } cukup kecil untuk satu tautan? Yang lebih besar dari F_{"{"}pq{"}"} dan F_{"{"}qp{"}"} menentukan.
-event-refining-link = Tautan antara elemen { $p } dan { $q } membawa lebih dari yang boleh: tautan itu dihapus, dan pasangannya diperhalus.
 event-refining = Berapa banyak cahaya yang akan dibawa tautan antara elemen { $p } dan { $q }? B·F·A menentukan.
 event-unlinked = Tidak ada cahaya yang lewat antara elemen { $p } dan { $q }: tautan tidak diperlukan.
 event-divided = Elemen { $divided } dibagi menjadi { $parts } anak pada tingkat { $level }, bernomor mulai { $first }.

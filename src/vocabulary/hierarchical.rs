@@ -65,7 +65,6 @@ vocabulary! {
         }
         [
             only(When::Unrecorded("BFA"), "event-refining-by-form-factor", &[RECIPROCITY]),
-            only(When::Recorded("link"), "event-refining-link", &[RECIPROCITY, CARRIED]),
             entry("event-refining", &[RECIPROCITY, CARRIED]),
         ];
     Event::Unlinked { p, q } => "Unlinked" at "unlinked"
