@@ -176,7 +176,7 @@ fn wrong_arguments_say_what_is_allowed() {
         ),
         (
             "steps gouraud-triangle --out s.npy",
-            "--out s.npy: the name ends in .jsonl or .json or .csv",
+            "--out s.npy: the name ends in .jsonl or .csv or .json",
         ),
     ] {
         let message = refused(&lightwalk(folder.path(), arguments), arguments);
