@@ -12,14 +12,24 @@ use crate::record::Recorder;
 /// The change at which a pass ends that is not the last one: its light says only which links are refined next.
 const SETTLED_ENOUGH: f64 = 1e-2;
 
+/// After so many gatherings it is looked how much less the light changes.
+const LOOK: u32 = 100;
+
 /// Why there is no result.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "the light of the elements still changes by {change:e} of the largest radiosity after {sweeps} gatherings over all links"
+    "the light of the elements still changes by {change:e} of the largest radiosity after {sweeps} gatherings over all links, and would \
+     not settle in time: too little light is lost, or links are too coarse for surfaces that reflect so much"
 )]
 pub struct Unsettled {
     pub sweeps: u32,
     pub change: f64,
+}
+
+/// What a gathering changes of a leaf at most, also as a share of the largest radiosity.
+struct Change {
+    most: f64,
+    share: f64,
 }
 
 /// The elements of an enclosure, their links, and their light.
@@ -119,6 +129,9 @@ impl<'a> Hierarchy<'a> {
                 elements: self.tree.elements.len() as u32,
                 links: self.link_count(),
             });
+            if settled.is_err() {
+                break;
+            }
         }
         recorder.leave(|| Event::HierarchyDone {
             elements: self.tree.elements.len() as u32,
@@ -140,23 +153,40 @@ impl<'a> Hierarchy<'a> {
             true => stop.tolerance,
             false => SETTLED_ENOUGH.max(stop.tolerance),
         };
-        loop {
+        let (mut before, mut at_last_look) = (f64::INFINITY, f64::INFINITY);
+        for sweeps in 1.. {
             go_on()?;
-            let change = self.sweep(recorder);
-            if change <= enough {
-                return Ok(Ok(()));
+            let Change { most, share } = self.sweep(recorder);
+            // A pass that is not the last one may gain light, as its links are coarse.
+            let gains = most >= before && share.is_finite();
+            if share <= enough || gains && !is_last {
+                break;
             }
-            if self.sweeps >= stop.max_iterations {
+            before = most;
+            let mut left = match share.is_finite() {
+                true => stop.max_iterations.saturating_sub(self.sweeps),
+                false => 0,
+            };
+            if sweeps % LOOK == 0 {
+                let looks = (enough / share).ln() / (most / at_last_look).ln();
+                at_last_look = most;
+                // What changes as much as before never settles: then this is no number from 0 up.
+                if !(0.0..=f64::from(left / LOOK)).contains(&looks) {
+                    left = 0;
+                }
+            }
+            if left == 0 {
                 return Ok(Err(Unsettled {
                     sweeps: self.sweeps,
-                    change,
+                    change: share,
                 }));
             }
         }
+        Ok(Ok(()))
     }
 
-    /// One gathering over all links, and the push–pull after it. Returns the largest change of a leaf, as a share of the largest radiosity.
-    fn sweep<R: Recorder<Event>>(&mut self, recorder: &mut R) -> f64 {
+    /// One gathering over all links, and the push–pull after it.
+    fn sweep<R: Recorder<Event>>(&mut self, recorder: &mut R) -> Change {
         let sweep = self.sweeps;
         recorder.enter(|| Event::Sweep { sweep });
         let before = self.b.clone();
@@ -164,17 +194,21 @@ impl<'a> Hierarchy<'a> {
         for root in 0..self.tree.roots {
             self.push_pull(root, Rgb::BLACK, recorder);
         }
-        let (mut change, mut largest) = (0.0_f64, 0.0_f64);
+        let (mut most, mut largest) = (0.0_f64, 0.0_f64);
         for leaf in self.tree.leaves() {
             let b = self.b[leaf as usize].channels();
             for (b, old) in b.into_iter().zip(before[leaf as usize].channels()) {
-                change = change.max((b - old).abs());
+                most = most.max((b - old).abs());
                 largest = largest.max(b);
             }
         }
-        let change = if change == 0.0 { 0.0 } else { change / largest };
+        let share = match largest.is_finite() {
+            true if most == 0.0 => 0.0,
+            true => most / largest,
+            false => f64::INFINITY,
+        };
         self.sweeps += 1;
-        recorder.leave(|| Event::SweepDone { change });
-        change
+        recorder.leave(|| Event::SweepDone { change: share });
+        Change { most, share }
     }
 }

@@ -182,6 +182,23 @@ fn a_recorded_run_is_the_same_to_the_bit() {
     assert!(recording.len() > 1000);
 }
 
+/// Links that are coarse keep no row of form factors at 1: those of early passes may gain light where little is lost.
+#[test]
+fn a_furnace_that_loses_little_light_settles_or_is_refused() {
+    for (rho, loses) in [(0.99, true), (0.999, true), (1.0, false)] {
+        let material = format!(r#""reflectance": [{rho}, {rho}, {rho}], "emission": [1, 1, 1]"#);
+        let room = enclosure(&scene(&material, &Cuboid::UNIT.room("wall", [4; 6])), 1e-6);
+        let mut hierarchy = Hierarchy::new(&room, Settings::default());
+        let Ok(settled) = hierarchy.solve(&mut Unrecorded, || Ok::<(), Infallible>(()));
+        assert_eq!(settled.is_ok(), loses, "{rho}: {settled:?}");
+        assert!(hierarchy.sweeps < 20_000, "{rho}: {}", hierarchy.sweeps);
+        for b in hierarchy.by_patch().iter().filter(|_| loses) {
+            let exact = 1.0 / (1.0 - rho);
+            assert!((b.r / exact - 1.0).abs() < 1e-2, "{rho}: {}", b.r);
+        }
+    }
+}
+
 #[test]
 fn light_that_is_never_lost_does_not_settle() {
     let material = r#""reflectance": [1, 1, 1], "emission": [1, 1, 1]"#;
