@@ -10,6 +10,7 @@ use super::progress::Progress;
 use super::radiosity::{SolutionArguments, light};
 use super::{files, needs, notes, output};
 use crate::algorithms::enclosure;
+use crate::algorithms::hierarchical::Unsolved;
 use crate::export::{TakeAway, whole_picture};
 use crate::methods::hierarchical::{self, NoLight};
 use crate::methods::{Method, Settings, Setup};
@@ -186,8 +187,10 @@ fn linked(setup: &Setup, arguments: &Arguments) -> Result<serde_json::Value, Fai
             "links": light.links,
             "gatherings": light.sweeps,
         })),
-        Err(why @ NoLight::Patches(_)) => Err(files::wrong(&arguments.scene.display(), &why)),
-        Err(why @ NoLight::Unsettled(_)) => Err(Failure::Failed(format!(
+        Err(why @ (NoLight::Patches(_) | NoLight::Unsolved(Unsolved::TooManyLinks))) => {
+            Err(files::wrong(&arguments.scene.display(), &why))
+        }
+        Err(why @ NoLight::Unsolved(Unsolved::Unsettled { .. })) => Err(Failure::Failed(format!(
             "{}: {why}",
             arguments.scene.display()
         ))),

@@ -1,7 +1,7 @@
 //! Hierarchical radiosity: the light that elements of an enclosure exchange over links, seen from the camera.
 
 use super::{Family, Properties, Setup, Visitor};
-use crate::algorithms::hierarchical::{Event, Hierarchy, Unsettled};
+use crate::algorithms::hierarchical::{Event, Hierarchy, Unsolved};
 use crate::color::Rgb;
 use crate::record::{Recorder, Unrecorded};
 use crate::scene::Part;
@@ -49,7 +49,7 @@ pub enum NoLight {
     #[error(transparent)]
     Patches(PatchError),
     #[error(transparent)]
-    Unsettled(#[from] Unsettled),
+    Unsolved(#[from] Unsolved),
 }
 
 /// The elements of the scene with their links and light. Errors: those of `go_on`, which is asked now and then; inside, why there is none.

@@ -15,15 +15,21 @@ const SETTLED_ENOUGH: f64 = 1e-2;
 /// After so many gatherings it is looked how much less the light changes.
 const LOOK: u32 = 100;
 
+/// So many links take 1.5 GiB at most.
+pub(super) const MOST_LINKS: usize = 1 << 25;
+
 /// Why there is no result.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error(
-    "the light of the elements still changes by {change:e} of the largest radiosity after {sweeps} gatherings over all links, and would \
-     not settle in time: too little light is lost, or links are too coarse for surfaces that reflect so much"
-)]
-pub struct Unsettled {
-    pub sweeps: u32,
-    pub change: f64,
+pub enum Unsolved {
+    #[error(
+        "the light of the elements still changes by {change:e} of the largest radiosity after {sweeps} gatherings over all links, and \
+         would not settle in time: too little light is lost, or links are too coarse for surfaces that reflect so much"
+    )]
+    Unsettled { sweeps: u32, change: f64 },
+    #[error(
+        "more than {MOST_LINKS} links are needed; links that may carry more light (link_light) are fewer, and so are those of fewer patches"
+    )]
+    TooManyLinks,
 }
 
 /// What a gathering changes of a leaf at most, also as a share of the largest radiosity.
@@ -67,6 +73,11 @@ impl<'a> Hierarchy<'a> {
         &self.tree.elements[number as usize]
     }
 
+    /// Whether no more links are made.
+    pub(super) fn is_full(&self) -> bool {
+        self.links.len() >= MOST_LINKS
+    }
+
     /// How many links there are now.
     pub fn link_count(&self) -> u32 {
         self.links.iter().flatten().count() as u32
@@ -92,7 +103,7 @@ impl<'a> Hierarchy<'a> {
         &mut self,
         recorder: &mut R,
         mut go_on: impl FnMut() -> Result<(), E>,
-    ) -> Result<Result<(), Unsettled>, E> {
+    ) -> Result<Result<(), Unsolved>, E> {
         let (roots, flux) = (self.tree.roots, self.flux());
         recorder.enter(|| Event::Hierarchy {
             roots,
@@ -115,16 +126,17 @@ impl<'a> Hierarchy<'a> {
             let allowed = oracle.allowed();
             recorder.enter(|| Event::Pass { pass, allowed });
             if pass == 0 {
-                for p in 0..roots {
-                    go_on()?;
-                    (p + 1..roots).for_each(|q| self.refine(oracle, [p, q], None, recorder));
-                }
+                self.link_roots(oracle, recorder, &mut go_on)?;
             } else {
-                go_on()?;
-                self.refine_links(oracle, recorder);
+                self.refine_links(oracle, recorder, &mut go_on)?;
             }
-            self.links_of = LinksOf::of(self.tree.elements.len(), &self.links);
-            settled = self.settle(pass == passes, recorder, &mut go_on)?;
+            settled = match self.is_full() {
+                true => Err(Unsolved::TooManyLinks),
+                false => {
+                    self.links_of = LinksOf::of(self.tree.elements.len(), &self.links);
+                    self.settle(pass == passes, recorder, &mut go_on)?
+                }
+            };
             recorder.leave(|| Event::PassDone {
                 elements: self.tree.elements.len() as u32,
                 links: self.link_count(),
@@ -147,7 +159,7 @@ impl<'a> Hierarchy<'a> {
         is_last: bool,
         recorder: &mut R,
         go_on: &mut impl FnMut() -> Result<(), E>,
-    ) -> Result<Result<(), Unsettled>, E> {
+    ) -> Result<Result<(), Unsolved>, E> {
         let stop = self.enclosure.settings.stop;
         let enough = match is_last {
             true => stop.tolerance,
@@ -176,7 +188,7 @@ impl<'a> Hierarchy<'a> {
                 }
             }
             if left == 0 {
-                return Ok(Err(Unsettled {
+                return Ok(Err(Unsolved::Unsettled {
                     sweeps: self.sweeps,
                     change: share,
                 }));

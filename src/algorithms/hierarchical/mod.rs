@@ -26,5 +26,5 @@ mod tests;
 pub mod tree;
 
 pub use event::{Event, PSEUDOCODE};
-pub use hierarchy::{Hierarchy, Unsettled};
+pub use hierarchy::{Hierarchy, Unsolved};
 pub use settings::{NotAllowed, Settings};

@@ -6,6 +6,9 @@ use super::link::{Estimate, Link};
 use super::oracle::Oracle;
 use crate::record::Recorder;
 
+/// So many links are looked at before it is asked whether to go on.
+const LINKS_BETWEEN: usize = 1000;
+
 impl Hierarchy<'_> {
     /// Whether one number is enough for the exchange of p and q. What hides a part of it does not count, so that borders of
     /// shadows are divided as if they were lit.
@@ -47,6 +50,9 @@ impl Hierarchy<'_> {
         link: Option<u32>,
         recorder: &mut R,
     ) {
+        if self.is_full() {
+            return;
+        }
         let known = link.and_then(|link| self.links[link as usize]);
         let estimate = known.map_or_else(
             || Estimate::of(self.enclosure, &self.tree, p, q),
@@ -86,9 +92,32 @@ impl Hierarchy<'_> {
         recorder.leave(|| Event::Parted { divided });
     }
 
-    /// Refines the links whose error is too large. What they carry goes to the links of the children.
-    pub fn refine_links<R: Recorder<Event>>(&mut self, oracle: Oracle, recorder: &mut R) {
+    /// Links the roots, or what they are divided into. `go_on` is asked now and then.
+    pub fn link_roots<R: Recorder<Event>, E>(
+        &mut self,
+        oracle: Oracle,
+        recorder: &mut R,
+        mut go_on: impl FnMut() -> Result<(), E>,
+    ) -> Result<(), E> {
+        let roots = self.tree.roots;
+        for p in 0..roots {
+            go_on()?;
+            (p + 1..roots).for_each(|q| self.refine(oracle, [p, q], None, recorder));
+        }
+        Ok(())
+    }
+
+    /// Refines the links whose error is too large. What they carry goes to the links of the children. `go_on` is asked now and then.
+    pub fn refine_links<R: Recorder<Event>, E>(
+        &mut self,
+        oracle: Oracle,
+        recorder: &mut R,
+        mut go_on: impl FnMut() -> Result<(), E>,
+    ) -> Result<(), E> {
         for number in 0..self.links.len() {
+            if number % LINKS_BETWEEN == 0 {
+                go_on()?;
+            }
             let Some(link) = self.links[number] else {
                 continue;
             };
@@ -99,6 +128,7 @@ impl Hierarchy<'_> {
             self.refine(oracle, pair, Some(number as u32), recorder);
             self.links[number] = None;
         }
+        Ok(())
     }
 
     fn divide<R: Recorder<Event>>(&mut self, divided: u32, recorder: &mut R) {
