@@ -332,6 +332,7 @@ app-leave-out-again = Start again with it left out
 app-ray-tree = Ray tree
 app-vectors = Vectors
 app-radiosity = Radiosity
+app-links = Links
 app-form-factor = Form factor
 app-convergence = Convergence
 app-race = Solver race
@@ -616,6 +617,20 @@ keys-error-against-run-time = error against run time
 keys-open = open a file
 keys-all-keys = all keys
 keys-all-lessons = all lessons
+
+## links
+
+links-no-links = This run has one form factor for every pair of patches. Open the lesson on hierarchical radiosity to see links.
+links-too-small = Enlarge this panel to see the links.
+links-all = All links
+links-between = Links between { $one } and { $other }
+links-toward = Links that bring light to element { $p } ({ $object })
+links-coarsest = the { $shown } coarsest of { $all }
+links-level = level { $level }: { $links }
+links-levels-from = level ≥ { $level }: { $links }
+links-links = links: { $links }
+links-pairs = pairs of patches: { $pairs }
+links-element = { $name } = { $number }, level { $level }
 
 ## matrix
 

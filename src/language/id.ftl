@@ -332,6 +332,7 @@ app-leave-out-again = Mulai lagi tanpa hal itu
 app-ray-tree = Pohon sinar
 app-vectors = Vektor
 app-radiosity = Radiositas
+app-links = Tautan
 app-form-factor = Faktor bentuk
 app-convergence = Konvergensi
 app-race = Adu penyelesai
@@ -616,6 +617,20 @@ keys-error-against-run-time = galat terhadap waktu eksekusi
 keys-open = buka berkas
 keys-all-keys = semua tombol
 keys-all-lessons = semua pelajaran
+
+## links
+
+links-no-links = Proses ini memiliki satu faktor bentuk untuk setiap pasangan patch. Buka pelajaran tentang radiositas hierarkis untuk melihat tautan.
+links-too-small = Perbesar panel ini untuk melihat tautannya.
+links-all = Semua tautan
+links-between = Tautan antara { $one } dan { $other }
+links-toward = Tautan pembawa cahaya ke elemen { $p } ({ $object })
+links-coarsest = { $shown } yang paling kasar dari { $all }
+links-level = tingkat { $level }: { $links }
+links-levels-from = tingkat ≥ { $level }: { $links }
+links-links = tautan: { $links }
+links-pairs = pasangan patch: { $pairs }
+links-element = { $name } = { $number }, tingkat { $level }
 
 ## matrix
 
@@ -1835,7 +1850,7 @@ method-fast-phong = Fast Phong
 method-ray-casting = ray casting
 method-ray-tracing = ray tracing
 method-radiosity = radiositas
-method-hierarchical-radiosity = radiosity hierarkis
+method-hierarchical-radiosity = radiositas hierarkis
 method-exact = eksak
 
 ## what the size of a setting counts, and what errors are errors of

@@ -65,7 +65,7 @@ impl Family {
             Family::Polygons => ["image", "scan-line", "inspector"],
             Family::Rays => ["image", "ray-tree", "space"],
             Family::Exchange => ["radiosity", "matrix", "convergence"],
-            Family::Hierarchy => ["radiosity", "image", "inspector"],
+            Family::Hierarchy => ["links", "radiosity", "image"],
         }
     }
 
@@ -75,7 +75,7 @@ impl Family {
             Family::Polygons => ["image", "scan-line", "active-edges", "vertex", "space"],
             Family::Rays => ["image", "ray-tree", "vectors", "illumination", "space"],
             Family::Exchange => ["radiosity", "image", "matrix", "convergence", "space"],
-            Family::Hierarchy => ["radiosity", "image", "inspector", "profile", "space"],
+            Family::Hierarchy => ["links", "radiosity", "image", "inspector", "space"],
         }
     }
 

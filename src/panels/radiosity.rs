@@ -5,7 +5,7 @@ mod colors;
 pub(super) mod exchange;
 mod order;
 pub(super) mod pair;
-mod room_view;
+pub(super) mod room_view;
 mod smooth;
 
 use super::message::{NO_PATCHES, labelled, message};
@@ -40,7 +40,7 @@ const EMISSION: Message = Message("radiosity-emission");
 const REFLECTANCE: Message = Message("radiosity-reflectance");
 const PATCHES: Message = Message("radiosity-patches");
 const CURRENT: Message = Message("radiosity-current");
-const NO_ROOM: Message = Message("radiosity-no-room");
+pub(super) const NO_ROOM: Message = Message("radiosity-no-room");
 
 pub const PANEL: Properties = Properties::titled(Message("app-radiosity"));
 
@@ -224,7 +224,7 @@ impl Coloring {
 }
 
 /// The convex polygon with its edges moved outwards.
-fn overlapping(corners: &[Vec2]) -> Vec<Vec2> {
+pub(super) fn overlapping(corners: &[Vec2]) -> Vec<Vec2> {
     let count = corners.len();
     let edge = |i: usize| (corners[(i + 1) % count] - corners[i % count]).normalize_or_zero();
     let turn: f32 = (0..count).map(|i| edge(i).perp_dot(edge(i + 1))).sum();

@@ -28,6 +28,8 @@ pub struct LinkNow {
     /// F_pq, of which the share `visible` passes.
     pub f_pq: f64,
     pub visible: f64,
+    /// That of the smaller element: how often surfaces were divided for the link.
+    pub level: u32,
     /// The step that made it.
     pub step: u32,
 }
@@ -70,6 +72,8 @@ pub struct State {
     pub pass: Option<u32>,
     pub sweep: Option<u32>,
     pub current: Option<Current>,
+    /// F_pq of the current pair or link, once it is recorded.
+    pub form_factor: Option<f64>,
     /// The pairs that are being refined, each with the link that it had.
     pairs: Vec<([u32; 2], Option<u32>)>,
     /// The elements from a root down that light is pushed to.
@@ -89,6 +93,23 @@ impl State {
     pub fn links(&self) -> impl Iterator<Item = (u32, LinkNow)> {
         let numbered = (0..).zip(self.links.iter());
         numbered.filter_map(|(number, link)| Some((number, (*link)?)))
+    }
+
+    /// How many links there are by level, from 0 on.
+    pub fn links_by_level(&self) -> Vec<usize> {
+        let mut counts = Vec::new();
+        for (_, link) in self.links() {
+            let level = link.level as usize;
+            counts.resize(counts.len().max(level + 1), 0);
+            counts[level] += 1;
+        }
+        counts
+    }
+
+    /// An element, and those that it lies in, up to the root.
+    pub fn path(&self, element: u32) -> Vec<u32> {
+        let parent = |&element: &u32| self.elements.get(element as usize)?.parent;
+        std::iter::successors(Some(element), parent).collect()
     }
 
     /// The radiosity of every patch so far: that of the smallest element that it lies in. It begins with the emission.
@@ -155,16 +176,19 @@ impl State {
         }
     }
 
-    /// Closes the refinement of a pair.
-    fn end_pair(&mut self) -> Option<([u32; 2], Option<u32>)> {
-        let ended = self.pairs.pop();
-        if let Some((_, Some(old))) = ended
-            && let Some(link) = self.links.get_mut(old as usize)
-        {
+    fn level(&self, element: u32) -> u32 {
+        let element = self.elements.get(element as usize);
+        element.map_or(0, |element| element.level)
+    }
+
+    /// Closes the refinement of a pair. The step is still about that pair.
+    fn end_pair(&mut self) -> Option<[u32; 2]> {
+        let (pair, old) = self.pairs.pop()?;
+        if let Some(link) = old.and_then(|old| self.links.get_mut(old as usize)) {
             *link = None;
         }
-        self.current = self.pairs.last().map(|&(pair, _)| Current::Pair(pair));
-        ended
+        self.current = Some(Current::Pair(pair));
+        Some(pair)
     }
 
     fn lit(&mut self, b: Rgb, step: usize) {
@@ -179,6 +203,12 @@ impl State {
 
 impl Fold<Event> for State {
     fn apply(&mut self, step: usize, event: &Event) {
+        self.form_factor = match *event {
+            Event::Refining { f_pq, .. } | Event::LinkGathered { f_pq, .. } => Some(f_pq),
+            Event::Linked { f_pq, visible, .. } => Some(f_pq * visible),
+            Event::Divided { .. } => self.form_factor,
+            _ => None,
+        };
         match *event {
             Event::Hierarchy { roots, .. } => self.begin(roots),
             Event::Pass { pass, .. } => (self.pass, self.sweep) = (Some(pass), None),
@@ -194,15 +224,16 @@ impl Fold<Event> for State {
                 ..
             } => self.divide(divided, parts, level, step),
             Event::Linked { f_pq, visible, .. } => {
-                if let Some(([p, q], _)) = self.end_pair() {
+                if let Some([p, q]) = self.end_pair() {
+                    let levels = [p, q].map(|number| self.level(number));
                     self.links.push(Some(LinkNow {
                         p,
                         q,
                         f_pq,
                         visible,
+                        level: levels[0].max(levels[1]),
                         step: step as u32,
                     }));
-                    self.current = Some(Current::Pair([p, q]));
                 }
             }
             Event::Parted { .. } => {

@@ -190,7 +190,7 @@ pub(super) fn outline(
 }
 
 /// Labels on plates, so that they can be read on any colour.
-fn lay_over(picture: &mut Picture, labels: Picture) {
+pub fn lay_over(picture: &mut Picture, labels: Picture) {
     for item in labels.items {
         if matches!(item.shape, Shape::Text { .. }) {
             let plate = item.shape.bounds();

@@ -76,7 +76,12 @@ impl<'a> RoomView<'a> {
 
     /// None of a patch whose centre lies behind the camera.
     pub fn center(&self, patch: usize) -> Option<DVec2> {
-        let center = self.view.to_camera(self.room.patches[patch].center);
+        self.point(self.room.patches[patch].center)
+    }
+
+    /// None of a point that lies behind the camera.
+    pub fn point(&self, point: DVec3) -> Option<DVec2> {
+        let center = self.view.to_camera(point);
         (center.z >= self.view.near).then(|| self.view.to_screen(center))
     }
 
@@ -126,7 +131,7 @@ impl<'a> RoomView<'a> {
     }
 
     /// The part of a convex polygon that lies in front of the near plane and within what is shown.
-    fn on_screen(&self, corners: &[DVec3]) -> Vec<DVec2> {
+    pub fn on_screen(&self, corners: &[DVec3]) -> Vec<DVec2> {
         let View { focal, near, .. } = self.view;
         let middle = 0.5 * DVec2::new(self.view.width.into(), self.view.height.into());
         let (left, top) = (self.low - middle).into();
