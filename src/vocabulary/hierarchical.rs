@@ -31,7 +31,7 @@ vocabulary! {
             "links" = links,
         }
         [
-            entry("event-hierarchy-done", &[is("{links per leaf=per_leaf} := links / leaves")]),
+            entry("event-hierarchy-done", &[is("{m=per_leaf} := links / leaves")]),
         ];
     Event::Pass { pass, allowed } => "Pass" at "pass" number "pass" scope "scope-pass"
         {
