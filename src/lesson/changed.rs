@@ -3,6 +3,7 @@
 use super::file::AnswerFile;
 use super::narrated::Question;
 use super::{Answer, Change, Coefficient, Lesson, Parameter, builtins};
+use crate::algorithms::hierarchical;
 use crate::language::Language;
 use crate::record::{RecordingLimit, Value};
 use crate::replay::query::{self, number_of};
@@ -286,5 +287,49 @@ fn a_turned_quadrilateral_changes_and_two_triangles_do_not() {
     for degrees in [-45.0, -20.0, 0.0, 33.0, 45.0] {
         let triangles = middle(degrees, "SpanInterpolated object=3 x=143");
         assert!((triangles - bright).abs() < 1e-5, "{degrees}: {triangles}");
+    }
+}
+
+/// The links at the end, and the brightest leaf that does not shine itself.
+fn links_and_brightest(lesson: &Lesson, links: hierarchical::Settings) -> (usize, f64) {
+    let settings = lesson.settings.clone().with(links);
+    let setup = lesson.setup(lesson.scene.clone(), settings).unwrap();
+    let limit = RecordingLimit::default();
+    let mut run = Run::record(Arc::new(setup), lesson.method, lesson.focus, limit);
+    let last = run.walk().len() - 1;
+    run.walk_mut().seek(last);
+    let Run::Hierarchical(_, replay) = &run else {
+        panic!("the lesson links elements")
+    };
+    let state = replay.state();
+    let elements = &state.solved.as_ref().unwrap().tree.elements;
+    let lit = state.leaves().filter_map(|(leaf, now)| {
+        let emission = elements[leaf as usize].emission.max_channel();
+        (emission == 0.0).then_some(now.b.r)
+    });
+    let brightest = lit.fold(0.0, f64::max);
+    (state.links().count(), brightest)
+}
+
+#[test]
+fn fewer_links_leave_larger_errors_as_the_lesson_says() {
+    let lesson = super::builtin("hierarchical-radiosity").unwrap();
+    let lesson = lesson.read().unwrap();
+    let own: hierarchical::Settings = lesson.settings.get();
+    let carrying = |link_light| hierarchical::Settings { link_light, ..own };
+    let all = hierarchical::Settings {
+        link_size: 0.0,
+        ..own
+    };
+    let says = [
+        (all, 4608, 0.380),
+        (own, 300, 0.369),
+        (carrying(0.05), 114, 0.273),
+        (carrying(0.001), 618, 0.379),
+    ];
+    for (settings, links, said) in says {
+        let (count, brightest) = links_and_brightest(&lesson, settings);
+        assert_eq!(count, links, "{settings:?}");
+        assert!((brightest - said).abs() <= 0.0005, "{links}: {brightest}");
     }
 }

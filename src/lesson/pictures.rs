@@ -89,13 +89,14 @@ mod any_size {
     use std::collections::BTreeSet;
 
     /// These have every panel between them.
-    const LESSONS: [&str; 6] = [
+    const LESSONS: [&str; 7] = [
         "illumination-model",
         "gouraud-teapot",
         "side-by-side",
         "ray-tree",
         "form-factors",
         "gathering",
+        "hierarchical-radiosity",
     ];
 
     #[test]

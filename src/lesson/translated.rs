@@ -11,11 +11,11 @@ use std::collections::BTreeSet;
 
 /// Functions of mathematics, Greek letters by their names, what is abbreviated the same everywhere, names of the literature, and
 /// the symbol of unshot radiosity, which is the same in formulas and pseudocode.
-const SYMBOLS: &str = "alpha beta delta DeltaB eta Gamma omega rho theta arccos cos fov max min sin tan NearestT SOR TIR unshot";
+const SYMBOLS: &str = "alpha beta delta DeltaB eta Gamma omega rho theta arccos cos fov max min sin tan BFA flux NearestT SOR TIR unshot";
 
 /// Functions and variables of the pseudocode, as it has them in every language, and subscripts, which are texts of their own there.
-const PSEUDOCODE: &str = "NearestObject areaToArea blocked contour elementToPolygon formFactor hemicube hits illumination level \
-    monteCarlo pixel table trace visible att light sum";
+const PSEUDOCODE: &str = "GatherRad NearestObject PushPullRad Refine SolveSystem areaToArea blocked contour elementToPolygon formFactor hemicube hits illumination level \
+    monteCarlo pixel table trace visible att down light sum";
 
 /// What stands outside of the marks, without subscripts. A message that is broken into lines goes on in the next text.
 fn outside<'a>(texts: impl Iterator<Item = &'a str>) -> String {

@@ -158,7 +158,7 @@ fn presented_lessons_on_rays_can_be_read_from_the_back_row() {
 
 #[test]
 fn presented_lessons_on_radiosity_and_studies_can_be_read_from_the_back_row() {
-    check_presentation(17..30);
+    check_presentation(17..31);
 }
 
 #[test]

@@ -206,7 +206,7 @@ fn lessons_on_rays_can_be_read_with_text_twice_as_large() {
 
 #[test]
 fn lessons_on_radiosity_and_studies_can_be_read_with_text_twice_as_large() {
-    check_large_text(17..30);
+    check_large_text(17..31);
 }
 
 #[test]
@@ -221,7 +221,7 @@ fn the_panels_of_lessons_on_rays_can_be_read_at_every_explanation() {
 
 #[test]
 fn the_panels_of_lessons_on_radiosity_and_studies_can_be_read_at_every_explanation() {
-    check_lessons(17..30);
+    check_lessons(17..31);
 }
 
 #[test]
@@ -236,5 +236,5 @@ fn lessons_on_rays_can_be_read_on_a_phone() {
 
 #[test]
 fn lessons_on_radiosity_and_studies_can_be_read_on_a_phone() {
-    check_phones(17..30);
+    check_phones(17..31);
 }
