@@ -5,10 +5,11 @@ use super::prose::set;
 use super::session::{Command, Session};
 use super::{strings, style};
 use crate::language::called;
+use crate::methods::Mistake;
 use crate::picture::Ink;
 use crate::render::{Cancelled, render_unless};
 use crate::study::against::{screen_pixels, with_mistake};
-use crate::study::mistakes::{Mistake, Workers};
+use crate::study::mistakes::Workers;
 use egui::epaint::Galley;
 use egui::{
     Color32, ColorImage, Context, CursorIcon, FontId, Frame, Margin, Rect, Role, ScrollArea, Sense,

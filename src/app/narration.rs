@@ -167,6 +167,15 @@ fn narration(session: &Session, window: &Window, commands: &mut Vec<Command>, ui
         if let Some(slide) = said.slide(language) {
             slide_note(session, slide, ui);
         }
+        // With it comes the whole picture, which a question may be about.
+        let mistake = said.mistake.filter(|_| !session.panel_input().is_pending());
+        if let Some(mistake) = mistake {
+            let words = mistake.in_words(language);
+            let text = strings::WHAT_IF_HERE.format(language, &[("mistake", &words)]);
+            if link(text, ui) {
+                commands.push(Command::Mistake(Some(mistake)));
+            }
+        }
         if said.types_numbers && session.is_changed() {
             let note = RichText::new(session.localize(strings::TYPED_NUMBERS));
             ui.label(note.size(12.5).color(muted));

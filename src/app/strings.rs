@@ -76,6 +76,7 @@ pub const PICTURE_READ_AGAIN: Message = Message("app-picture-read-again");
 pub const AFTER_YOUR_ANSWER: Message = Message("panels-after-your-answer");
 
 pub const WHAT_IF: Message = Message("app-what-if");
+pub const WHAT_IF_HERE: Message = Message("app-what-if-here");
 pub const WHAT_IF_HOW: Message = Message("app-what-if-how");
 pub const WHAT_IF_SHARE: Message = Message("app-what-if-share");
 pub const WHAT_IF_UNCHANGED: Message = Message("app-what-if-unchanged");

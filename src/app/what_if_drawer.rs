@@ -5,8 +5,8 @@ use super::compared_pictures::{self, Compared, Names, pictures, worst};
 use super::prose::{prose, set};
 use super::session::{Command, Session};
 use super::{strings, style};
+use crate::methods::Mistake;
 use crate::picture::Ink;
-use crate::study::mistakes::Mistake;
 use egui::{Align, Button, FontId, Layout, Rect, RichText, ScrollArea, Ui, UiBuilder};
 
 const TEXT: f32 = 13.0;

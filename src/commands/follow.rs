@@ -6,13 +6,13 @@ use super::progress::named;
 use super::radiosity::ToleranceArgument;
 use super::steps::{Recorded, Recording, TRUNCATED};
 use crate::language::Language;
+use crate::methods::Mistake;
 use crate::panels::{said, written_formulas};
 use crate::picture::plain;
 use crate::replay::Run;
 use crate::study::follow::{
     Difference, Followed, OtherValue, TraceLine, TraceValue, explained_by, follow, read,
 };
-use crate::study::mistakes::Mistake;
 use serde_json::{Value as Json, json};
 use std::io::Write;
 use std::path::PathBuf;

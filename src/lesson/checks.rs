@@ -5,7 +5,7 @@ use super::error::problem;
 use super::file::{FocusFile, LessonFile};
 use super::text::Text;
 use crate::algorithms::focus::Focus;
-use crate::methods::Method;
+use crate::methods::{Method, Mistake};
 use crate::panels::{Hidden, Panel};
 use crate::render::{MAX_PIXELS, MAX_SIDE};
 use crate::scene::document::{Keyed, Problem};
@@ -49,6 +49,24 @@ pub(super) fn panels(file: &LessonFile, problems: &mut Vec<Problem>) -> Vec<Pane
         }
     }
     panels
+}
+
+/// The mistakes that the steps name are known, and can be made by the method.
+pub(super) fn mistakes(file: &LessonFile, method: Option<Method>, problems: &mut Vec<Problem>) {
+    let Some(method) = method else { return };
+    for (index, Keyed(step)) in file.steps.iter().enumerate() {
+        let Some(name) = &step.mistake else { continue };
+        let possible = |mistake: &Mistake| mistake.concerns(method);
+        if !Mistake::from_name(name).is_some_and(|mistake| possible(&mistake)) {
+            let possible = Mistake::ALL.into_iter().filter(possible).map(Mistake::name);
+            let message = format!(
+                "found \"{name}\"; with the method {} allowed are {}",
+                method.name(),
+                possible.collect::<Vec<_>>().join(", ")
+            );
+            problems.push(problem(format!("steps[{index}].mistake"), message));
+        }
+    }
 }
 
 /// What is recorded, which is something that the method has.

@@ -6,7 +6,7 @@ use super::text::Text;
 use crate::algorithms::form_factor;
 use crate::algorithms::radiosity::Solver;
 use crate::algorithms::texture::Mapping;
-use crate::methods::Method;
+use crate::methods::{Method, Mistake};
 use crate::panels::{Hidden, Panel};
 use crate::replay::Query;
 use crate::scene::document::{ByName, Keyed, Schema, present};
@@ -158,6 +158,10 @@ pub struct StepFile {
     pub slide: Option<Text>,
     #[serde(default, deserialize_with = "present")]
     pub question: Option<Keyed<QuestionFile>>,
+    /// A classic mistake at this step, whose picture can be seen beside the right one.
+    #[serde(default, deserialize_with = "present")]
+    #[schemars(with = "Option<Mistake>")]
+    pub mistake: Option<String>,
     /// Said where the step does not happen after a parameter was changed: what happens instead.
     #[serde(default, deserialize_with = "present")]
     pub otherwise: Option<Text>,

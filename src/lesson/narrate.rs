@@ -7,6 +7,7 @@ use super::narrated::{Narrated, Question};
 use super::template::{fill, names, types_numbers};
 use super::text::Text;
 use crate::language::Language;
+use crate::methods::Mistake;
 use crate::panels::{Hidden, Panel, named_by};
 use crate::record::{Fields, Value};
 use crate::replay::{Query, Run, Walk, query};
@@ -87,6 +88,7 @@ impl Search<'_> {
             question: step.question.as_ref().and_then(|Keyed(question)| {
                 self.question(question, at, &format!("{place}.question"))
             }),
+            mistake: step.mistake.as_deref().and_then(Mistake::from_name),
             not_happening: Vec::new(),
         })
     }

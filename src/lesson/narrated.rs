@@ -3,6 +3,7 @@
 use super::answer::Answer;
 use super::file::StepFile;
 use super::text::Text;
+use crate::methods::Mistake;
 use crate::panels::strings::Language;
 use crate::panels::{Hidden, Panel};
 
@@ -24,6 +25,8 @@ pub struct Narrated {
     /// Whether the text has numbers that were typed, which need not hold after a change.
     pub types_numbers: bool,
     pub question: Option<Question>,
+    /// A classic mistake at this step.
+    pub mistake: Option<Mistake>,
     /// Explanations of what does not happen after a change: those that would follow, and before the first those that would come before.
     pub(super) not_happening: Vec<StepFile>,
 }

@@ -109,6 +109,7 @@ impl Lesson {
 
         let method = checks::method(&file, &mut problems);
         let panels = checks::panels(&file, &mut problems);
+        checks::mistakes(&file, method, &mut problems);
         let chapter = checks::chapter(&file, &mut problems);
         checks::texts(&file, &mut problems);
         let missing = translations::check(&file, &mut problems);

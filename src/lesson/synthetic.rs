@@ -125,6 +125,7 @@ impl Lesson {
                 say,
                 slide: None,
                 question: None,
+                mistake: None,
                 otherwise: None,
             }],
         }

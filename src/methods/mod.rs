@@ -7,6 +7,7 @@
 mod count;
 pub mod hierarchical;
 mod look;
+mod mistake;
 mod notes;
 pub mod radiosity;
 mod rays;
@@ -27,6 +28,7 @@ use crate::vocabulary::Declared;
 
 pub use count::Counted;
 pub use hierarchical::HierarchicalRadiosity;
+pub use mistake::Mistake;
 pub use notes::notes_of;
 pub use radiosity::Radiosity;
 pub use rays::{RayCasting, RayTracing};

@@ -2,11 +2,11 @@
 
 mod explained;
 
-use super::mistakes::{Encoding, Mistake, Workers};
+use super::mistakes::{Encoding, Workers};
 use crate::algorithms::frame::Frame;
 use crate::color::{Rgb, StoredImage};
 use crate::figure::diverging;
-use crate::methods::{Method, Setup};
+use crate::methods::{Method, Mistake, Setup};
 use crate::render::{Cancelled, render_unless};
 use explained::{Mistaken, explanations};
 use serde::Serialize;

@@ -8,10 +8,9 @@
 mod read;
 mod slips;
 
-use super::mistakes::Mistake;
 use crate::algorithms::focus::Focus;
 use crate::language::suggestion;
-use crate::methods::Setup;
+use crate::methods::{Mistake, Setup};
 use crate::record::{RecordingLimit, Value};
 use crate::replay::{Run, Walk};
 use crate::vocabulary::FAMILIES;

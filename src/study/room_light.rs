@@ -1,9 +1,10 @@
 //! The radiosities of another program against ours: the first patch that differs, and what the whole looks like.
 
-use super::mistakes::{Mistake, gathered_with};
+use super::mistakes::gathered_with;
 use super::numbers::rows;
 use crate::algorithms::enclosure::Enclosure;
 use crate::color::Rgb;
+use crate::methods::Mistake;
 use serde::Serialize;
 use std::f64::consts::PI;
 

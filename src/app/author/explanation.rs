@@ -17,6 +17,7 @@ pub fn show(form: &mut Form, index: usize, ui: &mut Ui) {
     form.text(strings::TITLE, &place, "title", 1, ui);
     form.selector(strings::AT, &place, "at", from, ui);
     form.choice(strings::KEY_PANEL, &place, "key", &panels(form), ui);
+    form.choice(strings::MISTAKE, &place, "mistake", &mistakes(form), ui);
     question::show(form, index, ui);
     if form
         .at("parameters")
@@ -59,4 +60,13 @@ fn panels(form: &Form) -> Vec<(Option<String>, String)> {
     });
     let first = (None, form.localize(strings::FIRST_PANEL).to_owned());
     std::iter::once(first).chain(named).collect()
+}
+
+/// The mistakes that the lesson's method allows, by their titles.
+fn mistakes(form: &Form) -> Vec<(Option<String>, String)> {
+    let language = form.session.look.language;
+    let possible = form.session.possible_mistakes();
+    let named = possible.map(|mistake| (Some(mistake.name().into()), mistake.title(language)));
+    let none = (None, form.localize(strings::NO_MISTAKE).to_owned());
+    std::iter::once(none).chain(named).collect()
 }

@@ -4,11 +4,10 @@ use crate::algorithms::focus::Focus;
 use crate::export::TakeAway;
 use crate::language::{Language, Message};
 use crate::lesson::{Change, Guess};
-use crate::methods::Method;
+use crate::methods::{Method, Mistake};
 use crate::panels::{ImageView, InspectorView, Panel, SpaceView, TreeView};
 use crate::picture::{Tag, Theme};
 use crate::scene::Part;
-use crate::study::mistakes::Mistake;
 
 /// Everything that keys, buttons and clicks do.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use super::{Refused, Session};
 use crate::app::strings;
 use crate::language::Language;
 use crate::lesson::Lesson;
-use crate::study::mistakes::Mistake;
+use crate::methods::Mistake;
 
 impl Session {
     /// Opens the page, or goes back to that of all lessons.

@@ -56,7 +56,7 @@ fn upside_down(commands: impl IntoIterator<Item = Command>) -> (tempfile::TempDi
 fn the_drawer_names_the_mistake_and_a_click_on_a_pixel_walks_it() {
     for language in Language::ALL {
         let (_folder, mut screen) = upside_down([Command::Speak(language)]);
-        let name = crate::study::mistakes::Mistake::FlipY.in_words(language);
+        let name = crate::methods::Mistake::FlipY.in_words(language);
         let shown = screen.harness.query_all_by_label_contains(&name);
         assert_eq!(shown.count(), 1, "{name}");
         for title in [

@@ -1,7 +1,7 @@
 //! The page of classic mistakes.
 
 use super::*;
-use crate::study::mistakes::Mistake;
+use crate::methods::Mistake;
 
 /// The page, with all its pictures.
 fn page(language: Language, size: [u32; 2]) -> Screen {

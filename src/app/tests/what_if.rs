@@ -1,7 +1,7 @@
 //! Classic mistakes beside the right picture, in their drawer.
 
 use super::*;
-use crate::study::mistakes::Mistake;
+use crate::methods::Mistake;
 
 /// The drawer over a lesson that asks nothing.
 fn drawer(language: Language) -> Screen {
@@ -71,4 +71,24 @@ fn nothing_of_the_picture_is_shown_while_a_question_waits() {
     screen.harness.run_steps(3);
     let title = Mistake::FlipY.title(Language::English);
     assert!(screen.harness.query_all_by_label(&title).next().is_none());
+}
+
+#[test]
+fn the_explanation_of_what_can_go_wrong_leads_to_the_mistake() {
+    let mut screen = triangle([Command::Questions]);
+    let session = screen.session_mut();
+    while session
+        .narration_here()
+        .and_then(|said| said.mistake)
+        .is_none()
+    {
+        let next = session.update(Command::NextNarrated);
+        next.expect("an explanation with a mistake");
+    }
+    screen.harness.run_steps(3);
+    let language = screen.session().look.language;
+    let mistake = Mistake::InclusiveScanRule;
+    let words = mistake.in_words(language);
+    screen.click(&strings::WHAT_IF_HERE.format(language, &[("mistake", &words)]));
+    assert_eq!(screen.session().what_if().on, Some(mistake));
 }

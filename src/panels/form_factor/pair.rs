@@ -10,6 +10,8 @@ use glam::{DVec3, Vec2};
 
 /// Segments that are drawn, the latest; the older one is, the fainter, so that what stands between the patches stays visible.
 const SEGMENTS: usize = 120;
+/// Up to so many points are drawn large.
+const MOST_LARGE_POINTS: f32 = 200.0;
 /// Of the oldest segment.
 const FAINTEST: f32 = 0.05;
 /// Outlines of the scene that are drawn around the two.
@@ -203,6 +205,8 @@ impl Pair<'_> {
     fn points(&self, picture: &mut Picture, labels: &mut Labels) {
         let state = self.layout.state;
         let last = state.points.len();
+        // So that the patch is not hidden by the thousands that a pair with something in between takes.
+        let crowded = (MOST_LARGE_POINTS / last.max(1) as f32).sqrt().clamp(0.3, 1.0);
         for (&(point, step), number) in state.points.iter().zip(1..) {
             let newest = number == last && state.found.is_none();
             let at = self.view.place(point);
@@ -215,7 +219,7 @@ impl Pair<'_> {
                 let (radius, ink) = if newest {
                     (4.0, Ink::This)
                 } else {
-                    (2.25, Ink::Muted)
+                    (2.25 * crowded, Ink::Muted)
                 };
                 self.dot(picture, at, radius, ink);
             });

@@ -2,7 +2,7 @@
 
 use super::{Explanation, differing, rms};
 use crate::color::StoredImage;
-use crate::study::mistakes::Mistake;
+use crate::methods::Mistake;
 
 /// A mistake that explains a smaller share of the differing pixels, beyond those that others explain, is not named.
 const EXPLAINED: f64 = 0.1;

@@ -1,11 +1,11 @@
 //! What classic mistakes make of the values of a step: each a formula that a program with the mistake computes in place of the right one.
 
 use super::{OtherValue, TraceValue};
+use crate::methods::Mistake;
 use crate::panels::{Slip, slipped};
 use crate::record::Value;
 use crate::replay::Run;
 use crate::scene::primitives::Ray;
-use crate::study::mistakes::Mistake;
 use crate::vocabulary::When;
 
 /// A mistake, the kind of step where it shows, and the formula that errs, behind those that define names for it.

@@ -26,9 +26,7 @@ pub struct ScanConverter<'a> {
 }
 
 impl<'a> ScanConverter<'a> {
-    pub const METHODS: [Method; 3] = [Method::Flat, Method::Gouraud, Method::Phong];
-
-    /// `method` is one of [`ScanConverter::METHODS`].
+    /// `method` is flat, Gouraud or Phong shading.
     pub fn new(setup: &'a Setup, method: Method, mistake: Option<Mistake>) -> Self {
         let prepared = &setup.prepared;
         let scene = &prepared.scene;

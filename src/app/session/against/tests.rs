@@ -3,10 +3,11 @@ use super::*;
 use crate::algorithms::focus::Focus;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::lesson::builtin;
+use crate::methods::Mistake;
 use crate::picture::Tag;
 use crate::render::render;
 use crate::scene::{Limits, View, read};
-use crate::study::mistakes::{Mistake, Workers};
+use crate::study::mistakes::Workers;
 
 const GLASS: &str = r#"{ "schema": 1, "background": [0.2, 0.3, 0.5],
     "camera": { "eye": [0, 0.6, 4], "target": [0, 0.4, 0], "up": [0, 1, 0], "fov_x_degrees": 50 },

@@ -2,7 +2,7 @@ use super::super::against::tests::walk;
 use super::super::{Command, Session};
 use super::*;
 use crate::algorithms::focus::Focus;
-use crate::lesson::builtin;
+use crate::lesson::{builtin, builtins};
 use crate::picture::Tag;
 use crate::render::render;
 use crate::scene::{Limits, View, read};
@@ -125,4 +125,30 @@ fn a_pixel_of_a_room_leads_to_the_patch_that_is_seen_there() {
         .into_iter()
         .find_map(|name| fields.get(name));
     assert!(patch.is_some(), "{fields:?}");
+}
+
+#[test]
+fn every_mistake_that_a_lesson_names_changes_its_picture() {
+    let one = NonZeroUsize::MIN;
+    let mut lessons_with_mistakes = 0;
+    for builtin in builtins() {
+        let session = Session::new(builtin.read().unwrap()).unwrap();
+        let (setup, method) = (session.setup(), session.lesson().method);
+        let named: Vec<Mistake> = session
+            .explained()
+            .iter()
+            .filter_map(|said| said.mistake)
+            .collect();
+        if named.is_empty() {
+            continue;
+        }
+        lessons_with_mistakes += 1;
+        let right = render(setup, method, one, &|_, _| {});
+        for mistake in named {
+            let drawn = with_mistake(mistake, (setup, method), &right, TOLERANCE, Workers::ONE);
+            let off = drawn.map_or(0, |(_, found)| found.off);
+            assert!(off > 0, "{} in {}", mistake.name(), session.lesson().id);
+        }
+    }
+    assert!(lessons_with_mistakes >= 12);
 }
