@@ -94,6 +94,8 @@ pub fn apply(ctx: &egui::Context, theme: Theme, for_fingers: bool) {
     ctx.all_styles_mut(|style| {
         style.text_styles = sizes.clone().into();
         style.spacing.item_spacing = egui::vec2(8.0, 6.0);
+        // Menus are as high as their entries, where the window has the room.
+        style.spacing.default_area_size.y = f32::INFINITY;
         style.spacing.button_padding = egui::vec2(9.0, 5.0);
         style.spacing.interact_size.y = match for_fingers {
             true => TARGET,

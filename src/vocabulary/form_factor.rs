@@ -17,7 +17,7 @@ vocabulary! {
         [
             entry("event-reference", &[is("{F_{ij}=F_exact}")]),
         ];
-    Event::FormFactor { i, j, method } => "FormFactor" at "form-factor" number "j" scope "scope-form-factor"
+    Event::FormFactor { i, j, method } => "FormFactor" at "form-factor" number "j", "method" scope "scope-form-factor"
         {
             "i" = i,
             "j" = j,

@@ -66,6 +66,17 @@ fn error(hierarchy: &Hierarchy) -> f64 {
 }
 
 /// In a closed room of one material every point gets what it gives: B = E + ρB. Where patches gather as one, each of them gets their mean.
+/// Its cylinder is made of polygons without area, which are left out.
+#[test]
+fn an_object_without_patches_changes_nothing() {
+    let rod = r#"{"material": "m", "name": "rod", "cylinder": {"base": [0.5, 0.2, 0.5], "axis": [0, 1, 0], "height": 0.5, "radius": 1e-300}}"#;
+    let [with, without] = [&[rod.to_string()][..], &[]].map(|more| {
+        let enclosure = enclosure(&lit_cube(2, more), 1e-6);
+        solved(&enclosure, Settings::default()).by_patch()
+    });
+    assert_eq!(with, without);
+}
+
 #[test]
 fn a_furnace_comes_to_its_closed_form_as_links_are_refined() {
     let room = enclosure(&scene(GREY, &Cuboid::UNIT.room("wall", [8; 6])), 1e-9);

@@ -209,10 +209,14 @@ pub fn corners(patches: &Patches, surface: &Surface, [columns, rows]: [[u32; 2];
     ]
 }
 
-/// Whether all patches of a surface are quadrilaterals in one plane.
+/// Whether a surface has patches, all of them quadrilaterals in one plane.
 fn is_plane(patches: &Patches, surface: &Surface) -> bool {
     let [width, height] = surface.grid;
     let count = width as usize * height as usize;
+    // What is too thin for any polygon.
+    if count == 0 {
+        return false;
+    }
     let normal = patches[surface.first].normal;
     (surface.first..surface.first + count).all(|patch| {
         let mut pieces = patches.pieces(patch);

@@ -206,7 +206,9 @@ impl Pair<'_> {
         let state = self.layout.state;
         let last = state.points.len();
         // So that the patch is not hidden by the thousands that a pair with something in between takes.
-        let crowded = (MOST_LARGE_POINTS / last.max(1) as f32).sqrt().clamp(0.3, 1.0);
+        let crowded = (MOST_LARGE_POINTS / last.max(1) as f32)
+            .sqrt()
+            .clamp(0.3, 1.0);
         for (&(point, step), number) in state.points.iter().zip(1..) {
             let newest = number == last && state.found.is_none();
             let at = self.view.place(point);
