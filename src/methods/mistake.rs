@@ -1,5 +1,5 @@
 //! Classic mistakes in programs that render: which there are, what they are called, and by which methods one can make them. What they
-//! do to a picture stands in [`study`](crate::study::mistakes).
+//! do to a picture stands in `study::mistakes`.
 
 use super::{Family, Method};
 use crate::language::{Language, called};
