@@ -149,7 +149,7 @@ fn a_folder_that_is_closed_is_refused_and_keeps_its_files() {
 #[test]
 fn a_reader_who_leaves_ends_the_run_without_a_word() {
     let folder = folder();
-    // Its form factors fill the pipe, and are found before their progress would be shown.
+    // Its form factors fill the pipe.
     let furnace = fs::read_to_string(furnace().path().join("furnace.json")).unwrap();
     let room = furnace.replace("\"patches\": 2", "\"patches\": 8");
     fs::write(folder.path().join("room.json"), room).unwrap();
@@ -164,9 +164,11 @@ fn a_reader_who_leaves_ends_the_run_without_a_word() {
         let read = |name: &str| fs::read_to_string(folder.path().join(name)).unwrap();
         let said = read("said");
         assert_eq!(read("status"), "1\n", "{line}: {said}");
+        // On a slow machine its progress is shown before there is anything to read.
+        let usual = ["note: ", "leaves out", "form factors: "];
         let words = said
             .lines()
-            .filter(|line| !line.contains("note: ") && !line.contains("leaves out"));
+            .filter(|line| !usual.iter().any(|usual| line.contains(usual)));
         assert_eq!(words.count(), 0, "{line}: {said}");
     }
 }
