@@ -132,9 +132,9 @@ impl Term {
         let sum =
             |a: [Rounded; 3], b: [Rounded; 3]| std::array::from_fn(|axis| a[axis].plus(b[axis]));
         Some(match (self, other) {
+            (Term::Number(a), Term::Number(b)) => Term::Number(a.plus(b)),
             // Where a sum begins, of whatever kind it is.
             (Term::Number(start), other) if start == Rounded::exact(0.0) => other,
-            (Term::Number(a), Term::Number(b)) => Term::Number(a.plus(b)),
             (Term::Color(a), Term::Color(b)) => Term::Color(sum(a, b)),
             (Term::Vector(a), Term::Vector(b)) => Term::Vector(sum(a, b)),
             _ => return None,
