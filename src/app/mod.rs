@@ -81,3 +81,5 @@ pub use opened::Readers;
 #[cfg(target_arch = "wasm32")]
 pub use page::start;
 pub use session::{Choice, Command, FolderOfLessons, LessonFromFile, Session};
+pub use style::fonts;
+pub use window_state::Window;
