@@ -48,10 +48,17 @@ impl<K: PartialEq> PictureView<K> {
             self.picture.items.iter().any(|item| item.tag == Some(tag)) || is_place(tag)
         });
         let drawn = self.key.as_ref();
-        if drawn.is_none_or(|(before, known)| !before.looks_like(&place) || *known != key) {
-            self.picture = draw(place.size());
-            self.pixels = rasterize(&self.picture, place.theme, place.pixels()).ok();
+        let looks_alike = drawn.is_some_and(|(before, _)| before.looks_like(&place));
+        let mut is_new = false;
+        if !looks_alike || drawn.is_none_or(|(_, known)| *known != key) {
+            let picture = draw(place.size());
+            // Many a step changes nothing that this picture shows.
+            is_new = !looks_alike || picture.items != self.picture.items;
+            self.picture = picture;
             self.key = Some((place, key));
+        }
+        if is_new {
+            self.pixels = rasterize(&self.picture, place.theme, place.pixels()).ok();
         } else if self.highlighted == lit {
             return;
         }

@@ -1,6 +1,6 @@
-//! 8-bit sRGB by a table: the rounded transfer function without its power, for pictures of many pixels.
+//! 8-bit sRGB by tables: the rounded transfer function and its inverse without their powers, for pictures of many pixels.
 
-use super::srgb_encode;
+use super::{srgb_decode, srgb_encode};
 use std::sync::LazyLock;
 
 /// Buckets of [0, 1). The transfer function is steepest at 0, 12.92·255 codes a unit: fewer than one a bucket, so that a
@@ -36,6 +36,15 @@ pub(super) fn srgb8(channels: [f64; 3]) -> [u8; 3] {
         let code = table.codes[bucket];
         code + u8::from(linear >= table.borders[usize::from(code)])
     })
+}
+
+static LINEAR: LazyLock<[f64; 256]> =
+    LazyLock::new(|| std::array::from_fn(|code| srgb_decode(code as f64 / 255.0)));
+
+/// The linear values of codes.
+pub(super) fn linear(codes: [u8; 3]) -> [f64; 3] {
+    let table = &*LINEAR;
+    codes.map(|code| table[usize::from(code)])
 }
 
 /// The definition that the table is made of.

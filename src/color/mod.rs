@@ -61,7 +61,7 @@ impl Rgb {
 
     /// The linear colour of 8-bit sRGB codes.
     pub fn from_srgb8(codes: [u8; 3]) -> Self {
-        Rgb::from(codes.map(|code| srgb_decode(f64::from(code) / 255.0)))
+        Rgb::from(encode::linear(codes))
     }
 
     /// Relative luminance by ITU-R BT.709 primaries.

@@ -14,6 +14,7 @@ const STRUCK: f32 = 12.0;
 /// Between the boxes of two labels.
 const APART: f32 = 3.0;
 
+#[derive(Clone)]
 pub struct Labels {
     area: Rect,
     taken: Vec<Rect>,
@@ -23,6 +24,7 @@ pub struct Labels {
 }
 
 /// A line that labels should not cover, with half its width.
+#[derive(Clone)]
 struct Spared {
     ends: [Vec2; 2],
     half: f32,

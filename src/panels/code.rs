@@ -151,16 +151,17 @@ fn lay_out(blocks: &[Line], language: Language, size: Vec2) -> (f32, Vec<Row>) {
     };
     let width = |text_size: f32| size.x - 2.0 * MARGIN - GUTTER * text_size;
     let unbroken = |callers: Callers, smallest: f32| {
-        sizes(LARGEST)
-            .take_while(move |&text_size| text_size >= smallest)
-            .find_map(|text_size| {
-                let rows = rows(blocks, callers, language, text_size, f32::INFINITY);
-                let narrow = rows.iter().all(|row| {
-                    let indent = row.indent as f32 * measure(" ", Style::Mono, text_size);
-                    indent + set_width(&row.text, text_size) <= width(text_size)
-                });
-                (narrow && fits(text_size, &rows)).then_some((text_size, rows))
+        let rows = rows(blocks, callers, language, LARGEST, f32::INFINITY);
+        let is_narrow = |text_size: f32| {
+            rows.iter().all(|row| {
+                let indent = row.indent as f32 * measure(" ", Style::Mono, text_size);
+                indent + set_width(&row.text, text_size) <= width(text_size)
             })
+        };
+        let text_size = sizes(LARGEST)
+            .take_while(|&text_size| text_size >= smallest)
+            .find(|&text_size| fits(text_size, &rows) && is_narrow(text_size))?;
+        Some((text_size, rows))
     };
     let continued = |callers: Callers| {
         sizes(CONTINUED)

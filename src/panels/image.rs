@@ -9,14 +9,16 @@ mod light;
 mod marks;
 mod pin;
 mod placing;
+mod so_far;
 mod value;
 mod view;
 
+pub(in crate::panels) use so_far::SoFar;
 pub use value::value;
 pub use view::{ImageView, PixelLayer};
 
 use super::grip::Sight;
-use super::horizon::{after_your_answer, hatch, srgb_bytes};
+use super::horizon::{after_your_answer, srgb_bytes};
 use super::strings::focus;
 use super::values::{sentence, step_in_words};
 use super::{PanelInput, Properties};
@@ -24,8 +26,7 @@ use crate::algorithms::focus::Focus;
 use crate::figure::{elided, joined};
 use crate::language::{Language, Message};
 use crate::picture::{Image, Ink, Picture, Rect, Style, Tag, ascent, elide};
-use crate::replay::shading::Dot;
-use crate::replay::{Canvas, Run};
+use crate::replay::Run;
 use glam::{UVec2, Vec2};
 use layers::ShownLayer;
 use light::Light;
@@ -33,8 +34,6 @@ use marks::Marks;
 use placing::Placing;
 use std::iter;
 
-/// How far what is not drawn yet stands out from the background, of 255.
-const GHOST: i32 = 60;
 const CAPTION: f32 = 11.5;
 const CAPTION_HEIGHT: f32 = 20.0;
 
@@ -179,7 +178,7 @@ fn image(
 ) -> (Image, usize) {
     let size = pixels(input);
     let (image, drawn) = match input.run.canvas() {
-        Some(canvas) => so_far(input, canvas, hidden),
+        Some(canvas) => so_far::image(input, canvas, hidden),
         None => {
             let light = Light::of(input).map(|light| light.image());
             (light.unwrap_or_else(|| finished(input, hidden)), 0)
@@ -201,59 +200,6 @@ fn finished(input: &PanelInput, hidden: Option<&[bool]>) -> Image {
     let finished = &input.finished.picture;
     let bytes = srgb_bytes(finished, hidden);
     Image::new(finished.width, finished.rows.len() as u32, bytes)
-}
-
-/// The canvas, and where nothing is drawn on it yet the finished picture as a ghost, hatched where it is hidden; and how many
-/// pixels are drawn.
-fn so_far(input: &PanelInput, canvas: &Canvas<Dot>, hidden: Option<&[bool]>) -> (Image, usize) {
-    let background = input.run.prepared().scene.background;
-    let ground = background.to_srgb8();
-    let mut bytes = vec![0; 3 * canvas.width() * canvas.height()];
-    let (pixels, _) = bytes.as_chunks_mut();
-    let around = shows_finished(input);
-    let mut both = iter::zip(pixels, &input.finished.picture.color).enumerate();
-    let mut drawn = 0;
-    // `for_each`, not `for`: the canvas hands out its tiles' rows much faster.
-    canvas.iter().for_each(|dot| {
-        // A finished picture that is smaller than the canvas leaves the rest black.
-        let Some((at, (pixel, &finished))) = both.next() else {
-            return;
-        };
-        *pixel = if dot.step.is_some() {
-            drawn += 1;
-            dot.color.to_srgb8()
-        } else if hidden.is_some_and(|hidden| hidden[at]) {
-            hatch(at % canvas.width(), at / canvas.width())
-        } else if around {
-            finished.to_srgb8()
-        } else if finished == background {
-            ground
-        } else {
-            ghost(finished.to_srgb8(), ground)
-        };
-    });
-    let (width, height) = (canvas.width() as u32, canvas.height() as u32);
-    (Image::new(width, height, bytes), drawn)
-}
-
-/// Whether the finished picture is seen where the run has drawn nothing.
-fn shows_finished(input: &PanelInput) -> bool {
-    let follows_rays = matches!(input.run, Run::Rays(..));
-    follows_rays && matches!(input.focus, Focus::Pixel { .. }) || is_outermost(input)
-}
-
-/// Whether the step opens or closes the frame: a run begins and ends with the picture that it is about.
-fn is_outermost(input: &PanelInput) -> bool {
-    let walk = input.run.walk();
-    !walk.is_empty() && walk.outline().depth(walk.position()) == 0
-}
-
-/// A colour of the finished picture, faint: nearer to the background than to itself.
-fn ghost(finished: [u8; 3], background: [u8; 3]) -> [u8; 3] {
-    std::array::from_fn(|channel| {
-        let (to, from) = (i32::from(finished[channel]), i32::from(background[channel]));
-        (from + (to - from) * GHOST / 255) as u8
-    })
 }
 
 /// Size, zoom, focus and what the step works on, as far as there is room.

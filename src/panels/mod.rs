@@ -30,6 +30,7 @@ pub use shared::names::{
     ray_kind as ray_kind_name, scope_known_at as scope_names,
 };
 pub use shared::patches::{form_factor, form_factor_values, patch_values};
+pub use shared::reused::Reused;
 pub use shared::strings;
 
 use crate::algorithms::focus::Focus;
@@ -160,6 +161,8 @@ pub struct PanelInput<'a> {
     pub unshot: bool,
     /// The two patches that are selected, from the first to the second.
     pub pair: Option<[usize; 2]>,
+    /// What the pictures of this run leave for the next ones, which are the same without; none where each is drawn anew.
+    pub reused: Option<&'a Reused>,
 }
 
 impl<'a> PanelInput<'a> {
@@ -187,6 +190,7 @@ impl<'a> PanelInput<'a> {
             selected: None,
             unshot: false,
             pair: None,
+            reused: None,
         }
     }
 }

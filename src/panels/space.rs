@@ -24,7 +24,7 @@ use super::vectors::met::SurfaceInSight;
 use super::{PanelInput, Properties};
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::visible::Intersection;
-use crate::figure::{Labels, Solids, Space};
+use crate::figure::{Depths, Labels, Solids, Space};
 use crate::language::{Language, Message};
 use crate::picture::{Ink, Picture, Rect};
 use crate::replay::rays::State;
@@ -32,6 +32,7 @@ use crate::scene::Shape;
 use glam::{DVec3, Vec2};
 use orbit::Frame;
 use sketch::Sketch;
+use std::sync::Arc;
 
 const RAYS: Message = Message("space-rays");
 const NO_PIXEL: Message = Message("space-no-pixel");
@@ -52,9 +53,78 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
         return message(NO_STEPS, input.language, size);
     }
     let room = input.run.enclosure();
-    let (space, extent) = space(input, size);
-    let area = space.area;
+    let around = surroundings(input, size);
+    let mut picture = around.picture;
+    picture.clipped(around.of.space.area, |picture| {
+        let mut sketch = Sketch {
+            labels: around.labels,
+            picture,
+            input,
+            space: around.of.space,
+            depths: around.depths,
+            text: text_size(size),
+            extent: around.of.extent,
+        };
+        match room {
+            Some(room) => sketch.patches(room),
+            None => sketch.scene(&around.lowest),
+        }
+    });
+    picture.alt = step_as_sentence(input);
+    if let Some(state) = input.run.rays() {
+        picture.alt += " ";
+        picture.alt += &in_words(state, input.language);
+    }
+    picture
+}
 
+/// Surfaces and edges.
+#[derive(Clone)]
+pub struct Surroundings {
+    of: SurroundingsOf,
+    picture: Picture,
+    depths: Arc<Depths>,
+    /// They have room beside what is drawn.
+    labels: Labels,
+    /// Where each object is seen lowest, if it is.
+    lowest: Vec<Option<Vec2>>,
+}
+
+/// What surroundings of one scene depend on.
+#[derive(Clone, Copy, PartialEq)]
+pub struct SurroundingsOf {
+    space: Space,
+    extent: f64,
+    size: Vec2,
+}
+
+fn surroundings(input: &PanelInput, size: Vec2) -> Surroundings {
+    let (space, extent) = space(input, size);
+    let of = SurroundingsOf {
+        space,
+        extent,
+        size,
+    };
+    let room = input.run.enclosure();
+    // Patches change their colours from step to step.
+    let reused = input.reused.filter(|_| room.is_none());
+    let Some(reused) = reused else {
+        return drawn_anew(input, of, room);
+    };
+    let mut latest = reused.surroundings.borrow_mut();
+    let known = latest.take().filter(|known| known.of == of);
+    latest
+        .insert(known.unwrap_or_else(|| drawn_anew(input, of, room)))
+        .clone()
+}
+
+fn drawn_anew(input: &PanelInput, of: SurroundingsOf, room: Option<&Enclosure>) -> Surroundings {
+    let SurroundingsOf {
+        space,
+        extent,
+        size,
+    } = of;
+    let area = space.area;
     let mut picture = Picture::new(size.x, size.y);
     picture.rect(area, Ink::Faint);
     let mut solids = Solids::new(area);
@@ -67,29 +137,35 @@ pub fn draw(input: &PanelInput, size: Vec2) -> Picture {
     }
     let (image, depths) = solids.finish();
     picture.image(area, image);
-    let text = (0.03 * size.x.min(1.3 * size.y)).clamp(11.0, 16.0).round();
+    let depths = Arc::new(depths);
+    let mut labels = Labels::new(area.grown(-3.0));
+    let mut lowest = Vec::new();
     picture.clipped(area, |picture| {
         let mut sketch = Sketch {
-            labels: Labels::new(area.grown(-3.0)),
+            labels: labels.clone(),
             picture,
             input,
             space,
-            depths,
-            text,
+            depths: depths.clone(),
+            text: text_size(size),
             extent,
         };
         sketch.edges();
-        match room {
-            Some(room) => sketch.patches(room),
-            None => sketch.scene(),
-        }
+        lowest = sketch.lowest();
+        labels = sketch.labels;
     });
-    picture.alt = step_as_sentence(input);
-    if let Some(state) = input.run.rays() {
-        picture.alt += " ";
-        picture.alt += &in_words(state, input.language);
+    Surroundings {
+        of,
+        picture,
+        depths,
+        labels,
+        lowest,
     }
-    picture
+}
+
+/// Of letters, in points.
+fn text_size(size: Vec2) -> f32 {
+    (0.03 * size.x.min(1.3 * size.y)).clamp(11.0, 16.0).round()
 }
 
 /// Corners around all that is to be seen, lights aside.
@@ -186,7 +262,7 @@ impl Sketch<'_> {
         self.exchange(room);
     }
 
-    fn scene(&mut self) {
+    fn scene(&mut self, lowest: &[Option<Vec2>]) {
         self.camera();
         if let Some(state) = vectors::shading(self.input.run) {
             self.polygon(state);
@@ -199,9 +275,8 @@ impl Sketch<'_> {
         self.asked();
         self.lights();
         // If only some names fit, they could give the answer away.
-        let few = self.input.run.prepared().scene.objects.len() <= MOST_NAMES;
-        if few && !self.input.is_pending() {
-            self.names();
+        if lowest.len() <= MOST_NAMES && !self.input.is_pending() {
+            self.names(lowest);
         }
     }
 
@@ -225,19 +300,27 @@ impl Sketch<'_> {
         }
     }
 
-    /// The names of objects under what is seen of them: last, since rays and lights matter more.
-    fn names(&mut self) {
-        let prepared = self.input.run.prepared().clone();
-        for object in 0..prepared.scene.objects.len() {
-            let mesh = &prepared.tessellation.meshes[object];
+    /// Where each object is seen lowest, if it is.
+    fn lowest(&self) -> Vec<Option<Vec2>> {
+        let meshes = self.input.run.prepared().tessellation.meshes.iter();
+        let lowest = meshes.map(|mesh| {
             let places = (0..mesh.vertex_count() as u32).map(|vertex| mesh.position(vertex));
             let seen = places.filter_map(|place| self.seen(place));
             let seen = seen.filter(|&seen| self.is_in_sight(seen));
-            let Some(lowest) = seen.max_by(|a, b| a.at.y.total_cmp(&b.at.y)) else {
-                continue;
-            };
-            let name = names::object(&prepared, object as u32, self.input.language);
-            self.name(lowest.at, 0.0, Vec2::Y, name, Ink::Muted);
+            let lowest = seen.max_by(|a, b| a.at.y.total_cmp(&b.at.y));
+            lowest.map(|seen| seen.at)
+        });
+        lowest.collect()
+    }
+
+    /// The names of objects under what is seen of them: last, since rays and lights matter more.
+    fn names(&mut self, lowest: &[Option<Vec2>]) {
+        let prepared = self.input.run.prepared().clone();
+        for (object, at) in lowest.iter().enumerate() {
+            if let &Some(at) = at {
+                let name = names::object(&prepared, object as u32, self.input.language);
+                self.name(at, 0.0, Vec2::Y, name, Ink::Muted);
+            }
         }
     }
 }

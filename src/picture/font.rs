@@ -96,8 +96,9 @@ struct MaskKey {
 }
 
 /// What is known of the fonts so far.
-#[derive(Default)]
 pub(super) struct Glyphs {
+    /// Those of ASCII, by face: most text is, and much of it is measured again and again.
+    ascii: [[Option<Glyph>; 128]; FILES.len()],
     by_character: HashMap<(Face, char), Glyph>,
     masks: HashMap<MaskKey, Coverage>,
     mask_memory: usize,
@@ -110,22 +111,27 @@ pub(super) fn glyphs() -> MutexGuard<'static, Glyphs> {
     GLYPHS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+impl Default for Glyphs {
+    fn default() -> Self {
+        Glyphs {
+            ascii: [[None; 128]; FILES.len()],
+            by_character: HashMap::new(),
+            masks: HashMap::new(),
+            mask_memory: 0,
+        }
+    }
+}
+
 impl Glyphs {
-    /// The glyph of a character in `face`, or in the first face that has one, or else the empty box of `face`.
+    /// As [`first_with`], of what was found before.
     pub(super) fn find(&mut self, face: Face, character: char) -> Glyph {
-        *self
-            .by_character
-            .entry((face, character))
-            .or_insert_with(|| {
-                let (face, id) = face_with(face, character).unwrap_or((face, GlyphId(0)));
-                let parsed = face.parsed();
-                let advance = parsed.glyph_hor_advance(id).unwrap_or(0);
-                Glyph {
-                    face,
-                    id,
-                    advance: f32::from(advance) / f32::from(parsed.units_per_em()),
-                }
-            })
+        match self.ascii[face as usize].get_mut(character as usize) {
+            Some(known) => *known.get_or_insert_with(|| first_with(face, character)),
+            None => *self
+                .by_character
+                .entry((face, character))
+                .or_insert_with(|| first_with(face, character)),
+        }
     }
 
     /// The coverage of a glyph `size` pixels to the em, its pen `offset` quarters of a pixel right of a pixel's edge.
@@ -147,6 +153,18 @@ impl Glyphs {
             self.masks.insert(key, mask);
         }
         &self.masks[&key]
+    }
+}
+
+/// The glyph of a character in `face`, or in the first face that has one, or else the empty box of `face`.
+fn first_with(face: Face, character: char) -> Glyph {
+    let (face, id) = face_with(face, character).unwrap_or((face, GlyphId(0)));
+    let parsed = face.parsed();
+    let advance = parsed.glyph_hor_advance(id).unwrap_or(0);
+    Glyph {
+        face,
+        id,
+        advance: f32::from(advance) / f32::from(parsed.units_per_em()),
     }
 }
 

@@ -1,6 +1,7 @@
 //! A raster in tiles that copies share until one of them writes: so that a checkpoint keeps only what changed.
 
 use std::iter;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Pixels along the side of a tile.
@@ -61,6 +62,25 @@ impl<T: Copy> Canvas<T> {
     /// All values, row by row from the top.
     pub fn iter(&self) -> impl Iterator<Item = &T> {
         self.runs().flatten()
+    }
+
+    /// The parts that `self` does not share with `before`, all of them where that has another size or there is none: tiles, by
+    /// their columns and rows.
+    pub fn parts_beyond(&self, before: Option<&Self>) -> Vec<[Range<usize>; 2]> {
+        let is_like = |other: &&Self| (other.width, other.height) == (self.width, self.height);
+        let before = before.filter(is_like);
+        let columns = self.width.div_ceil(TILE);
+        let changed = self.tiles.iter().enumerate().filter(|(number, tile)| {
+            before.is_none_or(|before| !Arc::ptr_eq(tile, &before.tiles[*number]))
+        });
+        let part = |tile: usize, side: usize| tile * TILE..((tile + 1) * TILE).min(side);
+        let parts = changed.map(|(number, _)| {
+            [
+                part(number % columns, self.width),
+                part(number / columns, self.height),
+            ]
+        });
+        parts.collect()
     }
 
     /// Bytes of the tiles, and pointers to them, that `self` does not share with `before`, a canvas of the same size.
@@ -132,6 +152,19 @@ mod tests {
                 prop_assert!(canvas.iter().eq(plain));
             }
         }
+    }
+
+    #[test]
+    fn a_part_that_was_written_is_shared_no_longer() {
+        let before = Canvas::new(40, 20, 0_u8);
+        let mut after = before.clone();
+        assert!(after.parts_beyond(Some(&before)).is_empty());
+        after.set(39, 17, 1);
+        assert_eq!(after.parts_beyond(Some(&before)), [[32..40, 16..20]]);
+        let all = after.parts_beyond(None);
+        assert_eq!(after.parts_beyond(Some(&Canvas::new(20, 40, 0))), all);
+        let pixels = all.iter().map(|[columns, rows]| columns.len() * rows.len());
+        assert_eq!(pixels.sum::<usize>(), 40 * 20);
     }
 
     #[test]

@@ -20,12 +20,17 @@ fn main() {
         println!("{}×{}, scale {scale}; milliseconds", size[0], size[1]);
         let mut all = Vec::new();
         for builtin in builtins() {
-            if selected.as_ref().is_some_and(|word| !builtin.id.contains(word)) {
+            if selected
+                .as_ref()
+                .is_some_and(|word| !builtin.id.contains(word))
+            {
                 continue;
             }
             let lesson = builtin.read().expect("a right lesson");
             let mut session = Session::new(lesson).expect("a lesson that resolves");
-            session.update(Command::Questions).expect("they can be turned off");
+            session
+                .update(Command::Questions)
+                .expect("they can be turned off");
             let times = walk(session, size, scale);
             report(builtin.id, &times);
             all.extend(times);
@@ -69,7 +74,9 @@ fn walk(mut session: Session, size: [u32; 2], scale: f32) -> Vec<(usize, f64)> {
         .into_iter()
         .map(|step| {
             let start = Instant::now();
-            session.update(Command::Seek(step)).expect("a step of the run");
+            session
+                .update(Command::Seek(step))
+                .expect("a step of the run");
             frame(&mut session);
             (step, 1e3 * start.elapsed().as_secs_f64())
         })

@@ -57,7 +57,9 @@ use crate::algorithms::prepared_scene::PreparedScene;
 use crate::language::Message;
 use crate::lesson::{Guess, Lesson, LessonError, Narrated, OpenLesson};
 use crate::methods::Setup;
-use crate::panels::{ImageView, InspectorView, Panel, PanelInput, PixelLayer, SpaceView, TreeView};
+use crate::panels::{
+    ImageView, InspectorView, Panel, PanelInput, PixelLayer, Reused, SpaceView, TreeView,
+};
 use crate::picture::Tag;
 use crate::render::smooth_patches;
 use crate::replay::Walk;
@@ -122,6 +124,7 @@ pub struct Session {
     fan: Fan,
     /// Which part of the ray tree is shown.
     tree: TreeView,
+    reused: Reused,
     /// Which values the inspector shows.
     inspector: InspectorView,
     /// The ray tree that others are compared with, and how often one was pinned or taken away.
@@ -179,6 +182,7 @@ impl Session {
             space: SpaceView::default(),
             fan: Fan::default(),
             tree: TreeView::WHOLE,
+            reused: Reused::default(),
             pinned: None,
             pins: 0,
             inspector: InspectorView::WHOLE,
@@ -340,6 +344,7 @@ impl Session {
             selected: self.selected_step(),
             unshot: self.look.unshot,
             pair: self.pair(),
+            reused: Some(self.reused.of(self.recording, self.pictures)),
         }
     }
 

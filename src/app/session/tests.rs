@@ -1,6 +1,7 @@
 mod focus;
 mod kept;
 mod questions;
+mod reused;
 
 use super::{Command, Direction, Guess, Refused, Session, Standing};
 use crate::algorithms::focus::Focus;

@@ -159,7 +159,7 @@ fn depth(input: &PanelInput, pixel: &Layer, x: u32, y: u32) -> Option<f64> {
     match drawn {
         Some(dot) => Some(dot.depth),
         // The depth buffer is filled step by step.
-        None if converts && !super::shows_finished(input) => None,
+        None if converts && !super::so_far::shows_finished(input) => None,
         None => of_ray,
     }
 }

@@ -3,8 +3,9 @@
 use super::super::horizon::UNKNOWN;
 use super::super::message::labelled;
 use super::super::strings::focus;
+use super::layers;
 use super::light::Light;
-use super::{layers, shows_finished};
+use super::so_far::shows_finished;
 use crate::algorithms::focus::Focus;
 use crate::color::Rgb;
 use crate::language::Message;

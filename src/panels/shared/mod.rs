@@ -12,5 +12,6 @@ pub mod horizon;
 pub mod message;
 pub mod names;
 pub mod patches;
+pub mod reused;
 pub mod strings;
 pub mod values;

@@ -4,6 +4,7 @@ use crate::figure::{Depths, Labels, Seen, Space};
 use crate::panels::PanelInput;
 use crate::picture::{Dash, Ink, Paint, Picture, Rect, Shape, Stroke, Style, Tag};
 use glam::{DVec3, Vec2};
+use std::sync::Arc;
 
 /// What lies behind a surface by less than this share of the scene's size lies on it.
 const TOLERANCE: f64 = 0.008;
@@ -14,7 +15,7 @@ pub(super) struct Sketch<'a> {
     pub picture: &'a mut Picture,
     pub input: &'a PanelInput<'a>,
     pub space: Space,
-    pub depths: Depths,
+    pub depths: Arc<Depths>,
     pub labels: Labels,
     /// Size of the letters, in points.
     pub text: f32,

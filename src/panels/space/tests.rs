@@ -171,7 +171,7 @@ fn what_stands_behind_a_surface_is_dotted_and_what_stands_before_it_is_not() {
         picture: &mut picture,
         input: &input,
         space,
-        depths,
+        depths: depths.into(),
         labels: Labels::new(space.area),
         text: 12.0,
         extent,
