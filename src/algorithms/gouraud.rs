@@ -131,6 +131,9 @@ fn fill<I: Varying<Recorded = Rgb>, R: Recorder<Event>>(
         for edge in edge_table.active_edges() {
             recorder.enter(|| edge.entered().into());
             recorder.step(|| edge.ends().into());
+            if let Some(textured) = edge.textured() {
+                recorder.step(|| textured.into());
+            }
             recorder.leave(|| {
                 let (i_1, y_1) = (edge.upper.value, edge.upper.y);
                 let (i_2, y_2) = (edge.lower.value, edge.lower.y);
@@ -143,6 +146,9 @@ fn fill<I: Varying<Recorded = Rgb>, R: Recorder<Event>>(
         for span in edge_table.spans(line) {
             recorder.enter(|| span.entered().into());
             recorder.step(|| span.ends().into());
+            if let Some(textured) = span.textured() {
+                recorder.step(|| textured.into());
+            }
             let (i_4, x_4) = (span.left, span.x_4);
             let (i_5, x_5) = (span.right, span.x_5);
             let mut i_p = span.ramp(i_4, i_5);

@@ -9,16 +9,15 @@ use super::focus::Focus;
 use super::frame::Frame;
 use super::illumination::{SurfacePoint, illuminate};
 use super::prepared_scene::{self, Polygon, PreparedScene};
-use super::scan_line::{self, EdgeTable, Pixel};
+use super::scan_line::{self, EdgeTable, Pixel, Varying};
 use super::shading::{self, ShadedScene, Shading, corners, pixel_point};
-use super::texture::PolygonTexture;
 use super::vertex_cache::VertexCache;
 use super::vertex_normal::{self, VANISHED, vertex_normal};
 use crate::color::Rgb;
 use crate::numeric::interpolate;
 use crate::record::{Listing, Recorder};
-use glam::{DVec2, DVec3};
-use std::iter::{repeat, zip};
+use glam::DVec3;
+use std::iter::zip;
 
 pub static PSEUDOCODE: Listing = Listing {
     name: "Phong",
@@ -77,7 +76,8 @@ pub(super) fn light_pixels<M: PixelLighting, R: Recorder<shading::Event<M>>>(
     let region = focus.region(frame);
     let mut cache = VertexCache::default();
     let mut normals = Vec::new();
-    let mut edge_table = EdgeTable::new(&prepared.view, &region);
+    let mut plain = EdgeTable::new(&prepared.view, &region);
+    let mut textured = EdgeTable::new(&prepared.view, &region);
 
     recorder.enter(|| prepared.entered().into());
     for polygon in prepared.polygons(focus, &region) {
@@ -93,26 +93,36 @@ pub(super) fn light_pixels<M: PixelLighting, R: Recorder<shading::Event<M>>>(
         }
 
         // Interpolation to the pixels, and the illumination model at each pixel
-        let texture = scene.texture(&polygon);
-        let uvs = texture.as_ref().map_or(&[][..], PolygonTexture::corners);
-        let uvs = uvs.iter().copied().chain(repeat(DVec2::ZERO));
-        let normals = zip(normals.iter().copied(), uvs);
-        edge_table.build(corners(&polygon, normals), recorder);
-        fill(
-            &mut edge_table,
-            frame,
-            recorder,
-            |recorder, pixel, (n_p, uv)| {
-                let position = pixel_point(prepared, &pixel, recorder);
-                let (position, normal) = M::surface(prepared, &polygon, position, n_p, recorder);
-                let eye = prepared.view.eye;
-                let mut point = SurfacePoint::seen_from(eye, position, normal, polygon.material);
-                if let Some(texture) = &texture {
-                    point.diffuse = texture.color_at(position, uv, recorder) * point.diffuse;
-                }
-                illuminate(&point, lighting, recorder, |_, _| true).whole
-            },
-        );
+        let point = |n_p: DVec3, pixel: Pixel, recorder: &mut R| {
+            let position = pixel_point(prepared, &pixel, recorder);
+            let (position, normal) = M::surface(prepared, &polygon, position, n_p, recorder);
+            SurfacePoint::seen_from(prepared.view.eye, position, normal, polygon.material)
+        };
+        match scene.texture(&polygon) {
+            None => {
+                plain.build(corners(&polygon, normals.iter().copied()), recorder);
+                fill(&mut plain, frame, recorder, |recorder, pixel, n_p| {
+                    let point = point(n_p, pixel, recorder);
+                    illuminate(&point, lighting, recorder, |_, _| true).whole
+                });
+            }
+            Some(texture) => {
+                let uvs = texture.corners().iter().copied();
+                let with_uv = zip(normals.iter().copied(), uvs);
+                textured.build(corners(&polygon, with_uv), recorder);
+                fill(
+                    &mut textured,
+                    frame,
+                    recorder,
+                    |recorder, pixel, (n_p, uv)| {
+                        let mut point = point(n_p, pixel, recorder);
+                        let color = texture.color_at(point.position, uv, recorder);
+                        point.diffuse = color * point.diffuse;
+                        illuminate(&point, lighting, recorder, |_, _| true).whole
+                    },
+                );
+            }
+        }
         recorder.leave(|| prepared_scene::Event::PolygonDone.into());
     }
     recorder.leave(|| prepared_scene::Event::FrameDone.into());
@@ -135,12 +145,12 @@ where
     normal
 }
 
-/// Interpolates the normals of a polygon, and (u, v) with them, along its edges and spans. `color` is the colour of a pixel.
-fn fill<M: PixelLighting, R: Recorder<shading::Event<M>>>(
-    edge_table: &mut EdgeTable<(DVec3, DVec2)>,
+/// Interpolates the normals of a polygon along its edges and spans. `color` is the colour of a pixel.
+fn fill<M: PixelLighting, V: Varying<Recorded = DVec3>, R: Recorder<shading::Event<M>>>(
+    edge_table: &mut EdgeTable<V>,
     frame: &mut Frame,
     recorder: &mut R,
-    color: impl Fn(&mut R, Pixel, (DVec3, DVec2)) -> Rgb,
+    color: impl Fn(&mut R, Pixel, V) -> Rgb,
 ) {
     while let Some(line) = edge_table.next_scan_line() {
         recorder.enter(|| line.entered().into());
@@ -149,6 +159,9 @@ fn fill<M: PixelLighting, R: Recorder<shading::Event<M>>>(
         for edge in edge_table.active_edges() {
             recorder.enter(|| edge.entered().into());
             recorder.step(|| edge.ends().into());
+            if let Some(textured) = edge.textured() {
+                recorder.step(|| textured.into());
+            }
             recorder.leave(|| {
                 let (n_1, y_1) = (edge.upper.value, edge.upper.y);
                 let (n_2, y_2) = (edge.lower.value, edge.lower.y);
@@ -161,6 +174,9 @@ fn fill<M: PixelLighting, R: Recorder<shading::Event<M>>>(
         for span in edge_table.spans(line) {
             recorder.enter(|| span.entered().into());
             recorder.step(|| span.ends().into());
+            if let Some(textured) = span.textured() {
+                recorder.step(|| textured.into());
+            }
             let (n_4, x_4) = (span.left, span.x_4);
             let (n_5, x_5) = (span.right, span.x_5);
             let mut n_p = span.ramp(n_4, n_5);

@@ -190,6 +190,7 @@ impl State {
                 });
             }
             Event::CornerTransformed { .. }
+            | Event::CornerTextured { .. }
             | Event::EdgeSkipped { .. }
             | Event::EdgeTableBuilt { .. } => {}
             Event::ScanLine { y, y_4 } => {
@@ -212,7 +213,7 @@ impl State {
                     })
                 });
             }
-            Event::EdgeEnds { .. } => {}
+            Event::EdgeEnds { .. } | Event::EdgeTextured { .. } | Event::SpanTextured { .. } => {}
             Event::EdgeInterpolated {
                 direct,
                 incremental,

@@ -24,8 +24,9 @@ const MOST_CHECKPOINTS: usize = 1 << 10;
 /// a 640×480 picture of 40 bytes a pixel eight times over, in small polygons, stay below it.
 const CHECKPOINT_BYTES: usize = 512 << 20;
 
-/// The most plain steps that count as the heading of a scope, so that a scope of a million steps stays quick to read.
-const HEADING: usize = 64;
+/// The most plain steps that count as the heading of a scope, so that a scope of a million steps stays quick to read: enough for
+/// the edge table of a textured polygon of 32 corners.
+const HEADING: usize = 128;
 
 /// A value, and the step that recorded it.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -146,7 +147,7 @@ impl<E: Send + 'static, S> Timeline<E, S> {
 }
 
 impl<E: Event, S> Timeline<E, S> {
-    /// The heading of `scope`, as far as it lies before `step`: the step that enters it, and the plain steps (64 at most)
+    /// The heading of `scope`, as far as it lies before `step`: the step that enters it, and the plain steps (128 at most)
     /// that directly follow. Their values hold for every step of the scope.
     pub fn heading(&self, scope: usize, step: usize) -> Range<usize> {
         let most = step.min(scope + 1 + HEADING);
@@ -288,7 +289,7 @@ mod tests {
         let text = format!("({})", ".".repeat(200));
         let timeline = Timeline::new(Trace::parse(&text).recording(), History::default());
         assert_eq!(timeline.heading(0, 10), 0..10);
-        assert_eq!(timeline.heading(0, 150), 0..65);
+        assert_eq!(timeline.heading(0, 150), 0..129);
     }
 
     #[test]

@@ -61,7 +61,7 @@ const fn equal(a: &str, b: &str) -> bool {
     i == a.len() && i == b.len()
 }
 
-pub(super) const QUANTITIES: [(&str, &str, Unit); 278] = [
+pub(super) const QUANTITIES: [(&str, &str, Unit); 288] = [
     ("width", "width", Unit::Pixels),
     ("height", "height", Unit::Pixels),
     ("A", "A", Unit::None),
@@ -125,6 +125,16 @@ pub(super) const QUANTITIES: [(&str, &str, Unit); 278] = [
     ("I_1", "I_1", Unit::None),
     ("N_1", "N_1", Unit::None),
     ("I_2", "I_2", Unit::None),
+    ("u_k", "u_k", Unit::None),
+    ("v_k", "v_k", Unit::None),
+    ("u_1", "u_1", Unit::None),
+    ("v_1", "v_1", Unit::None),
+    ("u_2", "u_2", Unit::None),
+    ("v_2", "v_2", Unit::None),
+    ("u_4", "u_4", Unit::None),
+    ("v_4", "v_4", Unit::None),
+    ("u_5", "u_5", Unit::None),
+    ("v_5", "v_5", Unit::None),
     ("N_2", "N_2", Unit::None),
     ("x_3", "x_3", Unit::Pixels),
     ("y_3", "y_3", Unit::Pixels),

@@ -2,6 +2,7 @@
 
 use super::declare::Interpolated;
 use super::entry::{Formula, When, entry, is, only};
+use super::texture;
 use crate::algorithms::scan_line::{Event, Named};
 use crate::language::Message;
 
@@ -70,6 +71,17 @@ vocabulary! {
                     is("N").when(When::Recorded("N")),
                     ],
             ),
+        ];
+    Event::CornerTextured { corner, uv } => "CornerTextured" at "edge-table"
+        {
+            "corner" = corner,
+            "u_k" = uv.x,
+            "v_k" = uv.y,
+        }
+        [
+            only(When::Known("corner_position"), "event-corner-textured", texture::CORNER),
+            only(When::Known("hidden_z"), "event-corner-cut", texture::CORNER_CUT),
+            entry("event-corner-of-piece", texture::CORNER_OF_PIECE),
         ];
     Event::EdgeEntered { edge, upper, lower, first, end, slope, step } => "EdgeEntered" at "edge-table"
         {
@@ -162,6 +174,18 @@ vocabulary! {
                 &[is("I_1 = {I@corner:upper}"), is("I_2 = {I@corner:lower}")],
             ),
         ];
+    Event::EdgeTextured { upper, lower, cut } => "EdgeTextured" at "cut"
+        {
+            "u_1" = upper.x,
+            "v_1" = upper.y,
+            "u_2" = lower.x,
+            "v_2" = lower.y,
+            "u_4" = cut.x,
+            "v_4" = cut.y,
+        }
+        [
+            entry("event-edge-textured", texture::EDGE),
+        ];
     Event::EdgeInterpolated { direct, incremental } => "EdgeInterpolated" at "cut"
         {
             "I_4" | "N_4" = Interpolated(direct, |names| names.left),
@@ -225,6 +249,16 @@ vocabulary! {
         [
             only(When::Recorded("N_4"), "event-span-ends-normal", &[is("N_4"), is("N_5")]),
             entry("event-span-ends-intensity", &[is("I_4"), is("I_5")]),
+        ];
+    Event::SpanTextured { left, right } => "SpanTextured" at "span"
+        {
+            "u_4" = left.x,
+            "v_4" = left.y,
+            "u_5" = right.x,
+            "v_5" = right.y,
+        }
+        [
+            entry("event-span-textured", &[is("u_4"), is("v_4"), is("u_5"), is("v_5")]),
         ];
     Event::Pixel { x, y, x_p } => "Pixel" at "pixel" number "x" scope "scope-pixel"
         {
@@ -343,7 +377,7 @@ const BEFORE: When = When::Known("{I_P_incremental<<polygon,y,first,x-1}");
 const NORMAL_BEFORE: When = When::Known("{N_P_incremental<<polygon,y,first,x-1}");
 /// Whether any light reaches the pixel.
 const LIGHT_ARRIVES: When = When::Known("{*I_d}");
-const CUT: &str = "a piece of what the near plane and the sides of the picture leave";
+pub(super) const CUT: &str = "a piece of what the near plane and the sides of the picture leave";
 const ROW_BELOW: Message = Message("note-row-below");
 const FIRST_ROW: Message = Message("note-first-row");
 const NEXT_PIXEL: Message = Message("note-next-pixel");

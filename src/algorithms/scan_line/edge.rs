@@ -120,6 +120,15 @@ impl<V: Varying> Edge<V> {
             lower: self.lower.value.recorded(),
         }
     }
+
+    /// The (u, v) of a texture, where there is one.
+    pub fn textured(&self) -> Option<Event<V::Recorded>> {
+        Some(Event::EdgeTextured {
+            upper: self.upper.value.texture()?,
+            lower: self.lower.value.texture()?,
+            cut: self.value.value.texture()?,
+        })
+    }
 }
 
 /// The first row or column, within 0..=size, whose centre is not before `edge`.

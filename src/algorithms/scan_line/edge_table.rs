@@ -98,6 +98,9 @@ impl<'a, V: Varying> EdgeTable<'a, V> {
                 }
                 .into()
             });
+            if let Some(uv) = corner.value.texture() {
+                recorder.step(|| Event::CornerTextured { corner: number, uv }.into());
+            }
             self.corners.push(ScreenCorner {
                 x: screen.x,
                 y: screen.y,

@@ -2,7 +2,7 @@
 
 use super::varying::{Named, Varying};
 use crate::color::Rgb;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// Indices: `edge` and `corner` count within the polygon as it is after clipping at the near plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +23,11 @@ pub enum Event<A> {
         y: f64,
         z: f64,
         value: A,
+    },
+    /// The (u, v) of a texture at a corner.
+    CornerTextured {
+        corner: u32,
+        uv: DVec2,
     },
     /// Rows `first..end`; `slope` is dx/dy, `step` the increment of the value from one scan line to the next.
     EdgeEntered {
@@ -63,6 +68,12 @@ pub enum Event<A> {
         upper: A,
         lower: A,
     },
+    /// The (u, v) of a texture at the ends of an edge, and where the scan line cuts it.
+    EdgeTextured {
+        upper: DVec2,
+        lower: DVec2,
+        cut: DVec2,
+    },
     /// Closes `Edge`.
     EdgeInterpolated {
         direct: A,
@@ -82,6 +93,11 @@ pub enum Event<A> {
     SpanEnds {
         left: A,
         right: A,
+    },
+    /// The (u, v) of a texture at the ends of a span.
+    SpanTextured {
+        left: DVec2,
+        right: DVec2,
     },
     /// Opens a pixel.
     Pixel {

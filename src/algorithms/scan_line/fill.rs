@@ -23,10 +23,16 @@ impl<V: Varying> EdgeTable<'_, V> {
             recorder.enter(|| line.entered().into());
             for edge in self.active_edges() {
                 recorder.enter(|| edge.entered().into());
+                if let Some(textured) = edge.textured() {
+                    recorder.step(|| textured.into());
+                }
                 recorder.leave(|| Event::EdgeCut.into());
             }
             for span in self.spans(line) {
                 recorder.enter(|| span.entered().into());
+                if let Some(textured) = span.textured() {
+                    recorder.step(|| textured.into());
+                }
                 let mut value = span.ramp(span.left, span.right);
                 for pixel in span.pixels() {
                     if pixel.passes_depth_test(frame, recorder) {

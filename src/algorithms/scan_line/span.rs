@@ -86,6 +86,14 @@ impl<V: Varying> Span<V> {
         }
     }
 
+    /// The (u, v) of a texture, where there is one.
+    pub fn textured(&self) -> Option<Event<V::Recorded>> {
+        Some(Event::SpanTextured {
+            left: self.left.texture()?,
+            right: self.right.texture()?,
+        })
+    }
+
     /// A quantity that is `a_4` at the left end of the span and `a_5` at the right end, at the first pixel that is drawn.
     /// Increments count from the first pixel of the span.
     #[inline]

@@ -11,6 +11,12 @@ pub trait Varying: Linear {
     /// The part of it that is recorded.
     type Recorded: Named;
     fn recorded(self) -> Self::Recorded;
+
+    /// The (u, v) of a texture in it, which are recorded beside the rest.
+    #[inline]
+    fn texture(self) -> Option<DVec2> {
+        None
+    }
 }
 
 impl<V: Named> Varying for V {
@@ -20,10 +26,15 @@ impl<V: Named> Varying for V {
     }
 }
 
-/// The (u, v) of a texture are interpolated without being recorded.
+/// The (u, v) of a texture alone.
 impl Varying for DVec2 {
     type Recorded = ();
     fn recorded(self) {}
+
+    #[inline]
+    fn texture(self) -> Option<DVec2> {
+        Some(self)
+    }
 }
 
 /// A value and the (u, v) of a texture.
@@ -31,6 +42,11 @@ impl<V: Varying> Varying for (V, DVec2) {
     type Recorded = V::Recorded;
     fn recorded(self) -> V::Recorded {
         self.0.recorded()
+    }
+
+    #[inline]
+    fn texture(self) -> Option<DVec2> {
+        Some(self.1)
     }
 }
 

@@ -88,6 +88,17 @@ fn material(name: &str, color: Rgb, highlight: Highlight) -> Material {
     }
 }
 
+/// Light and dark tiles so large.
+fn tiles(scale: f64) -> Material {
+    Material {
+        texture: Some(Texture::Checker {
+            colors: [Rgb::WHITE, Rgb::splat(0.3)],
+            scale,
+        }),
+        ..material("tiles", Rgb::new(0.6, 0.5, 0.4), Highlight::Blinn)
+    }
+}
+
 fn object(name: &str, material: usize, shape: Shape) -> Object {
     Object::new(name, material, shape)
 }
@@ -181,11 +192,6 @@ pub fn textured(method: Method, mapping: Mapping) -> Fixture {
 
 /// The same under other lights.
 pub fn textured_under(lights: Vec<Light>, method: Method, mapping: Mapping) -> Fixture {
-    let mut tiles = material("tiles", Rgb::new(0.6, 0.5, 0.4), Highlight::Blinn);
-    tiles.texture = Some(Texture::Checker {
-        colors: [Rgb::WHITE, Rgb::splat(0.3)],
-        scale: 0.25,
-    });
     let floor = [
         [-2.0, -1.0, 4.0],
         [2.0, -1.0, 4.0],
@@ -195,7 +201,7 @@ pub fn textured_under(lights: Vec<Light>, method: Method, mapping: Mapping) -> F
     let scene = scene(
         vec![
             material("red", Rgb::new(0.7, 0.2, 0.1), Highlight::Phong),
-            tiles,
+            tiles(0.25),
         ],
         vec![
             object(
@@ -221,7 +227,7 @@ pub fn textured_under(lights: Vec<Light>, method: Method, mapping: Mapping) -> F
     Fixture::rendered(Setup::new(prepared, mapping), method, Focus::Frame)
 }
 
-/// A floor that reaches behind the eye, and a triangle in front, for Gouraud in the dark; 28×21, the whole frame.
+/// A checkered floor that reaches behind the eye, and a triangle in front, for Gouraud in the dark; 28×21, the whole frame.
 pub fn behind_the_eye(method: Method) -> Fixture {
     let polygon = |vertices: &[[f64; 3]]| Shape::Polygon {
         vertices: vertices.iter().copied().map(DVec3::from).collect(),
@@ -238,9 +244,12 @@ pub fn behind_the_eye(method: Method) -> Fixture {
         _ => vec![lamp(Rgb::WHITE)],
     };
     let scene = scene(
-        vec![material("red", Rgb::new(0.7, 0.2, 0.1), Highlight::Phong)],
         vec![
-            object("floor", 0, polygon(&floor)),
+            material("red", Rgb::new(0.7, 0.2, 0.1), Highlight::Phong),
+            tiles(0.25),
+        ],
+        vec![
+            object("floor", 1, polygon(&floor)),
             object("leaf", 0, polygon(&leaf)),
         ],
         lights,
@@ -266,11 +275,6 @@ pub fn rays(method: Method, samples: u32) -> Fixture {
     (glass.reflection, glass.transmission, glass.ior) = (Rgb::splat(0.1), Rgb::splat(0.9), 1.5);
     let mut mirror = material("mirror", Rgb::new(0.2, 0.2, 0.3), Highlight::Phong);
     mirror.reflection = Rgb::new(0.5, 0.4, 0.3);
-    let mut tiles = material("tiles", Rgb::new(0.6, 0.5, 0.4), Highlight::Blinn);
-    tiles.texture = Some(Texture::Checker {
-        colors: [Rgb::WHITE, Rgb::splat(0.3)],
-        scale: 0.7,
-    });
     let ball = |center: [f64; 3], radius| Shape::Sphere {
         center: DVec3::from(center),
         radius,
@@ -282,7 +286,7 @@ pub fn rays(method: Method, samples: u32) -> Fixture {
             material("clay", Rgb::new(0.7, 0.2, 0.1), Highlight::Blinn),
             glass,
             mirror,
-            tiles,
+            tiles(0.7),
         ],
         vec![
             object(

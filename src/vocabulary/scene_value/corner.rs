@@ -19,10 +19,7 @@ pub(super) const VALUES: &[SceneValue] = &[
         one(polygon(given, recorded)?.corner_count() as f64)
     }),
     value("corner_position", "P", |given, recorded| {
-        match corner(given, recorded)? {
-            Corner::Vertex(position) => one(position),
-            Corner::Cut { .. } => None,
-        }
+        one(corner_position(given, recorded)?)
     }),
     value("face_normal", "N_{face}", |given, recorded| {
         let polygon = polygon(given, recorded)?;
@@ -108,45 +105,59 @@ pub(super) fn material<'a>(given: Given<'a>, recorded: Recorded) -> Option<&'a M
     scene.materials.get(object.material)
 }
 
-/// A corner of a polygon that the near plane may have cut.
-enum Corner {
-    /// In the world.
-    Vertex(DVec3),
-    /// Between two vertices in the camera frame.
-    Cut { hidden: DVec3, seen: DVec3 },
+/// A corner of a polygon that the near plane may have cut, by the numbers of the polygon's own corners.
+pub(super) enum Corner {
+    Own(usize),
+    /// Between two of them.
+    Cut {
+        hidden: usize,
+        seen: usize,
+    },
 }
 
 /// The corner of the step: of the polygon, or of one triangle of it.
-fn corner(given: Given, recorded: Recorded) -> Option<Corner> {
+pub(super) fn corner(given: Given, recorded: Recorded) -> Option<Corner> {
     let polygon = polygon(given, recorded)?;
-    let mut corners: Vec<(u32, PreparedVertex)> = polygon.corners().collect();
+    let placed: Vec<PreparedVertex> = polygon.corners().map(|(_, placed)| placed).collect();
+    let mut corners: Vec<usize> = (0..placed.len()).collect();
     let is_triangle = recorded("triangle").is_some();
     if is_triangle {
         let of_triangle = ["a", "b", "c"].map(|name| index(recorded, name));
-        let chosen = of_triangle.map(|corner| corners.get(corner?).copied());
+        let chosen = of_triangle.map(|corner| corner.filter(|&corner| corner < placed.len()));
         corners = chosen.into_iter().collect::<Option<_>>()?;
     }
     let near = given.prepared.view.near;
-    let is_hidden = |vertex: &PreparedVertex| vertex.camera.z < near;
+    let inside = |corner: usize| placed[corners[corner]].camera.z - near;
     // The pieces of a triangle that is cut are triangles again, and no longer numbered as its corners are.
-    if is_triangle && corners.iter().any(|(_, vertex)| is_hidden(vertex)) {
+    if is_triangle && (0..corners.len()).any(|corner| inside(corner) < 0.0) {
         return None;
     }
-    let inside = |corner: usize| corners[corner].1.camera.z - near;
     let kept = kept(corners.len(), inside).nth(index(recorded, "corner")?)?;
     Some(match kept {
-        Kept::Corner(corner) => Corner::Vertex(polygon.mesh.position(corners[corner].0)),
-        Kept::Cut { hidden, seen } => {
-            let [hidden, seen] = [hidden, seen].map(|corner| corners[corner].1.camera);
-            Corner::Cut { hidden, seen }
-        }
+        Kept::Corner(corner) => Corner::Own(corners[corner]),
+        Kept::Cut { hidden, seen } => Corner::Cut {
+            hidden: corners[hidden],
+            seen: corners[seen],
+        },
     })
+}
+
+/// Where the corner of the step is in the world, which is not cut.
+pub(super) fn corner_position(given: Given, recorded: Recorded) -> Option<DVec3> {
+    let Corner::Own(corner) = corner(given, recorded)? else {
+        return None;
+    };
+    let polygon = polygon(given, recorded)?;
+    let (vertex, _) = polygon.corners().nth(corner)?;
+    Some(polygon.mesh.position(vertex))
 }
 
 /// The hidden and the seen end of the edge that the corner of the step cuts.
 fn cut(given: Given, recorded: Recorded) -> Option<[DVec3; 2]> {
-    match corner(given, recorded)? {
-        Corner::Cut { hidden, seen } => Some([hidden, seen]),
-        Corner::Vertex(_) => None,
-    }
+    let Corner::Cut { hidden, seen } = corner(given, recorded)? else {
+        return None;
+    };
+    let polygon = polygon(given, recorded)?;
+    let placed: Vec<PreparedVertex> = polygon.corners().map(|(_, placed)| placed).collect();
+    Some([hidden, seen].map(|corner| placed[corner].camera))
 }

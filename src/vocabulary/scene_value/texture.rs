@@ -1,6 +1,6 @@
 //! The texture of the object of the step, and the chart that gives (u, v) at P.
 
-use super::corner::{material, polygon};
+use super::corner::{Corner, corner, corner_position, material, polygon};
 use super::intersection::triangle_met;
 use super::{Given, Recorded, SceneValue, index, number, one, value, vector};
 use crate::scene::Texture;
@@ -92,6 +92,24 @@ pub(super) const VALUES: &[SceneValue] = &[
     value("rectangle_along_v", "s_v", |given, recorded| {
         one(rectangle(given, recorded)?.1[1])
     }),
+    value("corner_is_pole", "pole", |given, recorded| {
+        one(sphere_corner(given, recorded)?.0)
+    }),
+    value("corner_turns", "k", |given, recorded| {
+        one(sphere_corner(given, recorded)?.1)
+    }),
+    value("hidden_u", "u_h", |given, recorded| {
+        one(cut(given, recorded)?[0].x)
+    }),
+    value("hidden_v", "v_h", |given, recorded| {
+        one(cut(given, recorded)?[0].y)
+    }),
+    value("seen_u", "u_s", |given, recorded| {
+        one(cut(given, recorded)?[1].x)
+    }),
+    value("seen_v", "v_s", |given, recorded| {
+        one(cut(given, recorded)?[1].y)
+    }),
     value("checker_scale", "s", |given, recorded| {
         let Texture::Checker { scale, .. } = material(given, recorded)?.texture?;
         one(scale)
@@ -110,10 +128,11 @@ pub(super) const VALUES: &[SceneValue] = &[
 fn chart(given: Given, recorded: Recorded) -> Option<ChartPart> {
     let prepared = given.prepared;
     let object = index(recorded, "object")?;
-    if let Some(polygon) = polygon(given, recorded) {
-        let shape = &prepared.scene.objects.get(object)?.shape;
-        let chart = FaceChart::new(shape, polygon.mesh, polygon.face);
-        return chart.part(vector(recorded, "P")?);
+    if let Some(chart) = face_chart(given, recorded) {
+        let is_at_corner = given.own.get("u_k").is_some();
+        let corner = is_at_corner.then(|| corner_position(given, recorded));
+        let at = corner.unwrap_or_else(|| vector(recorded, "P"));
+        return chart.part(at?);
     }
     let primitives = prepared.primitives();
     let t = number(recorded, "NearestT")?;
@@ -130,6 +149,39 @@ fn chart(given: Given, recorded: Recorded) -> Option<ChartPart> {
         object,
         triangle,
     })
+}
+
+/// That of the object on the face of the polygon.
+fn face_chart<'a>(given: Given<'a>, recorded: Recorded) -> Option<FaceChart<'a>> {
+    let polygon = polygon(given, recorded)?;
+    let shape = &given.prepared.scene.objects.get(polygon.object)?.shape;
+    Some(FaceChart::new(shape, polygon.mesh, polygon.face))
+}
+
+/// Whether the corner of the step is a pole of a sphere, and how many turns beyond its longitude u goes on, to lie beside the other
+/// corners.
+fn sphere_corner(given: Given, recorded: Recorded) -> Option<(bool, f64)> {
+    let ChartPart::Sphere { .. } = chart(given, recorded)? else {
+        return None;
+    };
+    let chart = face_chart(given, recorded)?;
+    let longitude = chart.uv(corner_position(given, recorded)?).x;
+    let Corner::Own(corner) = corner(given, recorded)? else {
+        return None;
+    };
+    let uv = chart.corners().get(corner)?;
+    let is_pole = uv.y == 0.0 || uv.y == 1.0;
+    Some((is_pole, (longitude - uv.x).round()))
+}
+
+/// (u, v) at the hidden and the seen end of the edge that the corner of the step cuts.
+fn cut(given: Given, recorded: Recorded) -> Option<[DVec2; 2]> {
+    let Corner::Cut { hidden, seen } = corner(given, recorded)? else {
+        return None;
+    };
+    let chart = face_chart(given, recorded)?;
+    let at = |corner: usize| chart.corners().get(corner).copied();
+    Some([at(hidden)?, at(seen)?])
 }
 
 fn plane(given: Given, recorded: Recorded) -> Option<(DVec3, [DVec3; 2])> {
