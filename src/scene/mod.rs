@@ -39,7 +39,9 @@ pub use note::Note;
 pub use parser_words::what_the_parser_says;
 pub use replaced::replaced;
 pub use schema::{scene_schema, schema_of};
-pub use tessellation::{Tessellation, sphere as sphere_mesh};
+pub use tessellation::{
+    CYLINDER_SIDES, Tessellation, grid_weights, patch_point, ring_axes, sphere as sphere_mesh,
+};
 pub use validate::{LARGEST, Limits, ReadFile, SceneError, read};
 
 use crate::color::Rgb;

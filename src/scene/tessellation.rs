@@ -5,7 +5,7 @@ use super::{Mesh, Object, Scene, Shape};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 
-pub(super) const CYLINDER_SIDES: u32 = 32;
+pub const CYLINDER_SIDES: u32 = 32;
 
 /// The objects of a scene as meshes. Polygons are counted from 0 over all objects in the order of the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -125,9 +125,7 @@ pub fn sphere(center: DVec3, radius: f64, [longitudes, latitudes]: [u32; 2]) -> 
 /// Texture coordinates: u = longitude/2π, v = the share of the height.
 fn cylinder(base: DVec3, axis: DVec3, radius: f64, height: f64, capped: bool) -> Mesh {
     let sides = CYLINDER_SIDES;
-    let (u, v) = axis.any_orthonormal_pair();
-    // (u, v, axis) is right-handed, so that the ring runs counter-clockwise seen from the tip of the axis.
-    let v = if u.cross(v).dot(axis) < 0.0 { -v } else { v };
+    let [u, v] = ring_axes(axis);
     let ring = |level: DVec3| {
         (0..sides).map(move |i| {
             let (sin, cos) = (TAU * f64::from(i) / f64::from(sides)).sin_cos();
@@ -153,6 +151,14 @@ fn cylinder(base: DVec3, axis: DVec3, radius: f64, height: f64, capped: bool) ->
         .chain((0..sides).map(|i| at(i, 1.0)));
     let uvs: Vec<DVec2> = around.chain(caps.filter(|_| capped)).collect();
     Mesh::new(&positions, faces, &uvs)
+}
+
+/// Two directions, unit, across the axis of a cylinder: its ring runs from the first toward the second, counter-clockwise seen from the
+/// tip of the axis.
+pub fn ring_axes(axis: DVec3) -> [DVec3; 2] {
+    let (u, v) = axis.any_orthonormal_pair();
+    let v = if u.cross(v).dot(axis) < 0.0 { -v } else { v };
+    [u, v]
 }
 
 /// With u along the rows of control points and v from row to row, the front is where ∂P/∂u × ∂P/∂v points. Texture coordinates: (u, v).
@@ -187,7 +193,7 @@ fn bezier(patches: &[[DVec3; 16]], divisions: u32) -> Mesh {
 ///
 /// Counted from the other end they come out in reverse order to the last bit, so that neighbours that run through their
 /// common edge in opposite directions weld.
-pub(super) fn grid_weights(i: u32, n: u32) -> [f64; 4] {
+pub fn grid_weights(i: u32, n: u32) -> [f64; 4] {
     bernstein(f64::from(i) / f64::from(n), f64::from(n - i) / f64::from(n))
 }
 
@@ -202,7 +208,7 @@ pub(super) fn bernstein(t: f64, s: f64) -> [f64; 4] {
 }
 
 /// The point of a patch with such weights along its rows and from row to row.
-pub(super) fn patch_point(points: &[DVec3; 16], along: &[f64; 4], across: &[f64; 4]) -> DVec3 {
+pub fn patch_point(points: &[DVec3; 16], along: &[f64; 4], across: &[f64; 4]) -> DVec3 {
     let row = |row: usize| {
         combine(
             along,

@@ -27,7 +27,7 @@ vocabulary! {
             "P_v" = position,
         }
         [
-            entry("event-vertex", &[is("P_v")]),
+            entry("event-vertex", VERTEX),
         ];
     Event::VertexLit { vertex, intensity } => "VertexLit" at "vertex-lit"
         {
@@ -113,6 +113,38 @@ vocabulary! {
         ];
 }
 
+/// Where a vertex of a divided object is; of a polygon and a mesh the scene states it.
+const VERTEX: &[Formula] = &[
+    is("{θ=polar_angle} := [180 latitude_step; latitude_steps]").when(SPHERE),
+    is("{φ=longitude} := [180 longitude_step; latitude_steps]").when(SPHERE),
+    is("P_v = true_center + true_radius · (sin {θ=polar_angle} sin {φ=longitude} axis_x + cos {θ=polar_angle} axis_y + sin {θ=polar_angle} cos {φ=longitude} axis_z)")
+        .when(SPHERE),
+    is("{φ=longitude} := [360 ring_step; ring_steps]").when(RING),
+    is("P_v = ring_base + ring_height ring_axis + ring_radius · (cos {φ=longitude} ring_across_x + sin {φ=longitude} ring_across_y)")
+        .when(RING),
+    // A Bézier patch: along each row of control points, then across the rows.
+    is("{u=patch_u} := [patch_column; patch_steps]").when(PATCH_VERTEX),
+    is("{v=patch_v} := [patch_row; patch_steps]").when(PATCH_VERTEX),
+    is("{Q_0=row_0} := (1 − {u=patch_u})^3 control_00 + 3 {u=patch_u} (1 − {u=patch_u})^2 control_01 + 3 {u=patch_u}^2 (1 − {u=patch_u}) control_02 + {u=patch_u}^3 control_03")
+        .when(PATCH_VERTEX),
+    is("{Q_1=row_1} := (1 − {u=patch_u})^3 control_10 + 3 {u=patch_u} (1 − {u=patch_u})^2 control_11 + 3 {u=patch_u}^2 (1 − {u=patch_u}) control_12 + {u=patch_u}^3 control_13")
+        .when(PATCH_VERTEX),
+    is("{Q_2=row_2} := (1 − {u=patch_u})^3 control_20 + 3 {u=patch_u} (1 − {u=patch_u})^2 control_21 + 3 {u=patch_u}^2 (1 − {u=patch_u}) control_22 + {u=patch_u}^3 control_23")
+        .when(PATCH_VERTEX),
+    is("{Q_3=row_3} := (1 − {u=patch_u})^3 control_30 + 3 {u=patch_u} (1 − {u=patch_u})^2 control_31 + 3 {u=patch_u}^2 (1 − {u=patch_u}) control_32 + {u=patch_u}^3 control_33")
+        .when(PATCH_VERTEX),
+    is("P_v = (1 − {v=patch_v})^3 {Q_0=row_0} + 3 {v=patch_v} (1 − {v=patch_v})^2 {Q_1=row_1} + 3 {v=patch_v}^2 (1 − {v=patch_v}) {Q_2=row_2} + {v=patch_v}^3 {Q_3=row_3}")
+        .when(PATCH_VERTEX),
+    is("P_v").when(STATED),
+];
+
+const RING: When = When::Known("ring_base");
+const PATCH_VERTEX: When = When::Known("patch_row");
+const STATED: When = When::All(&[
+    When::Not(&SPHERE),
+    When::Not(&RING),
+    When::Not(&PATCH_VERTEX),
+]);
 const SPHERE: When = When::Known("true_center");
 const SIDE: When = When::Known("true_base");
 const END: When = When::Known("true_end_normal");

@@ -78,6 +78,18 @@ impl Rounded {
     }
 
     /// Of an angle in degrees.
+    fn sin(self) -> Self {
+        let (value, slope) = self.value.to_radians().sin_cos();
+        Rounded::new(value, slope.abs() * self.error.to_radians())
+    }
+
+    /// Of an angle in degrees.
+    fn cos(self) -> Self {
+        let (slope, value) = self.value.to_radians().sin_cos();
+        Rounded::new(value, slope.abs() * self.error.to_radians())
+    }
+
+    /// Of an angle in degrees.
     fn tan(self) -> Self {
         let value = self.value.to_radians().tan();
         let slope = 1.0 + value * value;
@@ -288,6 +300,8 @@ fn call(function: Function, arguments: &[Term]) -> Option<Rounded> {
             [y, x] => Some(Rounded::atan2(y.number()?, x.number()?)),
             _ => None,
         },
+        Function::Sin => Some(first.number()?.sin()),
+        Function::Cos => Some(first.number()?.cos()),
         Function::Tan => Some(first.number()?.tan()),
         Function::Root => Some(first.number()?.root()),
         Function::Length => first.length(),

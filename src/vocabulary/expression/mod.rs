@@ -89,6 +89,8 @@ pub enum Function {
     /// Of y and x: the angle from the axis x toward y, in degrees from 0 to 360.
     Atan2,
     /// Of an angle in degrees.
+    Sin,
+    Cos,
     Tan,
     Root,
     /// |…|: of a vector its length.
@@ -106,6 +108,8 @@ impl Function {
             Function::Arccos => ["arccos ", ""],
             Function::Arcsin => ["arcsin ", ""],
             Function::Atan2 => ["atan2(", ")"],
+            Function::Sin => ["sin ", ""],
+            Function::Cos => ["cos ", ""],
             Function::Tan => ["tan ", ""],
             Function::Root => ["√", ""],
             Function::Length => ["|", "|"],
@@ -114,12 +118,14 @@ impl Function {
         }
     }
 
-    const ALL: [Function; 10] = [
+    const ALL: [Function; 12] = [
         Function::Max,
         Function::Min,
         Function::Arccos,
         Function::Arcsin,
         Function::Atan2,
+        Function::Sin,
+        Function::Cos,
         Function::Tan,
         Function::Root,
         Function::Length,

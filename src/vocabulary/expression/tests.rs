@@ -57,7 +57,9 @@ fn with_symbols(text: &str) -> String {
         };
         let (word, after) = rest.split_at(end);
         rest = after;
-        let functions = ["max", "min", "arccos", "arcsin", "atan2", "tan"];
+        let functions = [
+            "max", "min", "arccos", "arcsin", "atan2", "sin", "cos", "tan",
+        ];
         written.push_str(&match c {
             '\'' => word.trim_matches('\'').to_string(),
             '{' => match word[1..end - 1].rsplit_once('=') {
@@ -206,6 +208,14 @@ fn the_cross_product_stands_across_both_vectors() {
     // (0, 0, −1) × (1, 0, 0) = (0, −1, 0)
     assert_eq!(value("N × {N_k!}"), Some(vec![0.0, -1.0, 0.0]));
     assert_eq!(value("a × N"), None);
+}
+
+#[test]
+fn a_sine_and_a_cosine_are_those_of_degrees() {
+    for (text, expected) in [("sin 30", 0.5), ("cos 60", 0.5), ("2 cos 180 sin 90", -2.0)] {
+        let found = value(text).expect("a value")[0];
+        assert!((found - expected).abs() < 1e-15, "{text}: {found}");
+    }
 }
 
 #[test]

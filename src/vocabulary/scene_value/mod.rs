@@ -6,6 +6,7 @@ mod intersection;
 mod light;
 mod texture;
 mod true_surface;
+mod vertex;
 
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::form_factor::Method;
@@ -44,6 +45,7 @@ impl SceneValue {
             intersection::VALUES,
             texture::VALUES,
             true_surface::VALUES,
+            vertex::VALUES,
             PATCHES,
         ];
         let mut values = families.into_iter().flatten();
