@@ -112,6 +112,12 @@ pub fn apply(ctx: &egui::Context, theme: Theme, for_fingers: bool) {
     });
 }
 
+/// What is scrolled leaves room for the bar, which else lies over the ends of its buttons.
+pub fn beside_scroll_bar(ui: &mut egui::Ui) {
+    let scroll = &mut ui.spacing_mut().scroll;
+    scroll.floating_allocated_width = scroll.bar_width + scroll.bar_inner_margin;
+}
+
 fn visuals(theme: Theme) -> Visuals {
     let ink = |ink| color(theme, ink);
     let line = |width: f32, of| Stroke::new(width, ink(of));

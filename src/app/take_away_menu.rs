@@ -2,7 +2,7 @@
 
 use super::button::button;
 use super::session::{Command, Session};
-use super::strings;
+use super::{strings, style};
 use crate::export::TakeAway;
 use egui::{Align, Button, Grid, Label, Layout, RichText, ScrollArea, Ui};
 
@@ -15,6 +15,7 @@ pub fn show(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         ui.set_style(ui.ctx().global_style());
         let room = ui.ctx().content_rect();
         ui.set_max_width(WIDTH.min(room.width() - 24.0));
+        style::beside_scroll_bar(ui);
         ScrollArea::vertical()
             .max_height(room.height() - 80.0)
             .show(ui, |ui| {

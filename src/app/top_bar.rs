@@ -306,6 +306,7 @@ fn settings(session: &Session, commands: &mut Vec<Command>, ui: &mut Ui) {
         }
     };
     let (response, _) = menu.ui(ui, |ui| {
+        style::beside_scroll_bar(ui);
         let scrolls = ScrollArea::vertical().max_height(room);
         scrolls.show(ui, |ui| entries(ui)).inner
     });
