@@ -97,8 +97,13 @@ fn typed(text: &str, comma: char) -> BTreeSet<String> {
                 i = end;
             }
         }
-        if chars[i..].starts_with(&['·', '1', '0']) && RAISED.contains(at(i + 3)) {
-            let end = (i + 3..chars.len()).find(|&i| !RAISED.contains(at(i)));
+        let power = match chars[i..] {
+            ['·', '1', '0', ..] => i + 3,
+            _ if number == "10" => i,
+            _ => chars.len(),
+        };
+        if RAISED.contains(at(power)) {
+            let end = (power..chars.len()).find(|&i| !RAISED.contains(at(i)));
             let end = end.unwrap_or(chars.len());
             number.extend(&chars[i..end]);
             i = end;
@@ -118,8 +123,8 @@ fn typed_numbers_are_found() {
         ["0.25"]
     );
     assert_eq!(
-        all("10 000 by 5.4·10⁻⁵, 1e-6", '.'),
-        ["10000", "1e-6", "5.4·10⁻⁵"]
+        all("10 000 by 5.4·10⁻⁵, 1e-6, 10⁻⁸", '.'),
+        ["10000", "10⁻⁸", "1e-6", "5.4·10⁻⁵"]
     );
     assert_eq!(all("10.000 dan 0,5; 16.16", ','), ["0.5", "10000", "16.16"]);
 }
@@ -162,6 +167,21 @@ fn every_typed_number_has_a_source() {
     }
 }
 
+/// As programs write it: `5.4e-5` of `5.4·10⁻⁵`.
+fn with_e(number: &str) -> String {
+    number
+        .replace("·10", "e")
+        .chars()
+        .map(
+            |sign| match RAISED.chars().position(|raised| raised == sign) {
+                Some(0) => '-',
+                Some(digit) => char::from(b'0' + digit as u8 - 1),
+                None => sign,
+            },
+        )
+        .collect()
+}
+
 /// Half of the last digit that is typed.
 fn half_a_digit(number: &str) -> f64 {
     let (digits, power) = number.split_once('e').unwrap_or((number, "0"));
@@ -199,8 +219,9 @@ fn typed_numbers_of_a_run_are_those_of_the_run() {
                 Some(Value::Rgb(color)) => color.r,
                 _ => panic!("{what}"),
             };
+            let number = with_e(number);
             let typed: f64 = number.parse().expect(&what);
-            let within = half_a_digit(number) * (1.0 + 1e-9);
+            let within = half_a_digit(&number) * (1.0 + 1e-9);
             assert!((value - typed).abs() <= within, "{what} is {value}");
         }
     }
