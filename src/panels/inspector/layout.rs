@@ -83,7 +83,9 @@ impl Layout {
         self.text = text;
         self.widths = self.widths.map(|width| factor * width);
         let column = self.widths.iter().sum::<f32>() + GAP;
-        self.columns = ((self.width() + 2.0 * GAP) / (column + 2.0 * GAP)) as usize;
+        let columns = ((self.width() + 2.0 * GAP) / (column + 2.0 * GAP)) as usize;
+        // No more than there are lines for, so that headings have all the width.
+        self.columns = columns.min(self.lines.len().div_ceil(self.lines_a_column()));
     }
 
     fn width(&self) -> f32 {

@@ -1,8 +1,11 @@
+use super::super::fixture::Fixture;
 use super::super::fixtures::{
     self, SIZES, all_views, assert_legible, assert_steps_are_legible, texts,
 };
 use super::super::strings::Language;
 use super::*;
+use crate::algorithms::focus::Focus;
+use crate::algorithms::radiosity::Solver;
 use crate::render::Method;
 
 #[test]
@@ -77,6 +80,18 @@ fn values_stand_under_the_step_that_recorded_them() {
     let picture = draw(&input, SIZES[5]);
     let link = picture.tagged_bounds(Tag::Step(under)).unwrap();
     assert_eq!(picture.hit(link.center()), Some(Tag::Step(under)));
+}
+
+#[test]
+fn few_short_values_leave_their_heading_whole() {
+    let mut fixture = Fixture::room(Solver::GaussSeidel, Focus::Frame);
+    fixture.go_to("RoomDone", 0);
+    let picture = draw(&fixture.input(), Vec2::new(240.0, 160.0));
+    let texts = texts(&picture);
+    assert!(
+        texts.iter().any(|(text, _)| *text == "Room · step 0"),
+        "{texts:?}"
+    );
 }
 
 #[test]
