@@ -159,9 +159,17 @@ fn row(edge: &ActiveEdge, y: Option<u32>, current: bool, language: Language) -> 
             (edge.end - 1).to_string(),
             cut.map_or(yet.to_string(), |cut| language.fixed(cut.x_4, 2)),
             value.map_or_else(String::new, numbers),
-            step.map_or_else(String::new, numbers),
+            step.map_or_else(String::new, |step| a_line(step, language)),
             language.fixed(edge.slope, 3),
         ],
+    }
+}
+
+/// What a value grows by from line to line: over many lines too little for a fixed number of decimals.
+fn a_line(step: Value, language: Language) -> String {
+    match step {
+        Value::Rgb(color) if color.is_grey() => language.significant(color.r, 3),
+        step => numbers(step, 3, language),
     }
 }
 
@@ -263,6 +271,7 @@ mod tests {
     use super::super::fixture::Fixture;
     use super::super::fixtures::{SIZES, assert_legible, fixtures, nothing, texts};
     use super::*;
+    use crate::color::Rgb;
     use crate::render::Method;
 
     #[test]
@@ -290,6 +299,13 @@ mod tests {
         };
         assert!(shown(&format!("{}–{}", upper + 1, lower + 1)));
         assert!(picture.alt.contains("Edge interpolated"));
+    }
+
+    #[test]
+    fn what_grows_little_from_line_to_line_is_not_written_as_nothing() {
+        let step = |grey| a_line(Rgb::splat(grey).into(), Language::English);
+        assert_eq!(step(0.0006357), "0.000636");
+        assert_eq!(step(-0.25), "−0.25");
     }
 
     #[test]
