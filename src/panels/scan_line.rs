@@ -191,6 +191,23 @@ mod tests {
         );
     }
 
+    /// At the step that finds a normal, and at those that follow.
+    #[test]
+    fn a_normal_is_known_from_the_step_on_that_finds_it() {
+        let mut fixture = Fixture::triangle(Method::Phong);
+        let unknown = |fixture: &Fixture| {
+            let picture = draw(&fixture.input(), Vec2::new(480.0, 400.0));
+            let texts = texts(&picture).into_iter();
+            texts.filter(|(text, _)| *text == "N = ?").count()
+        };
+        for n in 0..3 {
+            fixture.go_to("Vertex", n);
+            assert_eq!(unknown(&fixture), 3 - n);
+            fixture.go_to("VertexNormal", n);
+            assert_eq!(unknown(&fixture), 2 - n);
+        }
+    }
+
     #[test]
     fn without_a_polygon_a_sentence_says_so() {
         let picture = draw(&nothing().input(), Vec2::new(260.0, 180.0));

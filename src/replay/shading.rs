@@ -51,6 +51,8 @@ pub struct State {
     pub vertex: Option<CurrentVertex>,
     /// The vertices that were lit for the current polygon, with their intensities; others were lit for an earlier one.
     pub lit: Vec<(u32, Rgb)>,
+    /// The vertices that were given their normals, and are not lit.
+    pub normals: Vec<(u32, DVec3)>,
     /// The point that is being lit.
     pub point: Option<CurrentPoint>,
     pub corners: Vec<CurrentCorner>,
@@ -74,6 +76,7 @@ impl State {
             polygon: None,
             vertex: None,
             lit: Vec::new(),
+            normals: Vec::new(),
             point: None,
             corners: Vec::new(),
             edges: Vec::new(),
@@ -98,6 +101,7 @@ impl State {
         let lists = size_of_val(&*self.corners)
             + size_of_val(&*self.edges)
             + size_of_val(&*self.lit)
+            + size_of_val(&*self.normals)
             + size_of_val(&*self.cut);
         size_of::<Self>() + faces + lights + lists
     }
@@ -106,6 +110,7 @@ impl State {
     fn clear_polygon(&mut self) {
         self.vertex = None;
         self.lit.clear();
+        self.normals.clear();
         self.point = None;
         self.corners.clear();
         self.edges.clear();
@@ -306,7 +311,6 @@ impl<E: ShadingEvent> Fold<E> for State {
         match *event {
             Event::PreparedScene(ref event) => self.find_polygon(event),
             Event::Middle { .. }
-            | Event::VertexReady { .. }
             | Event::PixelPoint { .. }
             | Event::Texture(_)
             | Event::PixelNormal { .. }
@@ -322,6 +326,10 @@ impl<E: ShadingEvent> Fold<E> for State {
                     normal: None,
                     intensity: None,
                 });
+            }
+            Event::VertexReady { vertex } => {
+                let normal = self.vertex.as_ref().and_then(|vertex| vertex.normal);
+                self.normals.extend(normal.map(|normal| (vertex, normal)));
             }
             Event::Normal(ref event) => self.find_normal(step, event),
             Event::Illumination(ref event) => CurrentPoint::light(&mut self.point, step, event),

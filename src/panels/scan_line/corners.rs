@@ -37,19 +37,30 @@ pub(super) fn corners(state: &State) -> Vec<Corner> {
         return Vec::new();
     };
     let current = state.vertex.as_ref();
+    // Where normals are what is interpolated, that of the vertex counts as soon as it is found.
+    let of_normals = state
+        .names
+        .is_some_and(|names| matches!(names.zero, Value::Vector(_)));
+    let found = |vertex| {
+        let known = current.filter(|known| of_normals && known.vertex == vertex);
+        known.and_then(|known| known.normal)
+    };
     polygon
         .corners()
         .filter(|(_, place)| place.camera.z >= state.prepared.view.near)
         .enumerate()
         .map(|(number, (vertex, place))| {
             let lit = state.lit.iter().find(|(known, _)| *known == vertex);
+            let normal = state.normals.iter().find(|(known, _)| *known == vertex);
+            let normal = normal.map(|(_, normal)| *normal).or(found(vertex));
             let recorded = state.corners.get(number);
             Corner {
                 place: place.screen,
                 tag: Tag::Vertex(vertex),
                 value: recorded
                     .and_then(|corner| corner.value)
-                    .or(lit.map(|(_, intensity)| (*intensity).into())),
+                    .or(lit.map(|(_, intensity)| (*intensity).into()))
+                    .or(normal.map(Value::from)),
                 current: current.is_some_and(|known| known.vertex == vertex)
                     || recorded.is_some() && number + 1 == state.corners.len(),
             }
