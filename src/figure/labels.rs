@@ -11,6 +11,8 @@ const LED: usize = 3;
 const SHAPE: f32 = 3.0;
 /// What it costs that the line to a label strikes through another one.
 const STRUCK: f32 = 12.0;
+/// How much of a line goes under a label that has to cover it.
+const GROUND: f32 = 0.75;
 /// Between the boxes of two labels.
 const APART: f32 = 3.0;
 
@@ -110,6 +112,7 @@ impl Labels {
             picture.line(start, end, Ink::Muted.stroke(0.75));
             self.avoid(start, end);
         }
+        self.clear(picture, place);
         let baseline = Vec2::new(place.x, place.y + above);
         let set = Text {
             anchor: crate::picture::Anchor::Start,
@@ -139,6 +142,13 @@ impl Labels {
         picture.text(corner + Vec2::new(0.0, above), text, set);
         self.taken.push(place);
         true
+    }
+
+    /// Where a line passes through the box it pales, so that the letters stand out.
+    fn clear(&self, picture: &mut Picture, place: Rect) {
+        if self.lines.iter().any(|line| line.crosses(place)) {
+            picture.rounded_rect(place, 2.0, Ink::Surface.fill().opacity(GROUND));
+        }
     }
 
     /// The cheapest free box beside a disc, and which gap lies between them.
@@ -237,6 +247,21 @@ pub fn within([from, to]: [Vec2; 2], rect: Rect) -> Option<[Vec2; 2]> {
 mod tests {
     use super::*;
     use crate::picture::Style;
+
+    #[test]
+    fn a_line_pales_under_the_label_that_has_to_cover_it() {
+        let area = Rect::new(0.0, 0.0, 90.0, 60.0);
+        for (lines, grounds) in [(0, 0), (11, 1)] {
+            let mut labels = Labels::new(area);
+            let mut picture = Picture::new(90.0, 60.0);
+            for y in (0..lines).map(|line| 6.0 * line as f32) {
+                labels.avoid(Vec2::new(0.0, y), Vec2::new(90.0, y));
+            }
+            let at = (Vec2::new(45.0, 30.0), 4.0);
+            labels.put(&mut picture, at, Vec2::X, "L_0", Style::Label.size(12.0));
+            assert_eq!(picture.items.len(), 1 + grounds);
+        }
+    }
 
     #[test]
     fn labels_of_one_point_lie_apart_until_there_is_no_room() {
