@@ -1,6 +1,7 @@
 //! The scene in space, from wherever the viewer likes: surfaces with hidden parts hidden, eye, image plane and lights; the rays
 //! of the pixel, the vectors at a point, the current polygon, or the exchange between two patches.
 
+mod ball;
 mod camera;
 mod choice;
 mod edges;
@@ -133,7 +134,10 @@ fn drawn_anew(input: &PanelInput, of: SurroundingsOf, room: Option<&Enclosure>) 
             let colors = exchange::colors(input, &space, room);
             surfaces::patches(&mut solids, &space, room, &colors);
         }
-        None => surfaces::objects(&mut solids, &space, input.run.prepared(), PLANE * extent),
+        None => {
+            let (prepared, round) = (input.run.prepared(), are_balls_round(input));
+            surfaces::objects(&mut solids, &space, prepared, PLANE * extent, round);
+        }
     }
     let (image, depths) = solids.finish();
     picture.image(area, image);
@@ -166,6 +170,11 @@ fn drawn_anew(input: &PanelInput, of: SurroundingsOf, room: Option<&Enclosure>) 
 /// Of letters, in points.
 fn text_size(size: Vec2) -> f32 {
     (0.03 * size.x.min(1.3 * size.y)).clamp(11.0, 16.0).round()
+}
+
+/// A ray meets a sphere itself; scan lines meet the polygons that stand in for it.
+fn are_balls_round(input: &PanelInput) -> bool {
+    input.run.rays().is_some()
 }
 
 /// Corners around all that is to be seen, lights aside.
@@ -284,7 +293,8 @@ impl Sketch<'_> {
     fn edges(&mut self) {
         let prepared = self.input.run.prepared().clone();
         for (number, object) in prepared.scene.objects.iter().enumerate() {
-            let edges = edges::edges(&self.space, &prepared, number, PLANE * self.extent);
+            let (reach, round) = (PLANE * self.extent, are_balls_round(self.input));
+            let edges = edges::edges(&self.space, &prepared, number, reach, round);
             let edges = edges.into_iter();
             let drawn = edges.filter_map(|[from, to]| self.line(from, to, Ink::Muted.stroke(1.0)));
             let drawn: Vec<[Vec2; 2]> = drawn.collect();

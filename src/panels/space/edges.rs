@@ -1,5 +1,6 @@
 //! The edges of objects: where a surface ends, bends sharply, or turns away from the viewer.
 
+use super::ball::Ball;
 use super::surfaces::{SMOOTH, faces_viewer, plane};
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::figure::Space;
@@ -9,15 +10,23 @@ use glam::DVec3;
 /// Meshes with more faces are drawn without edges.
 const MOST_FACES: usize = 20_000;
 
-/// The ends of each edge of an object.
+/// The ends of each edge of an object; `round` says that spheres are what they are, not polygons in their place.
 pub(super) fn edges(
     space: &Space,
     prepared: &PreparedScene,
     object: usize,
     reach: f64,
+    round: bool,
 ) -> Vec<[DVec3; 2]> {
     let mesh = &prepared.tessellation.meshes[object];
-    match prepared.scene.objects[object].shape {
+    let shape = &prepared.scene.objects[object].shape;
+    if let &Shape::Sphere { center, radius } = shape
+        && round
+        && let Some(ball) = Ball::seen(space, center, radius)
+    {
+        return ball.outline();
+    }
+    match *shape {
         Shape::Plane { point, normal } => {
             let corners = plane(space, point, normal, reach);
             (0..4).map(|i| [corners[i], corners[(i + 1) % 4]]).collect()

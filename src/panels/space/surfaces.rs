@@ -1,5 +1,6 @@
 //! The surfaces of the scene: objects in their material's colours under a light at the viewer, or patches in their own light.
 
+use super::ball::Ball;
 use crate::algorithms::enclosure::Enclosure;
 use crate::algorithms::prepared_scene::PreparedScene;
 use crate::color::Rgb;
@@ -19,8 +20,15 @@ const MIRROR: f64 = 0.5;
 /// Of what transmits alone.
 const CLEAR: Rgb = Rgb::splat(0.62);
 
-/// The objects, opaque ones first. `reach` is how far planes are drawn from the pivot.
-pub(super) fn objects(solids: &mut Solids, space: &Space, prepared: &PreparedScene, reach: f64) {
+/// The objects, opaque ones first. `reach` is how far planes are drawn from the pivot; `round` says that spheres are what they
+/// are, not polygons in their place.
+pub(super) fn objects(
+    solids: &mut Solids,
+    space: &Space,
+    prepared: &PreparedScene,
+    reach: f64,
+    round: bool,
+) {
     let scene = &prepared.scene;
     let is_clear = |object: &Object| scene.materials[object.material].transmission != Rgb::BLACK;
     for clear in [false, true] {
@@ -37,6 +45,12 @@ pub(super) fn objects(solids: &mut Solids, space: &Space, prepared: &PreparedSce
                     }
                     let chart = FaceChart::new(&object.shape, mesh, 0);
                     paint.face(solids, space, &corners, &[normal; 4], Some(&chart));
+                }
+                Shape::Sphere { center, radius } if round => {
+                    match Ball::seen(space, center, radius) {
+                        Some(ball) => round_faces(solids, space, object, mesh, &paint, &ball),
+                        None => faces(solids, space, object, mesh, &paint),
+                    }
                 }
                 _ => faces(solids, space, object, mesh, &paint),
             }
@@ -61,6 +75,29 @@ fn faces(solids: &mut Solids, space: &Space, object: &Object, mesh: &Mesh, paint
             .texture
             .map(|_| FaceChart::new(&object.shape, mesh, face));
         paint.face(solids, space, &corners, &normals, chart.as_ref());
+    }
+}
+
+fn round_faces(
+    solids: &mut Solids,
+    space: &Space,
+    object: &Object,
+    mesh: &Mesh,
+    paint: &Paint,
+    ball: &Ball,
+) {
+    let chart = FaceChart::new(&object.shape, mesh, 0);
+    let chart = paint.material.texture.map(|_| &chart);
+    // What an opaque ball hides of itself is never seen.
+    let sides: &[bool] = if paint.clear {
+        &[true, false]
+    } else {
+        &[false]
+    };
+    for &hidden in sides {
+        for (corners, normals) in ball.faces(hidden) {
+            paint.face(solids, space, &corners, &normals, chart);
+        }
     }
 }
 

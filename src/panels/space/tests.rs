@@ -154,7 +154,7 @@ fn what_stands_behind_a_surface_is_dotted_and_what_stands_before_it_is_not() {
     let (space, extent) = space(&input, LARGE);
     let prepared = input.run.prepared();
     let mut solids = Solids::new(space.area);
-    surfaces::objects(&mut solids, &space, prepared, PLANE * extent);
+    surfaces::objects(&mut solids, &space, prepared, PLANE * extent, true);
     let (_, depths) = solids.finish();
     let ball = prepared.scene.objects.iter().find_map(|object| {
         let material = &prepared.scene.materials[object.material];
